@@ -1,0 +1,56 @@
+//! The cycles. Adding one is a file, its line in [`CYCLES`], and a job in `tests/jobs/`.
+
+mod ency;
+mod internal_rectangle_protected;
+mod double_wall_internal_corner;
+
+use std::fmt::Debug;
+
+use crate::path::{Path, Setup, Wall};
+use crate::spec::{Checker, Field, Section};
+
+/// Every cycle, in the order of the gallery.
+pub static CYCLES: &[&CycleDef] = &[&internal_rectangle_protected::DEF, &double_wall_internal_corner::DEF];
+
+/// What is known of a cycle before anybody fills in its form.
+#[derive(Debug)]
+pub struct CycleDef {
+    /// `cycle.type` in the job.
+    pub key: &'static str,
+    /// Its documented name.
+    pub title: &'static str,
+    /// Whose cycle it is, and its number there.
+    pub source: &'static str,
+    /// Page of the manual.
+    pub doc: &'static str,
+    /// Its form.
+    pub fields: &'static [Field],
+    /// The steps of its documented list, in our words; index 0 is step 1.
+    pub steps: &'static [&'static str],
+    /// Reads the form.
+    pub read: fn(&mut Section<'_, '_>) -> Box<dyn Cycle>,
+}
+
+/// A cycle with checked dimensions. All lengths in mm, angles in degrees as in the form.
+pub trait Cycle: Debug {
+    /// Reports what single fields cannot know: dimensions that do not go together. Paths start with `cycle.`.
+    fn rules(&self, setup: &Setup, checker: &mut Checker);
+
+    /// The whole path. Total on every cycle that passed its rules.
+    fn plan(&self, setup: &Setup) -> Path;
+
+    /// The walls of the feature alone, as [`Cycle::plan`] gives them.
+    fn walls(&self, setup: &Setup) -> Vec<Wall>;
+
+    /// The same cycle with `delta` (mm or degrees) added to the size named `key`; none where there is no such size, or
+    /// where nothing of the feature would be left.
+    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
+
+    /// Why the control's value of this result is off on a turned part, where it is.
+    fn turned_error(&self, code: &str) -> Option<&'static str>;
+}
+
+/// The cycle with this `type`.
+pub fn find(key: &str) -> Option<&'static CycleDef> {
+    CYCLES.iter().copied().find(|c| c.key == key)
+}

@@ -1,0 +1,354 @@
+//! What a control computes from the touches, written once.
+//!
+//! A cycle states its arithmetic as a list of named assignments. A post prints it in its control's language, and the
+//! virtual part evaluates the very same list, with the derivative by each touch beside it. So what the page shows as the
+//! control's result is what the program computes, and the uncertainty comes from the same fit.
+//!
+//! Angles are in degrees here, as controls take them.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use crate::geom::Vec3;
+use crate::num::tidy;
+use crate::path::MAX_TOUCHES;
+
+/// An expression over the triggers of the touches.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expr {
+    /// A pure number.
+    Number(f64),
+    /// A length in mm.
+    Length(f64),
+    /// The value of an earlier assignment, by its index.
+    Variable(usize),
+    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a touch.
+    Trigger {
+        /// Index of the touch.
+        touch: usize,
+        /// 0, 1, 2 for X, Y, Z.
+        axis: usize,
+    },
+    /// Two operands.
+    Binary(Op, Box<Expr>, Box<Expr>),
+    /// A function of one operand.
+    Call(Function, Box<Expr>),
+    /// The angle in degrees whose tangent is the first by the second, in the right quadrant.
+    Atan2(Box<Expr>, Box<Expr>),
+}
+
+/// An operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Op {
+    /// +
+    Add,
+    /// −
+    Subtract,
+    /// ×
+    Multiply,
+    /// ÷
+    Divide,
+}
+
+/// A function of one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// Sine of degrees.
+    Sin,
+    /// Cosine of degrees.
+    Cos,
+}
+
+/// One assignment.
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// Name: lower-case letters, digits and underscores.
+    pub name: String,
+    /// Its value.
+    pub expr: Expr,
+}
+
+/// How a result behaves when the part is shifted, turned or resized, and with it its unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Abscissa of a point, a length. The ordinate follows as the next result.
+    Abscissa,
+    /// Ordinate of a point, a length.
+    Ordinate,
+    /// A length of the part itself.
+    Size,
+    /// An angle of the part itself, degrees.
+    Angle,
+    /// A direction, degrees: turns with the part.
+    Direction,
+}
+
+/// One result that the control stores.
+#[derive(Clone, Debug)]
+pub struct ResultDef {
+    /// Its code, `center.x`.
+    pub code: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// How it behaves, and its unit.
+    pub role: Role,
+    /// What it is on the nominal part; mm or degrees.
+    pub nominal: f64,
+    /// The assignment that holds it; none where these touches cannot give it.
+    pub variable: Option<usize>,
+}
+
+/// The whole computation.
+#[derive(Clone, Debug, Default)]
+pub struct Formula {
+    /// In order; each refers to earlier ones only.
+    pub assignments: Vec<Assignment>,
+    /// What comes out.
+    pub results: Vec<ResultDef>,
+}
+
+impl Formula {
+    /// Names a value and gives a reference to it.
+    pub fn set(&mut self, name: impl Into<String>, expr: Expr) -> Expr {
+        self.assignments.push(Assignment { name: name.into(), expr });
+        Expr::Variable(self.assignments.len() - 1)
+    }
+
+    /// States a result; `expr` must come from [`Formula::set`].
+    pub fn result(&mut self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, expr: Option<&Expr>) {
+        let variable = expr.map(|e| match e {
+            Expr::Variable(index) => *index,
+            _ => unreachable!("a result is a named value"),
+        });
+        self.results.push(ResultDef { code, meaning, role, nominal: tidy(nominal), variable });
+    }
+
+    /// Whether coordinate `axis` of this touch's trigger is used at all.
+    pub fn uses(&self, touch: usize, axis: usize) -> bool {
+        self.assignments.iter().any(|a| a.expr.uses(touch, axis))
+    }
+
+    /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
+    /// `directions` are the probing directions: the derivative of touch k is by a shift of its trigger along direction k.
+    pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
+        let mut values: Vec<Dual> = Vec::with_capacity(self.assignments.len());
+        for assignment in &self.assignments {
+            let value = assignment.expr.evaluate(&values, triggers, directions);
+            values.push(value);
+        }
+        values
+    }
+}
+
+/// A number and its derivative by each touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual {
+    /// The number.
+    pub value: f64,
+    /// Its change for a unit shift of each trigger along its probing direction.
+    pub by_touch: [f64; MAX_TOUCHES],
+}
+
+impl Dual {
+    /// A number that depends on no touch.
+    pub const fn constant(value: f64) -> Self {
+        Dual { value, by_touch: [0.0; MAX_TOUCHES] }
+    }
+
+    /// The standard deviation of this number if every touch scatters independently by `sigma`: linear propagation.
+    pub fn uncertainty(&self, sigma: f64) -> f64 {
+        sigma * self.by_touch.iter().map(|d| d * d).sum::<f64>().sqrt()
+    }
+
+    /// f of one number, by the chain rule.
+    fn map(self, value: f64, slope: f64) -> Dual {
+        Dual { value, by_touch: self.by_touch.map(|d| d * slope) }
+    }
+
+    /// f of two numbers, by the chain rule.
+    fn join(self, other: Dual, value: f64, slope: f64, other_slope: f64) -> Dual {
+        let mut by_touch = self.by_touch;
+        for (d, o) in by_touch.iter_mut().zip(other.by_touch) {
+            *d = *d * slope + o * other_slope;
+        }
+        Dual { value, by_touch }
+    }
+}
+
+impl Expr {
+    /// Coordinate `axis` of the trigger of a touch.
+    pub fn trigger(touch: usize, axis: usize) -> Expr {
+        Expr::Trigger { touch, axis }
+    }
+
+    /// Sine of degrees.
+    pub fn sin(self) -> Expr {
+        Expr::Call(Function::Sin, Box::new(self))
+    }
+
+    /// Cosine of degrees.
+    pub fn cos(self) -> Expr {
+        Expr::Call(Function::Cos, Box::new(self))
+    }
+
+    /// The angle of the vector (x, self), degrees.
+    pub fn atan2(self, x: Expr) -> Expr {
+        Expr::Atan2(Box::new(self), Box::new(x))
+    }
+
+    fn is(&self, number: f64) -> bool {
+        match self {
+            Expr::Number(x) | Expr::Length(x) => *x == number,
+            _ => false,
+        }
+    }
+
+    fn uses(&self, touch: usize, axis: usize) -> bool {
+        match self {
+            Expr::Number(_) | Expr::Length(_) | Expr::Variable(_) => false,
+            Expr::Trigger { touch: t, axis: a } => (*t, *a) == (touch, axis),
+            Expr::Binary(_, a, b) | Expr::Atan2(a, b) => a.uses(touch, axis) || b.uses(touch, axis),
+            Expr::Call(_, a) => a.uses(touch, axis),
+        }
+    }
+
+    fn evaluate(&self, values: &[Dual], triggers: &[Option<Vec3>], directions: &[Vec3]) -> Dual {
+        match self {
+            Expr::Number(x) | Expr::Length(x) => Dual::constant(*x),
+            Expr::Variable(index) => values[*index],
+            Expr::Trigger { touch, axis } => {
+                let mut dual = Dual::constant(triggers[*touch].map_or(f64::NAN, |t| t[*axis]));
+                dual.by_touch[*touch] = directions[*touch][*axis];
+                dual
+            }
+            Expr::Binary(op, a, b) => {
+                let a = a.evaluate(values, triggers, directions);
+                let b = b.evaluate(values, triggers, directions);
+                match op {
+                    Op::Add => a.join(b, a.value + b.value, 1.0, 1.0),
+                    Op::Subtract => a.join(b, a.value - b.value, 1.0, -1.0),
+                    Op::Multiply => a.join(b, a.value * b.value, b.value, a.value),
+                    Op::Divide => a.join(b, a.value / b.value, 1.0 / b.value, -a.value / (b.value * b.value)),
+                }
+            }
+            Expr::Call(function, a) => {
+                let a = a.evaluate(values, triggers, directions);
+                let (sin, cos) = a.value.to_radians().sin_cos();
+                match function {
+                    Function::Sin => a.map(sin, cos.to_radians()),
+                    Function::Cos => a.map(cos, -sin.to_radians()),
+                }
+            }
+            Expr::Atan2(y, x) => {
+                let y = y.evaluate(values, triggers, directions);
+                let x = x.evaluate(values, triggers, directions);
+                let square = x.value * x.value + y.value * y.value;
+                let value = y.value.atan2(x.value).to_degrees();
+                y.join(x, value, (x.value / square).to_degrees(), (-y.value / square).to_degrees())
+            }
+        }
+    }
+}
+
+// The operators fold what is plain (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as by hand.
+
+impl Add for Expr {
+    type Output = Expr;
+    fn add(self, other: Expr) -> Expr {
+        match (self, other) {
+            (a, b) if b.is(0.0) => a,
+            (a, b) if a.is(0.0) => b,
+            (Expr::Length(a), Expr::Length(b)) => Expr::Length(a + b),
+            (a, Expr::Length(b)) if b < 0.0 => a - Expr::Length(-b),
+            (a, b) => Expr::Binary(Op::Add, Box::new(a), Box::new(b)),
+        }
+    }
+}
+
+impl Sub for Expr {
+    type Output = Expr;
+    fn sub(self, other: Expr) -> Expr {
+        match (self, other) {
+            (a, b) if b.is(0.0) => a,
+            (Expr::Length(a), Expr::Length(b)) => Expr::Length(a - b),
+            (a, Expr::Length(b)) if b < 0.0 => a + Expr::Length(-b),
+            (a, b) => Expr::Binary(Op::Subtract, Box::new(a), Box::new(b)),
+        }
+    }
+}
+
+impl Mul for Expr {
+    type Output = Expr;
+    fn mul(self, other: Expr) -> Expr {
+        match (self, other) {
+            (a, _) if a.is(0.0) => a,
+            (_, b) if b.is(0.0) => b,
+            (a, b) if b.is(1.0) => a,
+            (a, b) if a.is(1.0) => b,
+            (Expr::Number(a), Expr::Number(b)) => Expr::Number(a * b),
+            (a, b) => Expr::Binary(Op::Multiply, Box::new(a), Box::new(b)),
+        }
+    }
+}
+
+impl Div for Expr {
+    type Output = Expr;
+    fn div(self, other: Expr) -> Expr {
+        if other.is(1.0) { self } else { Expr::Binary(Op::Divide, Box::new(self), Box::new(other)) }
+    }
+}
+
+/// The component along a constant direction of the point (a, o): `a · along.0 + o · along.1`, with ±1 and 0 written plainly.
+pub fn project(a: Expr, o: Expr, along: (f64, f64)) -> Expr {
+    let (ca, co) = (tidy(along.0), tidy(along.1));
+    match (ca == 0.0, co == 0.0) {
+        (false, true) if ca < 0.0 => Expr::Length(0.0) - a * Expr::Number(-ca),
+        (true, false) if co < 0.0 => Expr::Length(0.0) - o * Expr::Number(-co),
+        _ if ca < 0.0 => o * Expr::Number(co) - a * Expr::Number(-ca),
+        _ if co < 0.0 => a * Expr::Number(ca) - o * Expr::Number(-co),
+        _ => a * Expr::Number(ca) + o * Expr::Number(co),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// d(atan2(y, x)) and the product rule against a difference quotient.
+    #[test]
+    fn derivatives_agree_with_difference_quotients() {
+        let mut formula = Formula::default();
+        let x = formula.set("x", Expr::trigger(0, 0) * Expr::trigger(1, 1) / Expr::Number(7.0));
+        let y = formula.set("y", Expr::trigger(0, 0) - Expr::trigger(1, 0));
+        formula.set("angle", y.clone().atan2(x.clone()));
+        formula.set("wave", x.sin() * y.cos());
+        let directions = [Vec3::X, Vec3::Y];
+        let at = |a: f64, b: f64| formula.evaluate(&[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))], &directions);
+        let (a, b, h) = (3.0, 5.0, 1e-6);
+        let exact = at(a, b);
+        for i in 0..4 {
+            let by_a = (at(a + h, b)[i].value - at(a - h, b)[i].value) / (2.0 * h);
+            let by_b = (at(a, b + h)[i].value - at(a, b - h)[i].value) / (2.0 * h);
+            assert!((exact[i].by_touch[0] - by_a).abs() < 1e-6, "{i}: {} {by_a}", exact[i].by_touch[0]);
+            assert!((exact[i].by_touch[1] - by_b).abs() < 1e-6, "{i}: {} {by_b}", exact[i].by_touch[1]);
+        }
+    }
+
+    #[test]
+    fn a_missing_trigger_reaches_only_what_needs_it() {
+        let mut formula = Formula::default();
+        formula.set("a", Expr::trigger(0, 0) + Expr::Length(3.0));
+        formula.set("b", Expr::trigger(1, 0) + Expr::Length(3.0));
+        let values = formula.evaluate(&[Some(Vec3::X), None], &[Vec3::X, Vec3::X]);
+        assert_eq!(values[0].value, 4.0);
+        assert!(values[1].value.is_nan());
+    }
+
+    #[test]
+    fn plain_terms_fold() {
+        let (a, o) = (|| Expr::trigger(0, 0), || Expr::trigger(0, 1));
+        assert_eq!(project(a(), o(), (1.0, 6e-17)), a());
+        assert_eq!(project(a(), o(), (-1e-16, 1.0)), o());
+        assert_eq!(project(a(), o(), (-1.0, 0.0)), Expr::Length(0.0) - a());
+        assert_eq!(a() + Expr::Length(-3.0), a() - Expr::Length(3.0));
+    }
+}

@@ -1,0 +1,255 @@
+//! Everything a form needs, and complete jobs to start from: readers of the one list of fields.
+
+use serde::Serialize;
+
+use crate::cycle::{self, CYCLES, CycleDef};
+use crate::job::form::{FORMAT, SECTIONS};
+use crate::path::{MAX_TOUCHES, RAPID_RATE};
+use crate::post::POSTS;
+use crate::spec::{Choice, Default, Field, Kind, Value};
+
+/// Cycles, controls and the sections around them.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Catalog {
+    /// The job format that this crate speaks.
+    pub format: u8,
+    /// The cycles.
+    pub cycles: Vec<CycleEntry>,
+    /// The sections of a job around the cycle.
+    pub sections: Vec<SectionEntry>,
+    /// The controls.
+    pub posts: Vec<PostEntry>,
+    /// The rate that rapids are taken to have in `plan().time`, mm/min.
+    pub rapid_rate: f64,
+    /// The most touches a cycle may have.
+    pub max_touches: usize,
+}
+
+/// One cycle.
+#[derive(Clone, Debug, Serialize)]
+pub struct CycleEntry {
+    /// `cycle.type`.
+    #[serde(rename = "type")]
+    pub key: &'static str,
+    /// Its documented name.
+    pub title: &'static str,
+    /// Whose cycle it is.
+    pub source: &'static str,
+    /// Page of the manual.
+    pub doc: &'static str,
+    /// Its form.
+    pub fields: Vec<FieldEntry>,
+    /// Its documented steps, in our words; index 0 is step 1.
+    pub steps: &'static [&'static str],
+}
+
+/// One section of a job.
+#[derive(Clone, Debug, Serialize)]
+pub struct SectionEntry {
+    /// Its key in the job, empty for the job itself.
+    pub path: &'static str,
+    /// Its form.
+    pub fields: Vec<FieldEntry>,
+}
+
+/// One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units.
+#[derive(Clone, Debug, Serialize)]
+pub struct FieldEntry {
+    /// Key in its section.
+    pub key: &'static str,
+    /// Short name.
+    pub label: &'static str,
+    /// What it does.
+    pub help: &'static str,
+    /// `number`, `count`, `flag`, `choice`, `text` or `point`.
+    pub kind: &'static str,
+    /// `length`, `feed`, `angle` or `none`.
+    pub unit: &'static str,
+    /// Smallest and largest allowed number.
+    pub range: Option<[f64; 2]>,
+    /// Whether the smallest number itself is excluded.
+    pub above: bool,
+    /// Smallest and largest usual number.
+    pub usual: Option<[f64; 2]>,
+    /// The value where the job says nothing.
+    pub default: DefaultEntry,
+    /// What `null` means, where it is allowed.
+    pub null: Option<&'static str>,
+    /// The words of a choice.
+    pub choices: Vec<ChoiceEntry>,
+    /// The parameter code of the source.
+    pub code: Option<&'static str>,
+    /// The heading it stands under.
+    pub group: &'static str,
+    /// Whether `part.sizes` may change it.
+    pub size: bool,
+}
+
+/// One word of a choice.
+#[derive(Clone, Debug, Serialize)]
+pub struct ChoiceEntry {
+    /// The word in the job.
+    pub value: &'static str,
+    /// What a person reads.
+    pub label: &'static str,
+}
+
+/// A default value.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum DefaultEntry {
+    /// A number.
+    Number(f64),
+    /// True or false.
+    Flag(bool),
+    /// Text or a choice.
+    Text(&'static str),
+    /// Three numbers.
+    Point([f64; 3]),
+    /// Null.
+    Null,
+}
+
+/// One control.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct PostEntry {
+    /// `control.post`.
+    pub id: &'static str,
+    /// Its name.
+    pub title: &'static str,
+    /// The usual file extension, without the dot.
+    pub extension: &'static str,
+    /// Highest number of a work offset that a program can write; 0 is none.
+    pub work_offsets: i32,
+    /// Which cycle in which form.
+    pub cycles: Vec<SupportEntry>,
+}
+
+/// Whether a control takes a cycle in a form.
+#[derive(Clone, Debug, Serialize)]
+pub struct SupportEntry {
+    /// The cycle.
+    #[serde(rename = "type")]
+    pub key: &'static str,
+    /// `moves` or `cycle`.
+    pub form: &'static str,
+    /// Whether it does.
+    pub supported: bool,
+    /// Why not, where it does not.
+    pub reason: Option<&'static str>,
+}
+
+/// The catalog.
+pub fn catalog() -> Catalog {
+    Catalog {
+        format: FORMAT as u8,
+        cycles: CYCLES.iter().map(|def| cycle_entry(def)).collect(),
+        sections: SECTIONS.iter().map(|(path, fields)| SectionEntry { path, fields: entries(fields) }).collect(),
+        posts: POSTS
+            .iter()
+            .map(|post| PostEntry {
+                id: post.key,
+                title: post.title,
+                extension: post.extension,
+                work_offsets: post.work_offsets,
+                cycles: CYCLES
+                    .iter()
+                    .flat_map(|def| {
+                        [
+                            SupportEntry { key: def.key, form: "moves", supported: true, reason: None },
+                            SupportEntry { key: def.key, form: "cycle", supported: false, reason: Some(post.no_cycle_form) },
+                        ]
+                    })
+                    .collect(),
+            })
+            .collect(),
+        rapid_rate: RAPID_RATE,
+        max_touches: MAX_TOUCHES,
+    }
+}
+
+/// A complete, valid job of a type, in mm; none for an unknown type.
+pub fn default_job(key: &str) -> Option<Value> {
+    let def = cycle::find(key)?;
+    let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
+    for (path, fields) in SECTIONS {
+        if path.is_empty() {
+            job.extend(default_values(fields));
+        } else {
+            let mut entries = default_values(fields);
+            if *path == "part" {
+                entries.push(("sizes".to_owned(), Value::Map(Vec::new())));
+            }
+            job.push(((*path).to_owned(), Value::Map(entries)));
+        }
+    }
+    let mut entries = vec![("type".to_owned(), Value::Text(def.key.to_owned()))];
+    entries.extend(default_values(def.fields));
+    job.push(("cycle".to_owned(), Value::Map(entries)));
+    Some(Value::Map(job))
+}
+
+fn default_values(fields: &[Field]) -> Vec<(String, Value)> {
+    let value = |field: &Field| match field.default {
+        Default::Number(x) => Value::Number(x),
+        Default::Flag(b) => Value::Flag(b),
+        Default::Text(text) => Value::Text(text.to_owned()),
+        Default::Point(p) => Value::List(p.map(Value::Number).to_vec()),
+        Default::Null => Value::Null,
+    };
+    fields.iter().map(|field| (field.key.to_owned(), value(field))).collect()
+}
+
+fn cycle_entry(def: &CycleDef) -> CycleEntry {
+    CycleEntry {
+        key: def.key,
+        title: def.title,
+        source: def.source,
+        doc: def.doc,
+        fields: entries(def.fields),
+        steps: def.steps,
+    }
+}
+
+fn entries(fields: &[Field]) -> Vec<FieldEntry> {
+    fields
+        .iter()
+        .map(|field| {
+            let (kind, unit) = match field.kind {
+                Kind::Length => ("number", "length"),
+                Kind::Feed => ("number", "feed"),
+                Kind::Angle => ("number", "angle"),
+                Kind::Count => ("count", "none"),
+                Kind::Flag => ("flag", "none"),
+                Kind::Choice(_) => ("choice", "none"),
+                Kind::Text(_) => ("text", "none"),
+                Kind::Point => ("point", "length"),
+            };
+            let choices: &[Choice] = if let Kind::Choice(choices) = field.kind { choices } else { &[] };
+            FieldEntry {
+                key: field.key,
+                label: field.label,
+                help: field.help,
+                kind,
+                unit,
+                range: matches!(kind, "number" | "count" | "point").then_some([field.hard.min, field.hard.max]),
+                above: field.hard.above,
+                usual: field.usual.map(|(min, max)| [min, max]),
+                default: match field.default {
+                    Default::Number(x) => DefaultEntry::Number(x),
+                    Default::Flag(b) => DefaultEntry::Flag(b),
+                    Default::Text(text) => DefaultEntry::Text(text),
+                    Default::Point(p) => DefaultEntry::Point(p),
+                    Default::Null => DefaultEntry::Null,
+                },
+                null: field.null,
+                choices: choices.iter().map(|c| ChoiceEntry { value: c.value, label: c.label }).collect(),
+                code: (!field.code.is_empty()).then_some(field.code),
+                group: field.group,
+                size: field.size,
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,304 @@
+//! The job's own form: everything around the cycle.
+
+use crate::cycle::{self, CYCLES, Cycle, CycleDef};
+use crate::geom::{Plane, Rigid, Vec3};
+use crate::part::Lie;
+use crate::path::Setup;
+use crate::post::{self, Feeds, PostDef};
+use crate::spec::{Checker, Choice, Field, Section, Value, form};
+
+/// The format this crate writes and reads.
+pub const FORMAT: f64 = 1.0;
+
+const UNITS: &[Choice] = &[Choice { value: "mm", label: "mm" }, Choice { value: "inch", label: "inch" }];
+const PLANES: &[Choice] = &[
+    Choice { value: "G17", label: "G17 (XY, tool axis Z)" },
+    Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
+    Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
+];
+pub const POST_CHOICES: &[Choice] = &[Choice { value: "linuxcnc", label: "LinuxCNC" }, Choice { value: "grbl", label: "grbl" }];
+const FORMS: &[Choice] = &[
+    Choice { value: "moves", label: "Plain moves" },
+    Choice { value: "cycle", label: "The control's own cycle" },
+];
+
+form! {
+    /// The job itself.
+    pub struct General {
+        /// Name of the program.
+        name: String = Field::text("name", "Program name", "PROBE", 200).group("Program"),
+        /// Unit of every length in the job, the program and the table.
+        units: String = Field::choice("units", "Units", UNITS).group("Program"),
+        /// The working plane; the tool axis stands on it.
+        plane: String = Field::choice("plane", "Plane", PLANES).group("Program"),
+        /// How far past the nominal contact a touch searches before the control gives up.
+        overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).above(0.0, 1000.0).usual(0.5, 50.0).group("Probe"),
+    }
+}
+
+form! {
+    /// The stylus.
+    pub struct Stylus {
+        /// Effective diameter of the ball; 0 is a point.
+        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.0, 20.0).group("Probe"),
+        /// One sigma of a single touch along its probing direction.
+        repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
+    }
+}
+
+form! {
+    /// The feeds.
+    pub struct FeedForm {
+        /// From the feed distance to the start of the cycle.
+        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).null_means("rapid").group("Feeds"),
+        /// Every positioning move inside the cycle.
+        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).null_means("rapid").group("Feeds"),
+        /// The touches. Never rapid.
+        work: f64 = Field::feed("work", "Work feed", 150.0).usual(5.0, 1000.0).group("Feeds"),
+        /// Back from a surface touch; only cycles with such a step use it.
+        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).null_means("rapid").group("Feeds"),
+        /// The last lift.
+        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).null_means("rapid").group("Feeds"),
+    }
+}
+
+form! {
+    /// The control.
+    pub struct Control {
+        /// Which control the program is for.
+        post: String = Field::choice("post", "Control", POST_CHOICES).group("Control"),
+        /// Plain moves, or the control's own cycle where it has one.
+        form: String = Field::choice("form", "Program form", FORMS).group("Control"),
+        /// The work offset that the program writes at its end: 1 is G54. Empty measures only.
+        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
+    }
+}
+
+form! {
+    /// How the real part lies.
+    pub struct PartForm {
+        /// How far the part is shifted.
+        offset: Vec3 = Field::point("offset", "Shift of the part").group("Virtual part"),
+        /// How far the part is turned about the tool axis through the work origin, before the shift.
+        rotation: f64 = Field::angle("rotation", "Turn of the part", 0.0).range(-180.0, 180.0).group("Virtual part"),
+    }
+}
+
+/// The sections of a job that are plain forms: path and fields.
+pub const SECTIONS: &[(&str, &[Field])] = &[
+    ("", General::FIELDS),
+    ("stylus", Stylus::FIELDS),
+    ("feeds", FeedForm::FIELDS),
+    ("control", Control::FIELDS),
+    ("part", PartForm::FIELDS),
+];
+
+/// A checked job. Lengths in mm.
+#[derive(Debug)]
+pub struct Job {
+    /// Program name as given.
+    pub name: String,
+    /// Millimetres in a unit of the job.
+    pub scale: f64,
+    /// The unit's name.
+    pub unit: &'static str,
+    /// Plane, ball, overtravel.
+    pub setup: Setup,
+    /// One sigma of a touch, mm.
+    pub repeatability: f64,
+    /// Feeds, mm/min.
+    pub feeds: Feeds,
+    /// What is known of the cycle's type.
+    pub def: &'static CycleDef,
+    /// The cycle.
+    pub cycle: Box<dyn Cycle>,
+    /// The control.
+    pub post: &'static PostDef,
+    /// The work offset to write.
+    pub work_offset: Option<i32>,
+    /// How the real part lies.
+    pub lie: Lie,
+    /// The cycle with the actual part's sizes; none where they are nominal.
+    pub actual: Option<Box<dyn Cycle>>,
+}
+
+impl Job {
+    /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
+    pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
+        if !matches!(value, Value::Map(_)) {
+            checker.error("wrong-type", "", format!("A job must be an object, not {}", value.noun()));
+            return None;
+        }
+        read_format(checker, value);
+        if value.get("units") == Some(&Value::Text("inch".to_owned())) {
+            (checker.scale, checker.unit) = (25.4, "inch");
+        }
+        let mut root = Section::new(checker, Some(value), "");
+        root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "part"]);
+        let general = General::read(&mut root);
+        let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
+        let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);
+        let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
+        let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
+
+        let plane = match general.plane.as_str() {
+            "G18" => Plane::G18,
+            "G19" => Plane::G19,
+            _ => Plane::G17,
+        };
+        let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
+        let cycle = read_cycle(checker, value);
+        if let Some((_, cycle)) = &cycle {
+            cycle.rules(&setup, checker);
+        }
+        let post = post::find(&control.post).expect("a checked choice is a post");
+        check_control(checker, post, &control);
+        check_name(checker, &general.name);
+        let sizes = read_sizes(checker, value, cycle.as_ref());
+
+        let (def, cycle) = cycle?;
+        if checker.failed() {
+            return None;
+        }
+        Some(Job {
+            name: general.name,
+            scale: checker.scale,
+            unit: if general.units == "inch" { "inch" } else { "mm" },
+            setup,
+            repeatability: stylus.repeatability,
+            feeds: Feeds {
+                approach: feeds.approach,
+                long_link: feeds.long_link,
+                work: feeds.work,
+                retract: feeds.retract,
+                return_: feeds.return_,
+            },
+            def,
+            cycle,
+            post,
+            work_offset: control.work_offset,
+            lie: Lie {
+                rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
+                turn: part.rotation,
+                nominal: part.offset == Vec3::ZERO && part.rotation == 0.0 && sizes.is_none(),
+            },
+            actual: sizes,
+        })
+    }
+}
+
+fn read_section<T>(
+    checker: &mut Checker,
+    value: &Value,
+    path: &str,
+    fields: &[Field],
+    others: &[&str],
+    read: fn(&mut Section<'_, '_>) -> T,
+) -> T {
+    let mut section = Section::new(checker, value.get(path), path);
+    section.only(fields, others);
+    read(&mut section)
+}
+
+fn read_format(checker: &mut Checker, value: &Value) {
+    match value.get("format") {
+        Some(Value::Number(n)) if *n == FORMAT => {}
+        Some(Value::Number(n)) if *n > FORMAT => {
+            checker.error("newer-format", "format", "This job is of a newer format than 1: a newer Touchpath is needed");
+        }
+        None => checker.error("missing", "format", "The job must say its format: 1"),
+        Some(_) => checker.error("unknown-value", "format", "The format must be 1"),
+    }
+}
+
+fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef, Box<dyn Cycle>)> {
+    let known = || CYCLES.iter().map(|c| format!("\"{}\"", c.key)).collect::<Vec<_>>().join(", ");
+    let Some(given) = value.get("cycle") else {
+        checker.error("missing", "cycle", "The job must have a cycle");
+        return None;
+    };
+    if !matches!(given, Value::Map(_)) {
+        checker.error("wrong-type", "cycle", format!("cycle must be an object, not {}", given.noun()));
+        return None;
+    }
+    let def = match given.get("type") {
+        Some(Value::Text(key)) => cycle::find(key),
+        Some(other) => {
+            checker.error("wrong-type", "cycle.type", format!("The cycle's type must be text, not {}", other.noun()));
+            return None;
+        }
+        None => {
+            checker.error("missing", "cycle.type", format!("The cycle must say its type: one of {}", known()));
+            return None;
+        }
+    };
+    let Some(def) = def else {
+        checker.error("unknown-value", "cycle.type", format!("The cycle's type must be one of {}", known()));
+        return None;
+    };
+    let mut section = Section::new(checker, Some(given), "cycle");
+    section.only(def.fields, &["type"]);
+    let cycle = (def.read)(&mut section);
+    Some((def, cycle))
+}
+
+fn check_control(checker: &mut Checker, post: &PostDef, control: &Control) {
+    if control.form == "cycle" {
+        let message = format!("{}. Use form \"moves\"", post.no_cycle_form);
+        checker.error("form-unsupported", "control.form", message);
+    }
+    if let Some(n) = control.work_offset {
+        if post.work_offsets == 0 {
+            checker.error("work-offset-unsupported", "control.workOffset", post.no_work_offset);
+        } else if n > post.work_offsets {
+            let last = post::work_offset_word(post.work_offsets);
+            let message = format!("{} has work offsets 1 (G54) to {} ({last})", post.title, post.work_offsets);
+            checker.error("work-offset-unsupported", "control.workOffset", message);
+        }
+    }
+    (post.notes)(checker);
+}
+
+fn check_name(checker: &mut Checker, name: &str) {
+    let written = post::comment_text(name);
+    if written != name {
+        let message = format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");
+        checker.info("name-changed", "name", message);
+    }
+}
+
+/// The cycle resized to the actual part; none where all sizes are nominal.
+fn read_sizes(
+    checker: &mut Checker,
+    value: &Value,
+    cycle: Option<&(&'static CycleDef, Box<dyn Cycle>)>,
+) -> Option<Box<dyn Cycle>> {
+    let (def, cycle) = cycle?;
+    let sizes = value.get("part")?.get("sizes")?;
+    let Value::Map(entries) = sizes else {
+        checker.error("wrong-type", "part.sizes", format!("part.sizes must be an object, not {}", sizes.noun()));
+        return None;
+    };
+    let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
+    let mut section = Section::new(checker, Some(sizes), "part.sizes");
+    section.only(&fields, &[]);
+    let mut actual: Option<Box<dyn Cycle>> = None;
+    for (key, given) in entries {
+        let Some(field) = fields.iter().find(|f| f.key == key) else { continue };
+        let reach = match field.kind {
+            crate::spec::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
+            _ => Field::length(field.key, field.label, 0.0).range(-100.0, 100.0),
+        };
+        let path = format!("part.sizes.{key}");
+        let mut section = Section::new(checker, None, "part.sizes");
+        let Some(delta) = section.number(given, &reach, &path) else { continue };
+        if delta == 0.0 {
+            continue;
+        }
+        match actual.as_deref().unwrap_or(&**cycle).resized(key, delta) {
+            Some(resized) => actual = Some(resized),
+            None => checker.error("out-of-range", path, format!("Nothing would be left of {}", field.label)),
+        }
+    }
+    actual
+}

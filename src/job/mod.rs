@@ -1,0 +1,84 @@
+//! Joins the layers: a job in, a plan out. This is what a Rust user calls.
+//!
+//! ```
+//! let job = touchpath::job::from_json(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected" } }"#)?;
+//! let plan = touchpath::job::plan(&job)?;
+//! assert_eq!(plan.touches.len(), 4);
+//! # Ok::<(), touchpath::job::JobError>(())
+//! ```
+
+mod catalog;
+mod form;
+mod plan;
+
+pub use catalog::{Catalog, catalog, default_job};
+pub use form::Job;
+pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
+
+use crate::spec::{Checker, Finding, Value};
+
+/// A job that no plan can be made of, with every finding.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{}", first_error(.findings))]
+pub struct JobError {
+    /// Everything found, errors and the rest.
+    pub findings: Vec<Finding>,
+}
+
+fn first_error(findings: &[Finding]) -> String {
+    let errors: Vec<&Finding> = findings.iter().filter(|f| f.level == crate::spec::Level::Error).collect();
+    match errors.as_slice() {
+        [] => "the job has no error".to_owned(),
+        [one] => one.message.clone(),
+        [first, rest @ ..] => format!("{} (and {} more)", first.message, rest.len()),
+    }
+}
+
+/// Everything that is wrong, unusual or worth knowing about a job.
+pub fn check(value: &Value) -> Vec<Finding> {
+    match plan(value) {
+        Ok(plan) => plan.findings,
+        Err(error) => error.findings,
+    }
+}
+
+/// The whole plan of a job, in the job's units.
+pub fn plan(value: &Value) -> Result<Plan, JobError> {
+    let mut checker = Checker::new();
+    let job = Job::read(&mut checker, value);
+    match job {
+        Some(job) => plan::make(&job, checker),
+        None => Err(JobError { findings: checker.findings }),
+    }
+}
+
+/// What is needed to draw a job: the checked job, its path, and what happens on the actual part. Lengths in mm.
+pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Wall>, crate::part::Run)> {
+    let job = Job::read(&mut Checker::new(), value)?;
+    let path = job.cycle.plan(&job.setup);
+    let walls = plan::actual_walls(&job);
+    let run = crate::part::run(&path, &walls, &job.setup);
+    Some((job, path, walls, run))
+}
+
+/// The results from ball centres that a machine really measured, one a touch, in the job's units. See
+/// [`crate::part::read_measured`] for the forms that are understood.
+pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
+    let mut checker = Checker::new();
+    let Some(job) = Job::read(&mut checker, value) else {
+        return Err(JobError { findings: checker.findings });
+    };
+    plan::evaluate(&job, measured, checker)
+}
+
+/// A loose job from JSON text.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn from_json(text: &str) -> Result<Value, JobError> {
+    match serde_json::from_str::<serde_json::Value>(text) {
+        Ok(json) => Ok(Value::from(&json)),
+        Err(error) => {
+            let finding = Finding::new(crate::spec::Level::Error, "not-json", "", format!("This is not JSON: {error}"));
+            Err(JobError { findings: vec![finding] })
+        }
+    }
+}

@@ -1,0 +1,331 @@
+//! From a checked job to a whole plan, and back into the job's units.
+
+use serde::Serialize;
+
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::job::{Job, JobError};
+use crate::num::{decimal, tidy};
+use crate::part;
+use crate::path::{self, Feed, Path, Purpose, RAPID_RATE, Wall};
+use crate::post::{self, Request};
+use crate::spec::{Checker, Finding, Value};
+
+/// A point or vector as a list.
+pub type Triple = [f64; 3];
+
+/// Everything that follows from a job. Lengths in the job's units, angles in degrees.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Plan {
+    /// The nominal touches, on the surface.
+    pub touches: Vec<TouchPoint>,
+    /// The moves, of the ball centre.
+    pub moves: Vec<Move>,
+    /// Length of the whole path, from where its first move ends.
+    pub length: f64,
+    /// Minutes for the same, rapids at 5000 mm/min.
+    pub time: f64,
+    /// The program.
+    pub program: ProgramText,
+    /// The source's parameter table.
+    pub table: Vec<ParameterRow>,
+    /// What the control will have stored, for the virtual part.
+    pub results: Vec<ResultRow>,
+    /// Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
+    pub triggers: Vec<Option<Triple>>,
+    /// Warnings and notes.
+    pub findings: Vec<Finding>,
+}
+
+/// One nominal touch.
+#[derive(Clone, Debug, Serialize)]
+pub struct TouchPoint {
+    /// On the surface.
+    pub point: Triple,
+    /// Target vector: outward normal of the surface.
+    pub vector: Triple,
+    /// Wall or circle, from 0.
+    pub group: usize,
+}
+
+/// One move of the ball centre.
+#[derive(Clone, Debug, Serialize)]
+pub struct Move {
+    /// Where it ends; a touch at its nominal contact.
+    pub to: Triple,
+    /// `approach`, `longLink`, `work`, `retract`, `return` or `rapid`.
+    pub feed: &'static str,
+    /// `position`, `touch` or `back`.
+    pub kind: &'static str,
+    /// Step of the cycle's documented list, from 1.
+    pub step: u8,
+    /// The touch it belongs to.
+    pub touch: Option<usize>,
+    /// The arc it runs along; null is a straight line.
+    pub arc: Option<Arc>,
+}
+
+/// An arc about the tool axis.
+#[derive(Clone, Debug, Serialize)]
+pub struct Arc {
+    /// Its centre.
+    pub center: Triple,
+    /// Degrees, counter-clockwise positive.
+    pub sweep: f64,
+}
+
+/// The program as text.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ProgramText {
+    /// Which control it is for.
+    pub post: &'static str,
+    /// The usual file extension, without the dot.
+    pub extension: &'static str,
+    /// The lines.
+    pub text: String,
+    /// For each move the 0-based line that makes it.
+    pub move_lines: Vec<i32>,
+}
+
+/// One row of the parameter table.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterRow {
+    /// `CmdPrm.Flt[-53]`.
+    pub code: String,
+    /// The type column of the source.
+    #[serde(rename = "type")]
+    pub type_name: &'static str,
+    /// The value, lengths in the job's units.
+    pub value: ParameterValue,
+    /// What it means.
+    pub meaning: String,
+    /// Path of the job's field it comes from.
+    pub field: Option<&'static str>,
+    /// The touch it comes from.
+    pub touch: Option<usize>,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ParameterValue {
+    /// A whole number.
+    Whole(i32),
+    /// Any other number.
+    Number(f64),
+}
+
+/// One result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ResultRow {
+    /// `center.x`.
+    pub code: String,
+    /// What it is.
+    pub meaning: String,
+    /// `mm`, `inch` or `deg`.
+    pub unit: &'static str,
+    /// On the nominal part.
+    pub nominal: Option<f64>,
+    /// What the control computes.
+    pub value: Option<f64>,
+    /// Value less nominal.
+    pub deviation: Option<f64>,
+    /// One sigma of the value.
+    pub uncertainty: Option<f64>,
+    /// Good, rework or scrap, where a tolerance is given.
+    pub verdict: Option<String>,
+    /// What is true of the virtual part, where there is one.
+    pub truth: Option<f64>,
+    /// Why the value is not the truth, where it is not.
+    pub note: Option<String>,
+}
+
+/// The walls of the actual part where it really lies.
+pub fn actual_walls(job: &Job) -> Vec<Wall> {
+    let cycle = job.actual.as_deref().unwrap_or(&*job.cycle);
+    part::place(&cycle.walls(&job.setup), &job.lie)
+}
+
+/// Makes the plan. `checker` holds what the check has found.
+pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
+    let path = job.cycle.plan(&job.setup);
+    let run = part::run(&path, &actual_walls(job), &job.setup);
+    report_run(job, &path, &run, &mut checker);
+    if checker.failed() {
+        return Err(JobError { findings: checker.findings });
+    }
+    let mut rows = part::evaluate(&path, &run.triggers, job.repeatability);
+    let actual_formula = job.actual.as_deref().map(|cycle| cycle.plan(&job.setup).formula);
+    part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
+    let results = result_rows(job, &path, rows);
+    let program = (job.post.emit)(&Request {
+        name: &job.name,
+        title: job.def.title,
+        source: job.def.source,
+        scale: job.scale,
+        plane: job.setup.plane,
+        setup: &job.setup,
+        feeds: &job.feeds,
+        work_offset: job.work_offset,
+        path: &path,
+    });
+    let (length, time) = length_and_time(job, &path);
+    Ok(Plan {
+        touches: path
+            .touches
+            .iter()
+            .map(|t| TouchPoint { point: triple(t.point, job.scale), vector: triple(t.vector, 1.0), group: t.group })
+            .collect(),
+        moves: path.moves.iter().map(|m| move_row(job, m)).collect(),
+        length,
+        time,
+        program: ProgramText {
+            post: job.post.key,
+            extension: job.post.extension,
+            text: program.text,
+            move_lines: program.move_lines.iter().map(|&line| line as i32).collect(),
+        },
+        table: path.parameters.iter().map(|p| parameter_row(job, p)).collect(),
+        results,
+        triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
+        findings: checker.findings,
+    })
+}
+
+/// The results from measured points.
+pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
+    let path = job.cycle.plan(&job.setup);
+    let before = checker.findings.len();
+    let points = part::read_measured(&mut checker, measured);
+    if checker.findings.len() == before && points.len() != path.touches.len() {
+        let message = format!("{} points are given for {} touches: one ball centre a touch, in order", points.len(), path.touches.len());
+        checker.error("wrong-count", "measured", message);
+    }
+    for (k, (point, touch)) in points.iter().zip(&path.touches).enumerate() {
+        let Some(point) = point else { continue };
+        let contact = touch.contact(job.setup.radius);
+        let away = point.distance(contact);
+        if away > job.setup.overtravel + 1e-6 {
+            let message = format!(
+                "Point {} lies {} from the nominal contact of its touch, more than the overtravel of {}: is it of this job, \
+                 a ball centre, in order?",
+                k + 1,
+                checker.length(away),
+                checker.length(job.setup.overtravel)
+            );
+            checker.error("too-far", format!("measured[{k}]"), message);
+        }
+    }
+    if checker.failed() {
+        return Err(JobError { findings: checker.findings });
+    }
+    Ok(result_rows(job, &path, part::evaluate(&path, &points, job.repeatability)))
+}
+
+fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
+    let field = if job.lie.nominal { "cycle" } else { "part" };
+    for (k, trigger) in run.triggers.iter().enumerate() {
+        if trigger.is_none() {
+            let message = format!(
+                "Touch {} meets nothing within the overtravel of {} past its nominal contact: the control stops there, and \
+                 what needs it is not known",
+                k + 1,
+                checker.length(job.setup.overtravel)
+            );
+            checker.warning("no-contact", field, message);
+        }
+    }
+    for &(k, wall) in &run.strays {
+        let message = format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);
+        checker.warning("wrong-wall", field, message);
+    }
+    for &(index, center) in &run.collisions {
+        let step = &path.moves[index];
+        let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
+        let what = match step.purpose {
+            Purpose::Position => "positioning".to_owned(),
+            Purpose::Back(k) => format!("back from touch {}", k + 1),
+            Purpose::Touch(k) => format!("touch {}", k + 1),
+        };
+        let message = format!("Move {} (step {}, {what}) meets the part with the ball centre at {}", index + 1, step.step, place.join(", "));
+        checker.error("collision", field, message);
+    }
+}
+
+fn result_rows(job: &Job, path: &Path, mut rows: Vec<part::ResultRow>) -> Vec<ResultRow> {
+    if let Some(n) = job.work_offset {
+        part::write_offset(&mut rows, &path.formula, job.setup.plane, &post::work_offset_word(n));
+    }
+    rows.into_iter()
+        .map(|row| {
+            let scale = if row.angle { 1.0 } else { job.scale };
+            let convert = |x: Option<f64>| x.map(|x| tidy(x / scale));
+            let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
+            let note = off.and_then(|off| {
+                let reason = job.cycle.turned_error(&row.code).filter(|_| job.lie.turn != 0.0)?;
+                let sign = if off > 0.0 { "+" } else { "" };
+                Some(format!("{sign}{} {} from the truth: {reason}", decimal(off / scale, 5), job.unit))
+            });
+            ResultRow {
+                code: row.code,
+                meaning: row.meaning,
+                unit: if row.angle { "deg" } else { job.unit },
+                nominal: convert(Some(row.nominal)),
+                value: convert(row.value),
+                deviation: convert(row.deviation),
+                uncertainty: convert(row.uncertainty),
+                verdict: None,
+                truth: convert(row.truth),
+                note,
+            }
+        })
+        .collect()
+}
+
+fn move_row(job: &Job, step: &path::Move) -> Move {
+    let (kind, touch) = match step.purpose {
+        Purpose::Position => ("position", None),
+        Purpose::Touch(k) => ("touch", Some(k)),
+        Purpose::Back(k) => ("back", Some(k)),
+    };
+    let feed = match (job.feeds.rate(step.feed), step.feed) {
+        (None, _) => "rapid",
+        (Some(_), Feed::Approach) => "approach",
+        (Some(_), Feed::LongLink) => "longLink",
+        (Some(_), Feed::Work) => "work",
+        (Some(_), Feed::Retract) => "retract",
+        (Some(_), Feed::Return) => "return",
+    };
+    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc: None }
+}
+
+fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
+    ParameterRow {
+        code: format!("CmdPrm.{}[{}]", parameter.accessor, parameter.code),
+        type_name: parameter.type_name,
+        value: match parameter.value {
+            path::ParameterValue::Length(mm) => ParameterValue::Number(tidy(mm / job.scale)),
+            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(x)),
+            path::ParameterValue::Whole(n) => ParameterValue::Whole(n),
+        },
+        meaning: parameter.meaning.clone(),
+        field: parameter.field,
+        touch: parameter.touch,
+    }
+}
+
+fn length_and_time(job: &Job, path: &Path) -> (f64, f64) {
+    let mut length = 0.0;
+    let mut time = 0.0;
+    for pair in path.moves.windows(2) {
+        let way = pair[0].to.distance(pair[1].to);
+        length += way;
+        time += way / job.feeds.rate(pair[1].feed).unwrap_or(RAPID_RATE);
+    }
+    (tidy(length / job.scale), tidy(time))
+}
+
+fn triple(v: Vec3, scale: f64) -> Triple {
+    v.to_array().map(|x| tidy(x / scale))
+}

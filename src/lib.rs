@@ -1,0 +1,22 @@
+//! Touch-probe cycles that you can see before the machine moves.
+//!
+//! One JSON form goes in, one plan comes out: the job is [checked](spec), its [cycle](cycle) becomes a [path], and from
+//! the path follow the [program](post), the parameter table, what the control will have measured on a [part] that lies a
+//! little off, and the [picture](view). [`job`] joins these; it is what a Rust user calls.
+//!
+//! Inside the crate everything is millimetres and radians (degrees where a name says so, and in formulas, as controls take
+//! them); the job's units are converted once on the way in and once on the way out. All frames are right-handed; angles
+//! count counter-clockwise seen against the tool axis.
+//!
+//! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, limits or spindles; the
+//! stylus is a ball without a shaft; and no program made here has been run on a machine by its authors.
+
+pub mod cycle;
+pub mod formula;
+pub mod geom;
+pub mod job;
+pub mod num;
+pub mod part;
+pub mod path;
+pub mod post;
+pub mod spec;

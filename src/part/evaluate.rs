@@ -1,0 +1,104 @@
+//! What the control makes of the triggers: values, deviations, uncertainties.
+
+use crate::formula::{Formula, Role};
+use crate::geom::{Plane, Vec3};
+use crate::num::{tidy, wrap_degrees};
+use crate::part::Lie;
+use crate::path::Path;
+
+/// One result. Lengths in mm, angles in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResultRow {
+    /// Its code, `center.x`.
+    pub code: String,
+    /// What it is.
+    pub meaning: String,
+    /// Whether it is an angle; else a length.
+    pub angle: bool,
+    /// What it is on the nominal part.
+    pub nominal: f64,
+    /// What the control computes; none where these triggers cannot give it.
+    pub value: Option<f64>,
+    /// Value less nominal.
+    pub deviation: Option<f64>,
+    /// One sigma of the value, from the repeatability of a touch.
+    pub uncertainty: Option<f64>,
+    /// What it is on the actual part, where that is known.
+    pub truth: Option<f64>,
+}
+
+/// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
+/// probing direction.
+pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> Vec<ResultRow> {
+    let directions: Vec<Vec3> = path.touches.iter().map(|t| t.vector).collect();
+    let values = path.formula.evaluate(triggers, &directions);
+    path.formula
+        .results
+        .iter()
+        .map(|def| {
+            let dual = def.variable.map(|v| values[v]).filter(|d| d.value.is_finite());
+            let angle = matches!(def.role, Role::Angle | Role::Direction);
+            ResultRow {
+                code: def.code.to_owned(),
+                meaning: def.meaning.to_owned(),
+                angle,
+                nominal: def.nominal,
+                value: dual.map(|d| tidy(d.value)),
+                deviation: dual.map(|d| tidy(d.value - def.nominal)),
+                uncertainty: dual.map(|d| d.uncertainty(repeatability)),
+                truth: None,
+            }
+        })
+        .collect()
+}
+
+/// Adds to each row what is true of the actual part. `actual` is the formula of the resized feature in its nominal place,
+/// so that its nominal values only have to be moved with the part.
+pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: Vec3, lie: &Lie) {
+    let [a, o, w] = plane.axes();
+    let mut point = place;
+    for (row, def) in rows.iter_mut().zip(&actual.results) {
+        let truth = match def.role {
+            Role::Abscissa => {
+                // The ordinate of the same point follows.
+                let ordinate = actual.results.iter().find(|r| r.role == Role::Ordinate).map_or(0.0, |r| r.nominal);
+                let mut nominal = Vec3::ZERO;
+                nominal[a] = def.nominal;
+                nominal[o] = ordinate;
+                nominal[w] = place[w];
+                point = lie.rigid.point(nominal);
+                point[a]
+            }
+            Role::Ordinate => point[o],
+            Role::Size | Role::Angle => def.nominal,
+            Role::Direction => wrap_degrees(def.nominal + lie.turn),
+        };
+        row.truth = Some(tidy(truth));
+    }
+}
+
+/// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
+pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
+    let [a, o, _] = plane.axes();
+    let shifts: Vec<ResultRow> = rows
+        .iter()
+        .zip(&formula.results)
+        .filter_map(|(row, def)| {
+            let (code, axis) = match def.role {
+                Role::Abscissa => ("offset.x", a),
+                Role::Ordinate => ("offset.y", o),
+                Role::Size | Role::Angle | Role::Direction => return None,
+            };
+            let meaning = format!("Shift of {name} in {} that the program writes", crate::geom::AXIS_NAMES[axis]);
+            Some(ResultRow {
+                code: code.to_owned(),
+                meaning,
+                nominal: 0.0,
+                value: row.deviation,
+                truth: row.truth.map(|t| tidy(t - row.nominal)),
+                ..row.clone()
+            })
+        })
+        .collect();
+    rows.extend(shifts);
+}

@@ -1,0 +1,113 @@
+//! Points that a machine really measured, in whatever form they were copied.
+
+use crate::geom::Vec3;
+use crate::spec::{Checker, Value};
+
+/// Ball centres, one a touch, mm.
+pub type Measured = Vec<Option<Vec3>>;
+
+/// Reads one point a touch: a list of `[X, Y, Z]` or `{x, y, z}`, or text with one point a line. Text may be CSV (comma,
+/// semicolon, tab or space; a heading without digits is passed over; with semicolons or tabs a comma is a decimal comma) or
+/// LinuxCNC's PROBEOPEN log (nine numbers a line, of which the first three count). Reports every problem at paths
+/// `measured[i]`; `None` stands where no point could be read.
+pub fn read(checker: &mut Checker, value: &Value) -> Measured {
+    match value {
+        Value::List(items) => {
+            items.iter().enumerate().map(|(i, item)| point(checker, item, &format!("measured[{i}]"))).collect()
+        }
+        Value::Text(text) => lines(checker, text),
+        other => {
+            let message = format!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {}", other.noun());
+            checker.error("wrong-type", "measured", message);
+            Vec::new()
+        }
+    }
+}
+
+fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
+    let parts: Vec<Option<&Value>> = match value {
+        Value::List(items) if items.len() == 3 || items.len() == 9 => items[..3].iter().map(Some).collect(),
+        Value::Map(_) => ["x", "y", "z"].iter().map(|k| value.get(k).or_else(|| value.get(&k.to_uppercase()))).collect(),
+        _ => {
+            checker.error("wrong-type", path, "A measured point is [X, Y, Z]: three numbers");
+            return None;
+        }
+    };
+    let mut numbers = [0.0; 3];
+    for (number, part) in numbers.iter_mut().zip(parts) {
+        match part {
+            Some(Value::Number(x)) if x.is_finite() && x.abs() <= 1e6 => *number = *x,
+            _ => {
+                checker.error("not-a-number", path, "A measured point is [X, Y, Z]: three finite numbers");
+                return None;
+            }
+        }
+    }
+    Some(Vec3::from_array(numbers) * checker.scale)
+}
+
+fn lines(checker: &mut Checker, text: &str) -> Measured {
+    let mut points = Vec::new();
+    let mut first = true;
+    for (index, line) in text.lines().enumerate() {
+        let line = line.trim();
+        let heading = first && !line.is_empty() && !line.contains(|c: char| c.is_ascii_digit());
+        if line.is_empty() || heading || line.starts_with('#') {
+            first &= !heading;
+            continue;
+        }
+        first = false;
+        let parts = numbers(line);
+        let path = format!("measured[{}]", points.len());
+        let parsed = match parts.as_deref() {
+            Some(p @ ([_, _, _] | [_, _, _, _, _, _, _, _, _])) => Some(Vec3::new(p[0], p[1], p[2]) * checker.scale),
+            Some(p) => {
+                let message = format!("Line {} holds {} numbers; a point is 3 of them, a line of LinuxCNC's log 9", index + 1, p.len());
+                checker.error("wrong-count", path, message);
+                None
+            }
+            None => {
+                checker.error("not-a-number", path, format!("Line {} is not made of finite numbers", index + 1));
+                None
+            }
+        };
+        points.push(parsed);
+    }
+    points
+}
+
+fn numbers(line: &str) -> Option<Vec<f64>> {
+    let decimal_comma = line.contains([';', '\t']);
+    let separator = |c: char| c == ';' || c.is_whitespace() || (c == ',' && !decimal_comma);
+    line.split(separator)
+        .filter(|part| !part.is_empty())
+        .map(|part| part.replace(',', ".").parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= 1e6))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(text: &str) -> (Measured, Vec<String>) {
+        let mut checker = Checker::new();
+        let points = read(&mut checker, &Value::Text(text.to_owned()));
+        (points, checker.findings.into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
+    }
+
+    #[test]
+    fn csv_in_the_forms_people_have() {
+        let point = Some(Vec3::new(37.0, -0.5, -10.0));
+        for form in ["37,-0.5,-10", "37; -0,5; -10", "37\t-0,5\t-10", " 37 -0.5  -10 ", "X,Y,Z\n37,-0.5,-10\n\n", "# log\n37.0 -.5 -1e1"] {
+            assert_eq!(text(form), (vec![point], vec![]), "{form:?}");
+        }
+        assert_eq!(text("37.000000 -0.500000 -10.000000 0.0 0 0 0 0 0"), (vec![point], vec![]));
+    }
+
+    #[test]
+    fn what_is_no_point_is_said_line_by_line() {
+        let (points, findings) = text("1,2\n1,2,x\n1,2,inf\n4,5,6\n");
+        assert_eq!(points, [None, None, None, Some(Vec3::new(4.0, 5.0, 6.0))]);
+        assert_eq!(findings, ["wrong-count measured[0]", "not-a-number measured[1]", "not-a-number measured[2]"]);
+    }
+}

@@ -1,0 +1,78 @@
+//! The virtual part: where each touch of a path triggers on a part that lies a little off, and what that does to the moves.
+
+mod contact;
+mod evaluate;
+mod measured;
+
+pub use contact::{Contact, first_contact};
+pub use evaluate::{ResultRow, add_truth, evaluate, write_offset};
+pub use measured::{Measured, read as read_measured};
+
+use crate::geom::{Rigid, Vec3};
+use crate::path::{Path, Purpose, Setup, Wall};
+
+/// How the real part lies.
+#[derive(Clone, Debug)]
+pub struct Lie {
+    /// The turn and shift of the part.
+    pub rigid: Rigid,
+    /// The same turn in degrees, counter-clockwise seen against the tool axis.
+    pub turn: f64,
+    /// Whether it is the nominal part in its nominal place.
+    pub nominal: bool,
+}
+
+/// What happened when the path was run on the actual part.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Ball centre at the trigger of each touch; none where the part was not met in time.
+    pub triggers: Vec<Option<Vec3>>,
+    /// Touches that meet another wall than theirs first, and which one.
+    pub strays: Vec<(usize, usize)>,
+    /// Moves that are not touches and yet meet the part: index of the move and where the ball centre is then.
+    pub collisions: Vec<(usize, Vec3)>,
+}
+
+/// The walls of the actual part: `walls` of the resized feature, where they really lie.
+pub fn place(walls: &[Wall], lie: &Lie) -> Vec<Wall> {
+    walls
+        .iter()
+        .map(|wall| Wall {
+            point: lie.rigid.point(wall.point),
+            normal: lie.rigid.direction(wall.normal),
+            along: lie.rigid.direction(wall.along),
+            ..*wall
+        })
+        .collect()
+}
+
+/// Runs the whole path on the actual walls. A touch starts where the ball stands and runs along the inverted target vector
+/// until it meets a wall, or until it is `overtravel` past its nominal contact. The way back starts at the trigger.
+pub fn run(path: &Path, walls: &[Wall], setup: &Setup) -> Run {
+    let up = path.frame.w;
+    let mut triggers = vec![None; path.touches.len()];
+    let (mut strays, mut collisions) = (Vec::new(), Vec::new());
+    let mut at: Option<Vec3> = None;
+    for (index, step) in path.moves.iter().enumerate() {
+        // The way to the first place is not known: only the place itself is looked at.
+        let from = at.unwrap_or(step.to);
+        match step.purpose {
+            Purpose::Touch(k) => {
+                let end = step.to - path.touches[k].vector * setup.overtravel;
+                let contact = first_contact(walls, up, setup.radius, from, end);
+                if let Some(contact) = contact.filter(|c| c.wall != path.touches[k].group) {
+                    strays.push((k, contact.wall));
+                }
+                triggers[k] = contact.map(|c| c.center);
+                at = Some(contact.map_or(end, |c| c.center));
+            }
+            Purpose::Position | Purpose::Back(_) => {
+                if let Some(contact) = first_contact(walls, up, setup.radius, from, step.to) {
+                    collisions.push((index, contact.center));
+                }
+                at = Some(step.to);
+            }
+        }
+    }
+    Run { triggers, strays, collisions }
+}

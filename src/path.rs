@@ -1,0 +1,188 @@
+//! The path of a cycle: touches, moves, the nominal feature, and what the control computes from the touches.
+//!
+//! Lengths are in mm, angles in radians unless a name says degrees. Points are of the ball centre in the work coordinate
+//! system unless they are said to be on the surface. A path knows nothing of cycles, controls or units.
+
+use crate::formula::Formula;
+use crate::geom::{Frame, Plane, Vec3};
+
+/// The most touches a path may have: touch 17 of a CAM parameter table would start at code −196 and run into the −200 block.
+pub const MAX_TOUCHES: usize = 16;
+
+/// The rate that rapids are taken to have where a time is stated, mm/min. Machines differ; only the estimate depends on it.
+pub const RAPID_RATE: f64 = 5000.0;
+
+/// Moves shorter than this, in mm, are none.
+pub const ZERO_LENGTH: f64 = 1e-9;
+
+/// What a cycle needs to know of the job around it.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// The working plane.
+    pub plane: Plane,
+    /// Radius of the stylus ball, mm; 0 is a point.
+    pub radius: f64,
+    /// How far past the nominal contact a touch searches, mm.
+    pub overtravel: f64,
+}
+
+/// Which of the cycle's feeds a move uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feed {
+    /// From the feed distance to the start.
+    Approach,
+    /// Positioning inside the cycle.
+    LongLink,
+    /// The touch itself.
+    Work,
+    /// Back from a surface touch.
+    Retract,
+    /// The last lift.
+    Return,
+}
+
+/// What a move is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Positioning; the stylus must not meet anything.
+    Position,
+    /// The touch with this index. Ends at the nominal contact of the ball centre.
+    Touch(usize),
+    /// The way back from the touch with this index.
+    Back(usize),
+}
+
+/// One straight move of the ball centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Where it ends.
+    pub to: Vec3,
+    /// The feed it uses.
+    pub feed: Feed,
+    /// What it is for.
+    pub purpose: Purpose,
+    /// Number of the step in the cycle's documented list, from 1.
+    pub step: u8,
+}
+
+/// One touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// The nominal point on the surface.
+    pub point: Vec3,
+    /// The target vector: outward normal of the surface, from the material into free space, a unit vector.
+    pub vector: Vec3,
+    /// Which wall it belongs to, from 0.
+    pub group: usize,
+}
+
+impl Touch {
+    /// The nominal contact of a ball's centre.
+    pub fn contact(&self, radius: f64) -> Vec3 {
+        self.point + self.vector * radius
+    }
+}
+
+/// A flat wall of the feature. The material lies behind it, against `normal`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall {
+    /// A point on it: at the top side where it has one, else at the level of the touches.
+    pub point: Vec3,
+    /// Outward normal, in the plane.
+    pub normal: Vec3,
+    /// Direction along it, in the plane.
+    pub along: Vec3,
+    /// How far it is drawn along `along` from `point`: from, to. Contacts treat it as going on.
+    pub extent: (f64, f64),
+    /// How deep below `point` it is drawn.
+    pub drawn_depth: f64,
+    /// Whether it ends at `point`'s level with a flat top side behind it; else it goes on upwards.
+    pub has_top: bool,
+}
+
+/// One row of the source's parameter table, before units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// The code inside the brackets of `CmdPrm.…[ ]`.
+    pub code: i32,
+    /// `Int`, `Flt` or `Bol`.
+    pub accessor: &'static str,
+    /// The type column of the source's page.
+    pub type_name: &'static str,
+    /// The value.
+    pub value: ParameterValue,
+    /// What it means.
+    pub meaning: String,
+    /// The path of the job's field it comes from.
+    pub field: Option<&'static str>,
+    /// The touch it comes from.
+    pub touch: Option<usize>,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ParameterValue {
+    /// A length, mm.
+    Length(f64),
+    /// A pure number or an angle in degrees.
+    Number(f64),
+    /// A whole number.
+    Whole(i32),
+}
+
+/// Everything a cycle says about itself.
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// The touches, in order.
+    pub touches: Vec<Touch>,
+    /// The moves, in order.
+    pub moves: Vec<Move>,
+    /// The nominal feature.
+    pub walls: Vec<Wall>,
+    /// The frame the feature's dimensions are given in.
+    pub frame: Frame,
+    /// What the control computes from the touches.
+    pub formula: Formula,
+    /// The source's parameter table.
+    pub parameters: Vec<Parameter>,
+}
+
+/// Strings moves together; leaves out those of no length.
+#[derive(Debug)]
+pub struct Tracer {
+    at: Option<Vec3>,
+    radius: f64,
+    moves: Vec<Move>,
+}
+
+impl Tracer {
+    /// Starts at a place nobody knows: the first move is always kept.
+    pub fn new(setup: &Setup) -> Self {
+        Tracer { at: None, radius: setup.radius, moves: Vec::new() }
+    }
+
+    /// A positioning move.
+    pub fn position(&mut self, to: Vec3, feed: Feed, step: u8) {
+        self.push(Move { to, feed, purpose: Purpose::Position, step });
+    }
+
+    /// The touch with this index from where the ball stands, and back to there.
+    pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
+        let from = self.at.expect("a touch starts at a known place");
+        let to = touch.contact(self.radius);
+        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step });
+        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step });
+    }
+
+    /// The moves.
+    pub fn moves(self) -> Vec<Move> {
+        self.moves
+    }
+
+    fn push(&mut self, next: Move) {
+        if self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH) {
+            self.at = Some(next.to);
+            self.moves.push(next);
+        }
+    }
+}

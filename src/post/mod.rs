@@ -1,0 +1,142 @@
+//! Programs for controls. Adding a control is a file and its line in [`POSTS`].
+//!
+//! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
+//! each, and every touch runs on past its nominal contact by the overtravel.
+
+mod expr;
+mod grbl;
+mod linuxcnc;
+mod words;
+
+use crate::geom::Plane;
+use crate::path::{Feed, Path, Setup};
+use crate::spec::Checker;
+
+/// Every control, in the order of the form.
+pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF];
+
+/// What is known of a control.
+#[derive(Debug)]
+pub struct PostDef {
+    /// `control.post` in the job.
+    pub key: &'static str,
+    /// The control's name.
+    pub title: &'static str,
+    /// The usual file extension, without the dot.
+    pub extension: &'static str,
+    /// Highest number of a work offset the control takes; 0 where a program cannot write one.
+    pub work_offsets: i32,
+    /// Why no work offset can be written, where that is so.
+    pub no_work_offset: &'static str,
+    /// Why the control's own cycles cannot be used (form `cycle`).
+    pub no_cycle_form: &'static str,
+    /// Notes on what the program cannot do, as findings.
+    pub notes: fn(&mut Checker),
+    /// Prints the program.
+    pub emit: fn(&Request<'_>) -> Program,
+}
+
+/// A program to print.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The job's name, already safe for a comment.
+    pub name: &'a str,
+    /// The cycle's title.
+    pub title: &'a str,
+    /// Whose cycle it is.
+    pub source: &'a str,
+    /// Millimetres in a unit of the program.
+    pub scale: f64,
+    /// The working plane.
+    pub plane: Plane,
+    /// Ball and overtravel.
+    pub setup: &'a Setup,
+    /// Feeds in mm/min; none is rapid.
+    pub feeds: &'a Feeds,
+    /// The work offset to write, 1 = G54; none measures only.
+    pub work_offset: Option<i32>,
+    /// What to print.
+    pub path: &'a Path,
+}
+
+/// The feeds of a job in mm/min.
+#[derive(Clone, Copy, Debug)]
+pub struct Feeds {
+    /// None is rapid.
+    pub approach: Option<f64>,
+    /// None is rapid.
+    pub long_link: Option<f64>,
+    /// Never rapid.
+    pub work: f64,
+    /// None is rapid.
+    pub retract: Option<f64>,
+    /// None is rapid.
+    pub return_: Option<f64>,
+}
+
+impl Feeds {
+    /// The rate of a move, mm/min; none is rapid.
+    pub fn rate(&self, feed: Feed) -> Option<f64> {
+        match feed {
+            Feed::Approach => self.approach,
+            Feed::LongLink => self.long_link,
+            Feed::Work => Some(self.work),
+            Feed::Retract => self.retract,
+            Feed::Return => self.return_,
+        }
+    }
+}
+
+/// A printed program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// The text, lines ended by a line feed.
+    pub text: String,
+    /// For each move the 0-based line that makes it.
+    pub move_lines: Vec<usize>,
+}
+
+/// The control with this key.
+pub fn find(key: &str) -> Option<&'static PostDef> {
+    POSTS.iter().copied().find(|p| p.key == key)
+}
+
+/// A user's text made safe for a comment on any control: printable ASCII without anything that could end a comment, start
+/// a block, or mean something to a control. Everything else becomes `_`; what is too long for a line is cut.
+pub fn comment_text(text: &str) -> String {
+    const LONGEST: usize = 60;
+    text.chars()
+        .take(LONGEST)
+        .map(|c| match c {
+            'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
+            _ => '_',
+        })
+        .collect()
+}
+
+/// How a work offset is called: G54 … G59, G59.1 ….
+pub fn work_offset_word(number: i32) -> String {
+    match number {
+        1..=6 => format!("G{}", 53 + number),
+        _ => format!("G59.{}", number - 6),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_leave_its_comment() {
+        assert_eq!(comment_text("A)\nG0 Z-100 (é;%#<x>"), "A__G0 Z-100 ______x_");
+        assert_eq!(comment_text("POCKET_80X50"), "POCKET_80X50");
+        assert_eq!(comment_text(&"x".repeat(500)).len(), 60);
+        assert!(comment_text("\u{0}\u{1b}\r\u{2028}\"\\/()[]{}~*").chars().all(|c| c == '_'));
+    }
+
+    #[test]
+    fn work_offsets_by_their_words() {
+        let words: Vec<String> = (1..=9).map(work_offset_word).collect();
+        assert_eq!(words, ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]);
+    }
+}

@@ -1,0 +1,115 @@
+//! The word-address writer that posts share: blocks of G words, axis words and feeds.
+
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::num::decimal;
+use crate::path::{Move, Purpose};
+use crate::post::{Program, Request, comment_text};
+
+/// How a control's blocks are written, beyond what every word-address control shares.
+#[derive(Debug)]
+pub struct Dialect {
+    /// Decimals of lengths and feeds in mm.
+    pub decimals_mm: usize,
+    /// Decimals of lengths and feeds in inch.
+    pub decimals_inch: usize,
+    /// The word that probes towards the part and stops with an alarm where nothing is met.
+    pub probe: &'static str,
+}
+
+/// Writes a program block by block and remembers which block makes which move.
+#[derive(Debug)]
+pub struct Writer<'a> {
+    request: &'a Request<'a>,
+    dialect: &'static Dialect,
+    text: String,
+    lines: usize,
+    move_lines: Vec<usize>,
+    last: [String; 3],
+}
+
+impl<'a> Writer<'a> {
+    /// An empty program.
+    pub fn new(request: &'a Request<'a>, dialect: &'static Dialect) -> Self {
+        let move_lines = Vec::with_capacity(request.path.moves.len());
+        Writer { request, dialect, text: String::with_capacity(4096), lines: 0, move_lines, last: Default::default() }
+    }
+
+    /// One line.
+    pub fn line(&mut self, text: &str) {
+        debug_assert!(!text.contains(['\n', '\r']), "a line is one line");
+        self.text.push_str(text);
+        self.text.push('\n');
+        self.lines += 1;
+    }
+
+    /// A comment line. Whatever is in `text`, it stays inside.
+    pub fn comment(&mut self, text: &str) {
+        debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
+        self.line(&format!("({text})"));
+    }
+
+    /// A length or feed in the program's units, with the decimals the control takes.
+    pub fn number(&self, mm: f64) -> String {
+        decimal(mm / self.request.scale, self.decimals())
+    }
+
+    /// The first lines: what will happen, in which units, with which stylus.
+    pub fn header(&mut self, offset: &str) {
+        let request = self.request;
+        let unit = if request.scale == 1.0 { "mm" } else { "inch" };
+        self.comment(&format!("Job: {}", comment_text(request.name)));
+        self.comment(&format!("{}: {}", request.source, request.title));
+        self.comment(&format!(
+            "Units {unit}, plane {}, stylus ball diameter {}, overtravel {}",
+            request.plane.word(),
+            self.number(2.0 * request.setup.radius),
+            self.number(request.setup.overtravel)
+        ));
+        self.comment(offset);
+        self.comment("Before the start: stylus in the spindle, its length active");
+        if let Some(first) = request.path.moves.first() {
+            let place: Vec<String> = (0..3).map(|i| format!("{}{}", AXIS_NAMES[i], self.number(first.to[i]))).collect();
+            self.comment(&format!("and a free straight way to {}", place.join(" ")));
+        }
+    }
+
+    /// One move as one block. A touch runs on past its contact by the overtravel; the search past it is along the inverted
+    /// target vector.
+    pub fn motion(&mut self, step: &Move) {
+        let request = self.request;
+        let (word, target) = match step.purpose {
+            Purpose::Touch(k) => {
+                (self.dialect.probe, step.to - request.path.touches[k].vector * request.setup.overtravel)
+            }
+            Purpose::Position | Purpose::Back(_) => match request.feeds.rate(step.feed) {
+                Some(_) => ("G1", step.to),
+                None => ("G0", step.to),
+            },
+        };
+        let mut block = word.to_owned();
+        block.push_str(&self.axis_words(target));
+        if let Some(rate) = request.feeds.rate(step.feed) {
+            block.push_str(&format!(" F{}", self.number(rate)));
+        }
+        self.move_lines.push(self.lines);
+        self.line(&block);
+    }
+
+    /// The finished program.
+    pub fn finish(self) -> Program {
+        Program { text: self.text, move_lines: self.move_lines }
+    }
+
+    /// The axis words that differ from the last block; all of them where none does, so that a block never is empty.
+    fn axis_words(&mut self, target: Vec3) -> String {
+        let words = [0, 1, 2].map(|i| format!(" {}{}", AXIS_NAMES[i], self.number(target[i])));
+        let changed: String = (0..3).filter(|&i| words[i] != self.last[i]).map(|i| words[i].as_str()).collect();
+        let block = if changed.is_empty() { words.concat() } else { changed };
+        self.last = words;
+        block
+    }
+
+    fn decimals(&self) -> usize {
+        if self.request.scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
+    }
+}

@@ -1,0 +1,302 @@
+//! Reading a loose form: every problem is reported at once, with its path, and reading never stops at the first.
+
+use crate::geom::Vec3;
+use crate::num::decimal;
+use crate::spec::field::Checked;
+use crate::spec::{Default, Field, Finding, Kind, Level, Value};
+
+/// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
+#[derive(Debug)]
+pub struct Checker {
+    /// Millimetres in one unit of length of the job.
+    pub scale: f64,
+    /// The unit's name, `mm` or `inch`.
+    pub unit: &'static str,
+    /// Everything found so far, in the order found.
+    pub findings: Vec<Finding>,
+}
+
+impl Checker {
+    /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
+    pub fn new() -> Self {
+        Checker { scale: 1.0, unit: "mm", findings: Vec::new() }
+    }
+
+    /// Reports an error.
+    pub fn error(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.findings.push(Finding::new(Level::Error, code, path, message));
+    }
+
+    /// Reports a warning.
+    pub fn warning(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.findings.push(Finding::new(Level::Warning, code, path, message));
+    }
+
+    /// Reports a note.
+    pub fn info(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.findings.push(Finding::new(Level::Info, code, path, message));
+    }
+
+    /// Whether any finding so far is an error.
+    pub fn failed(&self) -> bool {
+        self.findings.iter().any(|f| f.level == Level::Error)
+    }
+
+    /// Whether none of these paths (or anything inside or around them) has an error.
+    pub fn sound(&self, paths: &[&str]) -> bool {
+        let inside = |long: &str, short: &str| {
+            long.strip_prefix(short).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        let touched = |path: &str| {
+            self.findings.iter().any(|f| f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path)))
+        };
+        !paths.iter().any(|path| touched(path))
+    }
+
+    /// A length in mm as the job's user reads it: `3.5 mm`, `0.1378 inch`.
+    pub fn length(&self, mm: f64) -> String {
+        format!("{} {}", self.number(mm), self.unit)
+    }
+
+    /// A length in mm as a bare number in the job's units.
+    pub fn number(&self, mm: f64) -> String {
+        decimal(mm / self.scale, if self.scale == 1.0 { 4 } else { 5 })
+    }
+}
+
+/// One object of the job while it is read.
+#[derive(Debug)]
+pub struct Section<'a, 'c> {
+    /// Where findings go.
+    pub checker: &'c mut Checker,
+    value: Option<&'a Value>,
+    path: &'a str,
+}
+
+impl<'a, 'c> Section<'a, 'c> {
+    /// The object `value` at `path` (empty for the job itself). Absent is fine; anything but an object is reported.
+    pub fn new(checker: &'c mut Checker, value: Option<&'a Value>, path: &'a str) -> Self {
+        let value = match value {
+            None | Some(Value::Map(_)) => value,
+            Some(other) => {
+                checker.error("wrong-type", path, format!("{} must be an object, not {}", place(path), other.noun()));
+                None
+            }
+        };
+        Section { checker, value, path }
+    }
+
+    /// The loose value under a key.
+    pub fn get(&self, key: &str) -> Option<&'a Value> {
+        self.value.and_then(|v| v.get(key))
+    }
+
+    /// The full path of a key of this object.
+    pub fn at(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// Reports every key that is neither a field nor one of `others`.
+    pub fn only(&mut self, fields: &[Field], others: &[&str]) {
+        let Some(Value::Map(entries)) = self.value else { return };
+        for (key, _) in entries {
+            let known = fields.iter().any(|f| f.key == key) || others.contains(&key.as_str());
+            if !known {
+                let names: Vec<&str> = fields.iter().map(|f| f.key).chain(others.iter().copied()).collect();
+                let shown = printable(key);
+                self.checker.error(
+                    "unknown-key",
+                    self.at(&shown),
+                    format!("{} has no \"{shown}\"; it knows {}", place(self.path), names.join(", ")),
+                );
+            }
+        }
+    }
+
+    /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
+    pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
+        let Value::Number(given) = *value else {
+            let null = if field.null.is_some() { " or null" } else { "" };
+            self.checker.error(
+                "wrong-type",
+                path,
+                format!("{} must be a number{null}, not {}", field.label, value.noun()),
+            );
+            return None;
+        };
+        if !given.is_finite() {
+            self.checker.error("not-finite", path, format!("{} must be a finite number", field.label));
+            return None;
+        }
+        let scale = match field.kind {
+            Kind::Length | Kind::Feed | Kind::Point => self.checker.scale,
+            Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => 1.0,
+        };
+        if matches!(field.kind, Kind::Count) && given.fract() != 0.0 {
+            self.checker.error("not-whole", path, format!("{} must be a whole number", field.label));
+            return None;
+        }
+        let inner = given * scale;
+        let unit = self.unit(field.kind);
+        let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
+        if !field.hard.holds(inner) {
+            let (min, max) = (number(field.hard.min), number(field.hard.max));
+            let allowed = if field.hard.above {
+                format!("above {min} and at most {max}{unit}")
+            } else {
+                format!("from {min} to {max}{unit}")
+            };
+            let reason = if field.reason.is_empty() { String::new() } else { format!(": {}", field.reason) };
+            self.checker.error("out-of-range", path, format!("{} must be {allowed}{reason}", field.label));
+            return None;
+        }
+        if let Some((min, max)) = field.usual
+            && !(min..=max).contains(&inner)
+        {
+            self.checker.warning(
+                "unusual",
+                path,
+                format!("{} is usually from {} to {}{unit}", field.label, number(min), number(max)),
+            );
+        }
+        Some(inner)
+    }
+
+    /// The number under the field's key, or `None` where it is null, or what stands in for it.
+    fn number_or_null(&mut self, field: &'static Field) -> Option<f64> {
+        let stand_in = match field.default {
+            Default::Number(x) => Some(x),
+            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => None,
+        };
+        match self.get(field.key) {
+            None => stand_in,
+            Some(Value::Null) if field.null.is_some() => None,
+            Some(value) => {
+                let path = self.at(field.key);
+                self.number(value, field, &path).or(stand_in)
+            }
+        }
+    }
+
+    fn unit(&self, kind: Kind) -> String {
+        match kind {
+            Kind::Length | Kind::Point => format!(" {}", self.checker.unit),
+            Kind::Feed => format!(" {}/min", self.checker.unit),
+            Kind::Angle => "°".to_owned(),
+            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
+        }
+    }
+}
+
+impl Checked for Option<f64> {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field)
+    }
+}
+
+impl Checked for f64 {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field).expect("a field that is a number has a number as default")
+    }
+}
+
+impl Checked for i32 {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        f64::take(section, field) as i32
+    }
+}
+
+impl Checked for Option<i32> {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field).map(|x| x as i32)
+    }
+}
+
+impl Checked for bool {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = matches!(field.default, Default::Flag(true));
+        match section.get(field.key) {
+            None => stand_in,
+            Some(Value::Flag(b)) => *b,
+            Some(other) => {
+                let path = section.at(field.key);
+                let message = format!("{} must be true or false, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in
+            }
+        }
+    }
+}
+
+impl Checked for Vec3 {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let Some(value) = section.get(field.key) else { return Vec3::ZERO };
+        let path = section.at(field.key);
+        match value {
+            Value::List(items) if items.len() == 3 => {
+                let mut point = [0.0; 3];
+                for (i, item) in items.iter().enumerate() {
+                    point[i] = section.number(item, field, &format!("{path}[{i}]")).unwrap_or(0.0);
+                }
+                Vec3::from_array(point)
+            }
+            other => {
+                let what = match other {
+                    Value::List(items) => format!("a list of {}", items.len()),
+                    _ => other.noun().to_owned(),
+                };
+                let message = format!("{} must be a list of three numbers [X, Y, Z], not {what}", field.label);
+                section.checker.error("wrong-type", path, message);
+                Vec3::ZERO
+            }
+        }
+    }
+}
+
+impl Checked for String {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = || match field.default {
+            Default::Text(text) => text.to_owned(),
+            Default::Number(_) | Default::Flag(_) | Default::Point(_) | Default::Null => String::new(),
+        };
+        let path = section.at(field.key);
+        match (section.get(field.key), field.kind) {
+            (None, _) => stand_in(),
+            (Some(Value::Text(text)), Kind::Choice(choices)) => {
+                if choices.iter().any(|c| c.value == text) {
+                    return text.clone();
+                }
+                let words: Vec<String> = choices.iter().map(|c| format!("\"{}\"", c.value)).collect();
+                let message = format!("{} must be one of {}, not \"{}\"", field.label, words.join(", "), printable(text));
+                section.checker.error("unknown-value", path, message);
+                stand_in()
+            }
+            (Some(Value::Text(text)), _) => {
+                if text.chars().count() as f64 > field.hard.max {
+                    let message = format!("{} may have {} characters at most", field.label, field.hard.max);
+                    section.checker.error("too-long", path, message);
+                    return stand_in();
+                }
+                text.clone()
+            }
+            (Some(other), _) => {
+                let message = format!("{} must be text, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in()
+            }
+        }
+    }
+}
+
+/// A user's text, short and without control characters, fit to stand in a message.
+fn printable(text: &str) -> String {
+    let mut shown: String = text.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if text.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+fn place(path: &str) -> &str {
+    if path.is_empty() { "the job" } else { path }
+}

@@ -1,0 +1,35 @@
+//! Findings: what is wrong, unusual or worth knowing about a job, as data.
+
+use serde::{Deserialize, Serialize};
+
+/// How much a finding weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// No plan is made.
+    Error,
+    /// A plan is made; somebody should look.
+    Warning,
+    /// Good to know.
+    Info,
+}
+
+/// One problem or note.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Finding {
+    /// How much it weighs.
+    pub level: Level,
+    /// A stable, kebab-case name for programs to switch on.
+    pub code: String,
+    /// The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole.
+    pub path: String,
+    /// Plain words for a person, with numbers in the job's units.
+    pub message: String,
+}
+
+impl Finding {
+    /// A finding from its parts.
+    pub fn new(level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) -> Self {
+        Finding { level, code: code.to_owned(), path: path.into(), message: message.into() }
+    }
+}

@@ -1,0 +1,29 @@
+//! What a job may say: fields declared once, and the check that turns a loose form into checked values.
+//!
+//! A [`Field`] knows its key, label, help, kind, default, ranges and parameter code. The checks, the form on the page,
+//! the JSON Schema and the property-test strategies are all read from the same list.
+
+mod checker;
+mod field;
+mod finding;
+mod value;
+
+pub use checker::{Checker, Section};
+pub use field::{Choice, Default, Field, Kind, Range};
+pub use finding::{Finding, Level};
+pub use value::Value;
+
+pub(crate) use field::form;
+
+/// Takes the checked value of `field` out of a section.
+pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {
+    T::take(section, field)
+}
+
+/// A doc comment without the space that starts it.
+pub(crate) const fn trimmed(text: &'static str) -> &'static str {
+    match text.as_bytes() {
+        [b' ', ..] => text.split_at(1).1,
+        _ => text,
+    }
+}

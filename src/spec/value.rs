@@ -1,0 +1,58 @@
+//! The loose value a job arrives as, whatever it was written in.
+
+/// Any JSON-like value, plus what JSON cannot say but JavaScript can hand over.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// `null`.
+    Null,
+    /// `true` or `false`.
+    Flag(bool),
+    /// A number; NaN and infinities too.
+    Number(f64),
+    /// Text.
+    Text(String),
+    /// A list.
+    List(Vec<Value>),
+    /// Keys and values in the order they came.
+    Map(Vec<(String, Value)>),
+    /// Something that has no place in a job (a function, a cyclic object), by its name.
+    Other(&'static str),
+}
+
+impl Value {
+    /// The value under `key`, if this is a map that has it. Of a key given twice the last one counts.
+    pub fn get(&self, key: &str) -> Option<&Value> {
+        match self {
+            Value::Map(entries) => entries.iter().rev().find(|(k, _)| k == key).map(|(_, v)| v),
+            _ => None,
+        }
+    }
+
+    /// What this is, in a word for people.
+    pub fn noun(&self) -> &'static str {
+        match self {
+            Value::Null => "null",
+            Value::Flag(_) => "true or false",
+            Value::Number(_) => "a number",
+            Value::Text(_) => "text",
+            Value::List(_) => "a list",
+            Value::Map(_) => "an object",
+            Value::Other(name) => name,
+        }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl From<&serde_json::Value> for Value {
+    fn from(json: &serde_json::Value) -> Self {
+        use serde_json::Value as Json;
+        match json {
+            Json::Null => Value::Null,
+            Json::Bool(b) => Value::Flag(*b),
+            Json::Number(n) => Value::Number(n.as_f64().unwrap_or(f64::NAN)),
+            Json::String(s) => Value::Text(s.clone()),
+            Json::Array(items) => Value::List(items.iter().map(Value::from).collect()),
+            Json::Object(map) => Value::Map(map.iter().map(|(k, v)| (k.clone(), Value::from(v))).collect()),
+        }
+    }
+}
