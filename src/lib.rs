@@ -20,3 +20,7 @@ pub mod part;
 pub mod path;
 pub mod post;
 pub mod spec;
+pub mod view;
+
+#[cfg(target_arch = "wasm32")]
+pub mod wasm;

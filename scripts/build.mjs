@@ -1,0 +1,44 @@
+// Builds the package into dist/ and the page into dist/page/.
+import { cpSync, mkdirSync, readFileSync, rmSync } from "node:fs";
+import { brotliCompressSync, gzipSync } from "node:zlib";
+import { fileURLToPath } from "node:url";
+import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
+
+/** The WebAssembly module and its bindings, into www/core/wasm/. */
+function buildWasm() {
+  const bin = ensureBindgen();
+  run("cargo", ["build", "--quiet", "--locked", "--release", "--target", "wasm32-unknown-unknown", "--lib"]);
+  const out = at("www", "core", "wasm");
+  rmSync(out, { recursive: true, force: true });
+  mkdirSync(out, { recursive: true });
+  const target = process.env.CARGO_TARGET_DIR ?? at("target");
+  const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
+  run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out]);
+  const wasm = `${out}/touchpath_bg.wasm`;
+  run("node", [at("node_modules", "binaryen", "bin", "wasm-opt"), "-O3", wasm, "-o", wasm]);
+}
+
+function buildPackage() {
+  rmSync(at("dist"), { recursive: true, force: true });
+  run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
+  cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
+}
+
+/** Everything. */
+export async function build() {
+  await stage("Packages", ensurePackages);
+  await stage("WebAssembly", () => {
+    ensureTarget();
+    buildWasm();
+  });
+  await stage("Package", buildPackage);
+  await stage("Page", () => run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]));
+  const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
+  const kB = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
+  console.log(`wasm: ${kB(wasm.length)}, gzip ${kB(gzipSync(wasm, { level: 9 }).length)}, brotli ${kB(brotliCompressSync(wasm).length)}`);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await build();
+  summary();
+}

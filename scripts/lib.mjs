@@ -1,0 +1,145 @@
+// What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { delimiter, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const root = fileURLToPath(new URL("..", import.meta.url)).replace(/[\\/]$/, "");
+export const at = (...parts) => join(root, ...parts);
+
+const target = process.env.CARGO_TARGET_DIR ?? at("target");
+const tools = join(target, "tools");
+const stages = [];
+
+/** Runs a command; what it prints is seen. Ends the script where the command fails. */
+export function run(command, args, { env = {}, cwd = root, quiet = false } = {}) {
+  const done = spawnSync(command, args, {
+    cwd,
+    stdio: quiet ? "pipe" : "inherit",
+    encoding: "utf8",
+    env: { ...process.env, ...env },
+  });
+  if (done.status !== 0) {
+    if (quiet) process.stderr.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
+    const why = done.error ? done.error.message : `exit ${done.status ?? done.signal}`;
+    console.error(`\nFailed: ${command} ${args.join(" ")} (${why})`);
+    summary();
+    process.exit(1);
+  }
+  return done.stdout ?? "";
+}
+
+/** Whether a command is there and works. */
+export function works(command, args = ["--version"], env = {}) {
+  return spawnSync(command, args, { stdio: "ignore", env: { ...process.env, ...env } }).status === 0;
+}
+
+/** Runs a stage and remembers how long it took. */
+export async function stage(name, work) {
+  const start = performance.now();
+  console.log(`\n== ${name}`);
+  const result = await work();
+  const seconds = (performance.now() - start) / 1000;
+  stages.push([name, seconds]);
+  console.log(`-- ${name}: ${seconds.toFixed(1)} s`);
+  return result;
+}
+
+/** Prints every stage's time. */
+export function summary() {
+  if (stages.length === 0) return;
+  console.log("\nStages:");
+  for (const [name, seconds] of stages) console.log(`  ${seconds.toFixed(1).padStart(7)} s  ${name}`);
+  const whole = stages.reduce((sum, [, seconds]) => sum + seconds, 0);
+  console.log(`  ${whole.toFixed(1).padStart(7)} s  in all`);
+}
+
+/** npm's packages, as package-lock.json says. */
+export function ensurePackages() {
+  const marker = at("node_modules", ".package-lock.json");
+  const fresh = existsSync(marker) && statSync(marker).mtimeMs >= statSync(at("package-lock.json")).mtimeMs;
+  if (!fresh) run("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
+}
+
+/** Rust's WebAssembly target. */
+export function ensureTarget() {
+  const name = "wasm32-unknown-unknown";
+  const sysroot = run("rustc", ["--print", "sysroot"], { quiet: true }).trim();
+  if (!existsSync(join(sysroot, "lib", "rustlib", name))) run("rustup", ["target", "add", name]);
+}
+
+/** wasm-bindgen and its test runner, of the crate's very version; gives the folder they are in. */
+export function ensureBindgen() {
+  run("cargo", ["build", "--quiet", "--locked", "--package", "touchpath-tools"]);
+  return join(target, "debug");
+}
+
+/** wasm-pack; gives the folder it is in. */
+export function ensureWasmPack() {
+  if (works("wasm-pack")) return "";
+  const folder = join(tools, "bin");
+  if (!works(join(folder, "wasm-pack"))) {
+    run("cargo", ["install", "wasm-pack", "--version", "0.15.1", "--locked", "--root", tools, "--quiet"]);
+  }
+  return folder;
+}
+
+/** Debian's packages, for root or whoever may use sudo. */
+function aptInstall(...packages) {
+  const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
+  const apt = (...args) => {
+    const [command, ...rest] = [...sudo, "apt-get", ...args];
+    run(command, rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
+  };
+  apt("update");
+  apt("install", "-y", "--no-install-recommends", ...packages);
+}
+
+/** Chromium and its driver; gives both paths. */
+export function ensureChromium() {
+  const find = (variable, names) =>
+    [process.env[variable], ...names].find((name) => name && works(name));
+  const browsers = ["chromium", "chromium-browser", "google-chrome"];
+  let browser = find("CHROMIUM", browsers);
+  let driver = find("CHROMEDRIVER", ["chromedriver"]);
+  if (!browser || !driver) {
+    aptInstall("chromium", "chromium-driver");
+    browser = find("CHROMIUM", browsers);
+    driver = find("CHROMEDRIVER", ["chromedriver"]);
+  }
+  if (!browser || !driver) throw new Error("Chromium and chromedriver are needed: set CHROMIUM and CHROMEDRIVER");
+  return { browser: absolute(browser), driver: absolute(driver) };
+}
+
+function absolute(command) {
+  if (command.includes("/")) return command;
+  return process.env.PATH.split(delimiter)
+    .map((folder) => join(folder, command))
+    .find((path) => existsSync(path));
+}
+
+/** LinuxCNC's own interpreter, taken out of Debian's package without installing it; gives the command. */
+export function ensureInterpreter() {
+  if (process.env.RS274) return process.env.RS274;
+  const folder = join(tools, "linuxcnc");
+  const command = join(folder, "rs274");
+  if (!existsSync(command)) {
+    mkdirSync(folder, { recursive: true });
+    const packages = ["linuxcnc-uspace", "libboost-python1.74.0", "libpython3.11"];
+    const download = mkdtempSync(join(tmpdir(), "touchpath-"));
+    if (!works("apt-get", ["download", "--print-uris", ...packages])) aptInstall("dpkg");
+    run("apt-get", ["-o", "APT::Sandbox::User=root", "download", ...packages], { cwd: download, quiet: true });
+    run("sh", ["-c", `for deb in *.deb; do dpkg -x "$deb" "${folder}"; done`], { cwd: download, quiet: true });
+    rmSync(download, { recursive: true });
+    const lib = `${folder}/usr/lib:${folder}/usr/lib/x86_64-linux-gnu`;
+    writeFileSync(command, `#!/bin/sh\nLD_LIBRARY_PATH="${lib}" exec "${folder}/usr/bin/rs274" "$@"\n`, { mode: 0o755 });
+  }
+  return command;
+}
+
+/** PATH with these folders in front. */
+export const pathWith = (...folders) => ({ PATH: [...folders.filter(Boolean), process.env.PATH].join(delimiter) });
+
+/** The version of a package in package.json's sense. */
+export const version = () => JSON.parse(readFileSync(at("package.json"), "utf8")).version;

@@ -1,0 +1,11 @@
+// Builds everything and serves the page. PORT sets the port; without it 4173, or a free one where that is taken.
+import { build } from "./build.mjs";
+import { serve } from "./serve.mjs";
+
+await build();
+const wanted = process.env.PORT;
+const server = await serve(Number(wanted ?? 4173)).catch((error) => {
+  if (wanted || error.code !== "EADDRINUSE") throw error;
+  return serve(0);
+});
+console.log(`\nTouchpath is at http://localhost:${server.address().port}/`);

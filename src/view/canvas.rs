@@ -1,0 +1,286 @@
+//! Draws a scene on a browser's canvas. The only module that names `web_sys`.
+
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+use crate::view::camera::Camera;
+use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
+
+/// The colours of a picture, as CSS colours.
+#[derive(Clone, Debug, serde::Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Theme {
+    background: String,
+    text: String,
+    wall: String,
+    actual: String,
+    position: String,
+    link: String,
+    touch: String,
+    ball: String,
+    highlight: String,
+}
+
+impl Default for Theme {
+    fn default() -> Self {
+        let colour = |text: &str| text.to_owned();
+        Theme {
+            background: colour("#ffffff"),
+            text: colour("#1c2430"),
+            wall: colour("#4a5565"),
+            actual: colour("#b45309"),
+            position: colour("#15803d"),
+            link: colour("#7b8794"),
+            touch: colour("#dc2626"),
+            ball: colour("#2563eb"),
+            highlight: colour("#2563eb"),
+        }
+    }
+}
+
+/// Pixels between the strokes of a hatching, and their length.
+const HATCH: f64 = 7.0;
+
+/// Half the size of a handle in pixels.
+const HANDLE: f64 = 6.0;
+
+/// How far the turning handle stands from the shifting one, pixels.
+pub const ARM: f64 = 64.0;
+
+/// A canvas and what is drawn on it.
+#[derive(Debug)]
+pub struct Painter {
+    canvas: HtmlCanvasElement,
+    context: CanvasRenderingContext2d,
+    /// The colours.
+    pub theme: Theme,
+    ratio: f64,
+}
+
+impl Painter {
+    /// A painter on a canvas; none where the canvas has no 2D context.
+    pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
+        use wasm_bindgen::JsCast;
+        let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
+        Some(Painter { canvas, context, theme: Theme::default(), ratio: 1.0 })
+    }
+
+    /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        self.ratio = ratio;
+        self.canvas.set_width((width * ratio).round() as u32);
+        self.canvas.set_height((height * ratio).round() as u32);
+    }
+
+    /// Draws everything. `highlight` is the move that is pointed at.
+    pub fn draw(&self, scene: &Scene, camera: &Camera, highlight: Option<usize>, deviates: bool) {
+        let c = &self.context;
+        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        c.set_line_cap("round");
+        c.set_line_join("round");
+        for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
+            self.wall(wall, camera);
+        }
+        // Touches lie on their ways back: drawn last, they are seen.
+        for touches in [false, true] {
+            for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
+                self.line(line, camera, highlight == Some(line.index));
+            }
+        }
+        self.touches(scene, camera, deviates);
+        if let Some(end) = highlight.and_then(|i| scene.ends.get(i)) {
+            let ball = camera.pixel(*end);
+            c.set_global_alpha(0.25);
+            self.disc(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight);
+            c.set_global_alpha(1.0);
+            self.circle(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight, 2.0);
+        }
+        if let Some((origin, direction)) = scene.handle {
+            self.handle(camera.pixel(origin), direction);
+        }
+        self.axes(scene, camera);
+        self.scale_bar(camera);
+    }
+
+    fn wall(&self, wall: &WallShape, camera: &Camera) {
+        let c = &self.context;
+        let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
+        if let Some(([from, to], material)) = wall.edge {
+            let (from, to) = (camera.pixel(from), camera.pixel(to));
+            self.hatch(from, to, [material[0], -material[1]], colour);
+            self.segment(from, to, colour, if wall.actual { 1.5 } else { 2.0 }, &[]);
+            return;
+        }
+        c.begin_path();
+        for (i, corner) in wall.corners.iter().enumerate() {
+            let p = camera.pixel(*corner);
+            if i == 0 { c.move_to(p[0], p[1]) } else { c.line_to(p[0], p[1]) }
+        }
+        c.close_path();
+        c.set_fill_style_str(colour);
+        c.set_global_alpha(0.07);
+        c.fill();
+        c.set_global_alpha(0.55);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(1.0);
+        self.dash(&[]);
+        c.stroke();
+        c.set_global_alpha(1.0);
+    }
+
+    /// Short strokes behind a line, on the side of the material.
+    fn hatch(&self, from: Spot, to: Spot, material: Spot, colour: &str) {
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = dx.hypot(dy);
+        let (ux, uy) = (dx / length.max(1e-9), dy / length.max(1e-9));
+        let count = ((length / HATCH) as usize).min(2000);
+        let c = &self.context;
+        c.begin_path();
+        for i in 0..=count {
+            let x = from[0] + ux * HATCH * i as f64;
+            let y = from[1] + uy * HATCH * i as f64;
+            c.move_to(x, y);
+            c.line_to(x + (material[0] - ux) * HATCH, y + (material[1] - uy) * HATCH);
+        }
+        c.set_global_alpha(0.6);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(1.0);
+        self.dash(&[]);
+        c.stroke();
+        c.set_global_alpha(1.0);
+    }
+
+    fn line(&self, line: &Line, camera: &Camera, highlit: bool) {
+        let (colour, width, alpha) = match line.stroke {
+            Stroke::Position => (&self.theme.position, 2.0, 1.0),
+            Stroke::Link => (&self.theme.link, 1.5, 1.0),
+            Stroke::Touch => (&self.theme.touch, 2.0, 1.0),
+            Stroke::Overtravel => (&self.theme.touch, 1.0, 0.45),
+        };
+        let dash: &[f64] = if line.rapid { &[6.0, 5.0] } else { &[] };
+        let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
+        self.context.set_global_alpha(alpha);
+        if highlit {
+            self.segment(from, to, &self.theme.highlight, width + 3.0, &[]);
+        }
+        self.segment(from, to, colour, width, dash);
+        self.context.set_global_alpha(1.0);
+    }
+
+    fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool) {
+        let c = &self.context;
+        c.set_font("600 12px system-ui, sans-serif");
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
+        let radius = scene.radius * camera.scale;
+        let mut written: Vec<Spot> = Vec::new();
+        for (k, touch) in scene.touches.iter().enumerate() {
+            self.circle(camera.pixel(touch.ball), radius, &self.theme.ball, 1.0);
+            if let Some(trigger) = touch.trigger.filter(|_| deviates) {
+                let p = camera.pixel(trigger);
+                self.circle(p, radius, &self.theme.actual, 1.0);
+                self.segment([p[0] - 4.0, p[1]], [p[0] + 4.0, p[1]], &self.theme.actual, 1.5, &[]);
+                self.segment([p[0], p[1] - 4.0], [p[0], p[1] + 4.0], &self.theme.actual, 1.5, &[]);
+            }
+            let contact = camera.pixel(touch.contact);
+            self.disc(contact, 3.5, &self.theme.touch);
+            // Behind the surface, where the path is not; numbers on the same spot stand side by side.
+            let mut place = [contact[0] - touch.inward[0] * 16.0, contact[1] + touch.inward[1] * 16.0];
+            while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 11.0) {
+                place[0] += 14.0;
+            }
+            written.push(place);
+            self.label(&(k + 1).to_string(), place);
+        }
+    }
+
+    fn label(&self, text: &str, at: Spot) {
+        let c = &self.context;
+        c.set_line_width(3.0);
+        c.set_stroke_style_str(&self.theme.background);
+        self.dash(&[]);
+        let _ = c.stroke_text(text, at[0], at[1]);
+        c.set_fill_style_str(&self.theme.text);
+        let _ = c.fill_text(text, at[0], at[1]);
+    }
+
+    fn handle(&self, at: Spot, direction: Spot) {
+        let c = &self.context;
+        let end = [at[0] + direction[0] * ARM, at[1] - direction[1] * ARM];
+        self.segment(at, end, &self.theme.actual, 1.0, &[3.0, 3.0]);
+        self.disc(end, HANDLE, &self.theme.background);
+        self.circle(end, HANDLE, &self.theme.actual, 2.0);
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(at[0] - HANDLE, at[1] - HANDLE, 2.0 * HANDLE, 2.0 * HANDLE);
+        c.set_stroke_style_str(&self.theme.actual);
+        c.set_line_width(2.0);
+        self.dash(&[]);
+        c.stroke_rect(at[0] - HANDLE, at[1] - HANDLE, 2.0 * HANDLE, 2.0 * HANDLE);
+    }
+
+    /// The work axes as arrows in the corner, and the work origin as a small cross.
+    fn axes(&self, scene: &Scene, camera: &Camera) {
+        let o = camera.pixel(scene.origin);
+        self.segment([o[0] - 5.0, o[1]], [o[0] + 5.0, o[1]], &self.theme.text, 1.0, &[]);
+        self.segment([o[0], o[1] - 5.0], [o[0], o[1] + 5.0], &self.theme.text, 1.0, &[]);
+        let corner = [34.0, camera.size[1] - 34.0];
+        self.context.set_font("600 12px system-ui, sans-serif");
+        for (name, direction) in scene.axes {
+            if direction[0].hypot(direction[1]) < 0.1 {
+                continue;
+            }
+            let tip = |far: f64| [corner[0] + direction[0] * far, corner[1] - direction[1] * far];
+            self.segment(corner, tip(20.0), &self.theme.text, 1.5, &[]);
+            self.label(name, tip(28.0));
+        }
+    }
+
+    /// A bar of a round length, so that sizes can be judged.
+    fn scale_bar(&self, camera: &Camera) {
+        let most = 110.0 / camera.scale;
+        let power = 10f64.powf(most.log10().floor());
+        let length = [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|l| *l <= most).unwrap_or(power);
+        let right = camera.size[0] - 16.0;
+        let left = right - length * camera.scale;
+        let y = camera.size[1] - 16.0;
+        for (a, b) in [([left, y], [right, y]), ([left, y - 4.0], [left, y + 4.0]), ([right, y - 4.0], [right, y + 4.0])] {
+            self.segment(a, b, &self.theme.text, 1.0, &[]);
+        }
+        self.label(&format!("{} mm", crate::num::decimal(length, 4)), [(left + right) / 2.0, y - 10.0]);
+    }
+
+    fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
+        let c = &self.context;
+        c.begin_path();
+        c.move_to(from[0], from[1]);
+        c.line_to(to[0], to[1]);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(dash);
+        c.stroke();
+    }
+
+    fn circle(&self, at: Spot, radius: f64, colour: &str, width: f64) {
+        let c = &self.context;
+        c.begin_path();
+        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(&[]);
+        c.stroke();
+    }
+
+    fn disc(&self, at: Spot, radius: f64, colour: &str) {
+        let c = &self.context;
+        c.begin_path();
+        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        c.set_fill_style_str(colour);
+        c.fill();
+    }
+
+    fn dash(&self, lengths: &[f64]) {
+        let list: js_sys::Array = lengths.iter().map(|l| wasm_bindgen::JsValue::from_f64(*l)).collect();
+        let _ = self.context.set_line_dash(&list);
+    }
+}

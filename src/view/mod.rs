@@ -1,0 +1,7 @@
+//! The picture: a scene in mm, a camera, and (in a browser) the canvas they are drawn on.
+
+pub mod camera;
+pub mod scene;
+
+#[cfg(target_arch = "wasm32")]
+pub(crate) mod canvas;

@@ -1,0 +1,282 @@
+//! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
+
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::part::Run;
+use crate::path::{Feed, Path, Purpose, Setup, Wall};
+
+/// A point on the picture plane, mm, y upwards.
+pub type Spot = [f64; 2];
+
+/// Where the scene is looked at from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Projection {
+    /// Against the tool axis.
+    Top,
+    /// Along the ordinate: abscissa to the right, tool axis up.
+    Front,
+    /// Against the abscissa: ordinate to the right, tool axis up.
+    Side,
+    /// Isometric, from abscissa plus, ordinate minus and above.
+    Isometric,
+}
+
+impl Projection {
+    /// The projection with this name: `top`, `front`, `side` or `isometric`.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "top" => Some(Projection::Top),
+            "front" => Some(Projection::Front),
+            "side" => Some(Projection::Side),
+            "isometric" => Some(Projection::Isometric),
+            _ => None,
+        }
+    }
+
+    /// The picture's right and up as directions of (abscissa, ordinate, tool axis).
+    fn axes(self) -> [Vec3; 2] {
+        match self {
+            Projection::Top => [Vec3::X, Vec3::Y],
+            Projection::Front => [Vec3::X, Vec3::Z],
+            Projection::Side => [Vec3::Y, Vec3::Z],
+            Projection::Isometric => {
+                [Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(), Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt()]
+            }
+        }
+    }
+
+    /// Where a point of the work coordinate system is seen.
+    pub fn spot(self, plane: Plane, p: Vec3) -> Spot {
+        let [a, o, w] = plane.axes();
+        let local = Vec3::new(p[a], p[o], p[w]);
+        self.axes().map(|axis| axis.dot(local))
+    }
+}
+
+/// What a line of the path is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// Approach, retract and return.
+    Position,
+    /// Long links, the ways back among them.
+    Link,
+    /// A touch up to its nominal contact.
+    Touch,
+    /// The search past the contact.
+    Overtravel,
+}
+
+/// One line of the path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// From here.
+    pub from: Spot,
+    /// To here.
+    pub to: Spot,
+    /// What it is.
+    pub stroke: Stroke,
+    /// Whether it is a rapid.
+    pub rapid: bool,
+    /// The move it shows.
+    pub index: usize,
+}
+
+/// One wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallShape {
+    /// Its four corners, in order.
+    pub corners: [Spot; 4],
+    /// Seen edge-on: the line, and which way the material lies. Else none.
+    pub edge: Option<([Spot; 2], Spot)>,
+    /// Whether it is of the actual part; else of the nominal one.
+    pub actual: bool,
+}
+
+/// One touch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TouchShape {
+    /// The nominal contact on the surface.
+    pub contact: Spot,
+    /// The ball centre there.
+    pub ball: Spot,
+    /// The ball centre at the trigger on the actual part.
+    pub trigger: Option<Spot>,
+    /// Where its number stands: a direction away from the material.
+    pub inward: Spot,
+}
+
+/// Everything that is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The walls; the actual ones first, so that they lie behind.
+    pub walls: Vec<WallShape>,
+    /// The path.
+    pub lines: Vec<Line>,
+    /// The touches.
+    pub touches: Vec<TouchShape>,
+    /// Where each move ends.
+    pub ends: Vec<Spot>,
+    /// Radius of the ball, mm.
+    pub radius: f64,
+    /// The work origin.
+    pub origin: Spot,
+    /// Names of the axes and where they point in the picture.
+    pub axes: [(&'static str, Spot); 3],
+    /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
+    pub handle: Option<(Spot, Spot)>,
+}
+
+/// What the actual part adds.
+#[derive(Debug)]
+pub struct Actual<'a> {
+    /// Its walls.
+    pub walls: &'a [Wall],
+    /// What happens there.
+    pub run: &'a Run,
+    /// Where the feature's origin really lies.
+    pub origin: Vec3,
+    /// Where its first direction really points.
+    pub direction: Vec3,
+}
+
+/// The scene of a path.
+pub fn build(path: &Path, setup: &Setup, rapid: impl Fn(Feed) -> bool, actual: &Actual<'_>, view: Projection) -> Scene {
+    let spot = |p: Vec3| view.spot(setup.plane, p);
+    let shape = |wall: &Wall, actual: bool| wall_shape(wall, path.frame.w, &spot, actual);
+    let walls = actual.walls.iter().map(|w| shape(w, true)).chain(path.walls.iter().map(|w| shape(w, false)));
+    let mut lines = Vec::new();
+    let mut at = None;
+    for (index, step) in path.moves.iter().enumerate() {
+        let from = at.unwrap_or(step.to);
+        let stroke = match (step.purpose, step.feed) {
+            (Purpose::Touch(_), _) => Stroke::Touch,
+            (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return) => Stroke::Position,
+            (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work) => Stroke::Link,
+        };
+        lines.push(Line { from: spot(from), to: spot(step.to), stroke, rapid: rapid(step.feed), index });
+        if let Purpose::Touch(k) = step.purpose {
+            let end = step.to - path.touches[k].vector * setup.overtravel;
+            lines.push(Line { from: spot(step.to), to: spot(end), stroke: Stroke::Overtravel, rapid: false, index });
+        }
+        at = Some(step.to);
+    }
+    let touches = path.touches.iter().enumerate().map(|(k, touch)| TouchShape {
+        contact: spot(touch.point),
+        ball: spot(touch.contact(setup.radius)),
+        trigger: actual.run.triggers[k].map(spot),
+        inward: spot(touch.vector),
+    });
+    let basis = setup.plane.basis();
+    let names = setup.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    Scene {
+        walls: walls.collect(),
+        lines,
+        touches: touches.collect(),
+        ends: path.moves.iter().map(|m| spot(m.to)).collect(),
+        radius: setup.radius,
+        origin: spot(Vec3::ZERO),
+        axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
+        handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
+    }
+}
+
+fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool) -> WallShape {
+    let (start, end) = (wall.point + wall.along * wall.extent.0, wall.point + wall.along * wall.extent.1);
+    let down = up * wall.drawn_depth;
+    let raised = if wall.has_top { Vec3::ZERO } else { down };
+    let corners = [start + raised, end + raised, end - down, start - down].map(spot);
+    let area: f64 = (0..4).map(|i| cross(corners[i], corners[(i + 1) % 4])).sum::<f64>().abs() / 2.0;
+    let edge = (area < 1e-6 * (1.0 + length(sub(corners[0], corners[2])).powi(2))).then(|| {
+        let material = spot(-wall.normal);
+        let line = if length(sub(corners[0], corners[1])) > length(sub(corners[1], corners[2])) {
+            [corners[0], corners[1]]
+        } else {
+            [corners[1], corners[2]]
+        };
+        (line, material)
+    });
+    WallShape { corners, edge, actual }
+}
+
+impl Scene {
+    /// The smallest and largest spot of everything that must be seen.
+    pub fn bounds(&self) -> [Spot; 2] {
+        let balls = self.touches.iter().flat_map(|t| [t.contact, t.ball]);
+        let ends = self.ends.iter().flat_map(|e| {
+            let r = self.radius;
+            [[e[0] - r, e[1] - r], [e[0] + r, e[1] + r]]
+        });
+        let walls = self.walls.iter().flat_map(|w| w.corners);
+        let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        balls.chain(ends).chain(walls).fold(start, |[low, high], p| {
+            [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
+        })
+    }
+
+    /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch
+    /// wins over the way back.
+    pub fn pick(&self, at: Spot, reach: f64) -> Option<usize> {
+        let rank = |stroke: Stroke| match stroke {
+            Stroke::Touch => 0.0,
+            Stroke::Overtravel => 1.0,
+            Stroke::Position => 2.0,
+            Stroke::Link => 3.0,
+        };
+        self.lines
+            .iter()
+            .map(|line| (distance(at, line.from, line.to) + rank(line.stroke) * reach * 0.05, line))
+            .filter(|(far, _)| *far <= reach)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, line)| line.index)
+    }
+}
+
+/// Distance of a spot from a segment.
+fn distance(p: Spot, a: Spot, b: Spot) -> f64 {
+    let (ab, ap) = (sub(b, a), sub(p, a));
+    let square = ab[0] * ab[0] + ab[1] * ab[1];
+    let t = if square == 0.0 { 0.0 } else { ((ap[0] * ab[0] + ap[1] * ab[1]) / square).clamp(0.0, 1.0) };
+    length([ap[0] - ab[0] * t, ap[1] - ab[1] * t])
+}
+
+fn sub(a: Spot, b: Spot) -> Spot {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn cross(a: Spot, b: Spot) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn length(a: Spot) -> f64 {
+    a[0].hypot(a[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seen_from_the_top_the_abscissa_goes_right_in_every_plane() {
+        for plane in [Plane::G17, Plane::G18, Plane::G19] {
+            let [a, o, w] = plane.basis();
+            assert_eq!(Projection::Top.spot(plane, a), [1.0, 0.0]);
+            assert_eq!(Projection::Top.spot(plane, o), [0.0, 1.0]);
+            assert_eq!(Projection::Front.spot(plane, w), [0.0, 1.0]);
+            assert_eq!(Projection::Side.spot(plane, o), [1.0, 0.0]);
+        }
+    }
+
+    #[test]
+    fn isometric_axes_have_equal_lengths_and_up_is_up() {
+        let lengths: Vec<f64> = Plane::G17.basis().iter().map(|&e| length(Projection::Isometric.spot(Plane::G17, e))).collect();
+        assert!(lengths.iter().all(|l| (l - (2f64 / 3.0).sqrt()).abs() < 1e-12), "{lengths:?}");
+        let up = Projection::Isometric.spot(Plane::G17, Vec3::Z);
+        assert!(up[0].abs() < 1e-12 && up[1] > 0.0);
+    }
+
+    #[test]
+    fn distance_to_a_segment_by_hand() {
+        assert_eq!(distance([5.0, 3.0], [0.0, 0.0], [10.0, 0.0]), 3.0);
+        assert_eq!(distance([13.0, 4.0], [0.0, 0.0], [10.0, 0.0]), 5.0);
+        assert_eq!(distance([3.0, 4.0], [0.0, 0.0], [0.0, 0.0]), 5.0);
+    }
+}

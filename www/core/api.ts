@@ -1,0 +1,71 @@
+import type { Catalog, Cycle, Finding, Job, Measured, MoveColumns, Plan, ResultRow } from "./types.js";
+
+export type * from "./types.js";
+
+/** Thrown where no plan can be made; `findings` says everything that was found. */
+export class JobError extends Error {
+  readonly findings: Finding[];
+
+  constructor(message: string, findings: Finding[]) {
+    super(message);
+    this.name = "JobError";
+    this.findings = findings;
+  }
+}
+
+/** What the WebAssembly module gives. */
+export interface Raw {
+  catalog(): unknown;
+  defaultJob(type: unknown): unknown;
+  check(job: unknown): unknown;
+  plan(job: unknown): unknown;
+  evaluate(job: unknown, measured: unknown): unknown;
+  moveColumns(job: unknown): unknown;
+  version(): string;
+}
+
+/** The functions of the package. They take anything: what is no job is refused with findings. */
+export interface Api {
+  /** Everything a form needs: cycles, their fields, the controls. */
+  catalog(): Catalog;
+  /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
+  defaultJob(type: Cycle["type"]): Required<Job>;
+  /** Everything that is wrong, unusual or worth knowing. Never throws. */
+  check(job: unknown): Finding[];
+  /** The whole plan. Throws `JobError` if any finding is an error. */
+  plan(job: Job): Plan;
+  /** The results from points that a machine really measured. Throws `JobError`. */
+  evaluate(job: Job, measured: Measured): ResultRow[];
+  /** The moves of the plan as typed arrays. Throws `JobError`. */
+  moveColumns(job: Job): MoveColumns;
+  /** The crate's version. */
+  version(): string;
+}
+
+function orJobError<T>(run: () => unknown): T {
+  try {
+    return run() as T;
+  } catch (thrown) {
+    const { message, findings } = thrown as { message?: string; findings?: Finding[] };
+    throw findings ? new JobError(message ?? "", findings) : thrown;
+  }
+}
+
+/** Dresses the WebAssembly module's functions. */
+export function dress(raw: Raw): Api {
+  return {
+    catalog: () => raw.catalog() as Catalog,
+    defaultJob: (type) => orJobError(() => raw.defaultJob(type)),
+    check: (job) => {
+      try {
+        return raw.check(job) as Finding[];
+      } catch {
+        return [{ level: "error", code: "unreadable", path: "", message: "This value cannot be read" }];
+      }
+    },
+    plan: (job) => orJobError(() => raw.plan(job)),
+    evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
+    moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
+    version: () => raw.version(),
+  };
+}

@@ -1,0 +1,9 @@
+import { dress } from "./api.js";
+import init, * as raw from "./wasm/touchpath.js";
+
+export * from "./api.js";
+export { View } from "./wasm/touchpath.js";
+
+await init();
+
+export const { catalog, defaultJob, check, plan, evaluate, moveColumns, version } = dress(raw);

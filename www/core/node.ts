@@ -1,0 +1,9 @@
+import { readFileSync } from "node:fs";
+import { dress } from "./api.js";
+import * as raw from "./wasm/touchpath.js";
+
+export * from "./api.js";
+
+raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
+
+export const { catalog, defaultJob, check, plan, evaluate, moveColumns, version } = dress(raw);

@@ -1,0 +1,202 @@
+/** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
+
+/** X, Y, Z of the work coordinate system. */
+export type Vec3 = [number, number, number];
+
+/** A problem or a note. An error means that no plan is made. */
+export interface Finding {
+  level: "error" | "warning" | "info";
+  /** Stable, kebab-case. */
+  code: string;
+  /** The place in the job: `cycle.sideClearance1`; empty for the job as a whole. */
+  path: string;
+  message: string;
+}
+
+/** A feed; `null` is rapid. */
+export type FeedRate = number | null;
+
+/** ENCY / SprutCAM type 7. */
+export interface InternalRectangleProtected {
+  type: "internal-rectangle-protected";
+  /** Centre of the rectangle on its top side. */
+  origin?: Vec3;
+  rotation?: number;
+  /** Along the first direction, touch points 1 and 2. */
+  width1?: number;
+  /** Along the second direction, touch points 3 and 4. */
+  width2?: number;
+  depth?: number;
+  topClearance?: number;
+  sideClearance1?: number;
+  sideClearance2?: number;
+  feedDistance?: number;
+  compensateDimensions?: boolean;
+  subCode?: number;
+}
+
+/** ENCY / SprutCAM type 13. */
+export interface DoubleWallInternalCorner {
+  type: "double-wall-internal-corner";
+  /** The corner, at the level of the touches. */
+  origin?: Vec3;
+  rotation?: number;
+  /** Between the walls, inside the corner, 20 to 160. */
+  angle?: number;
+  clearance1?: number;
+  clearance2?: number;
+  count1?: number;
+  count2?: number;
+  step1?: number;
+  step2?: number;
+  feedDistance?: number;
+  subCode?: number;
+}
+
+export type Cycle = InternalRectangleProtected | DoubleWallInternalCorner;
+
+/** A probing job. What is left out takes the catalog's default. */
+export interface Job {
+  format: 1;
+  name?: string;
+  units?: "mm" | "inch";
+  plane?: "G17" | "G18" | "G19";
+  stylus?: { diameter?: number; repeatability?: number };
+  feeds?: { approach?: FeedRate; longLink?: FeedRate; work?: number; retract?: FeedRate; return?: FeedRate };
+  overtravel?: number;
+  cycle: Cycle;
+  control?: { post?: "linuxcnc" | "grbl"; form?: "moves" | "cycle"; workOffset?: number | null };
+  part?: { offset?: Vec3; rotation?: number; sizes?: Record<string, number> };
+}
+
+/** A nominal touch: a point on the surface and its outward normal. */
+export interface TouchPoint {
+  point: Vec3;
+  vector: Vec3;
+  /** Wall or circle, from 0. */
+  group: number;
+}
+
+/** A move of the ball centre. A touch ends at the nominal contact; the search past it belongs to the program. */
+export interface Move {
+  to: Vec3;
+  feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
+  kind: "position" | "touch" | "back";
+  /** Number of the step in the cycle's documented list. */
+  step: number;
+  touch: number | null;
+  arc: { center: Vec3; sweep: number } | null;
+}
+
+/** A row of the source's parameter table. */
+export interface ParameterRow {
+  /** `CmdPrm.Flt[-53]`. */
+  code: string;
+  type: string;
+  value: number | string | boolean;
+  meaning: string;
+  /** Path of the job's field it comes from. */
+  field: string | null;
+  /** The touch it comes from. */
+  touch: number | null;
+}
+
+/** What the control stores. */
+export interface ResultRow {
+  code: string;
+  meaning: string;
+  /** `mm`, `inch` or `deg`. */
+  unit: string;
+  nominal: number | null;
+  value: number | null;
+  /** Value less nominal. */
+  deviation: number | null;
+  /** One sigma. */
+  uncertainty: number | null;
+  verdict: string | null;
+  /** What is true of the virtual part; null for measured points. */
+  truth: number | null;
+  /** Why the value is not the truth, where it is not. */
+  note: string | null;
+}
+
+export interface Plan {
+  touches: TouchPoint[];
+  moves: Move[];
+  /** Length of the path from the end of its first move. */
+  length: number;
+  /** Minutes, rapids at the catalog's `rapidRate`. */
+  time: number;
+  program: { post: string; extension: string; text: string; moveLines: number[] };
+  table: ParameterRow[];
+  results: ResultRow[];
+  /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
+  triggers: (Vec3 | null)[];
+  findings: Finding[];
+}
+
+/** The moves as typed arrays: three numbers of `to` a move; `feed` and `kind` index into `feeds` and `kinds`; no touch is −1. */
+export interface MoveColumns {
+  to: Float64Array;
+  feed: Uint8Array;
+  kind: Uint8Array;
+  step: Uint8Array;
+  touch: Int32Array;
+  feeds: string[];
+  kinds: string[];
+}
+
+/** One field of a form. Numbers are in mm, mm/min and degrees, whatever the job's units. */
+export interface FieldEntry {
+  key: string;
+  label: string;
+  help: string;
+  kind: "number" | "count" | "flag" | "choice" | "text" | "point";
+  unit: "length" | "feed" | "angle" | "none";
+  range: [number, number] | null;
+  /** Whether the smallest number itself is excluded. */
+  above: boolean;
+  usual: [number, number] | null;
+  default: number | boolean | string | Vec3 | null;
+  /** What `null` means, where it is allowed. */
+  null: string | null;
+  choices: { value: string; label: string }[];
+  /** Parameter code of the source. */
+  code: string | null;
+  /** The heading it stands under. */
+  group: string;
+  /** Whether `part.sizes` may change it. */
+  size: boolean;
+}
+
+export interface CycleEntry {
+  type: Cycle["type"];
+  title: string;
+  source: string;
+  doc: string;
+  fields: FieldEntry[];
+  /** The documented steps, in our words; index 0 is step 1. */
+  steps: string[];
+}
+
+export interface PostEntry {
+  id: string;
+  title: string;
+  extension: string;
+  /** Highest number of a work offset that a program can write; 0 is none. */
+  workOffsets: number;
+  cycles: { type: string; form: "moves" | "cycle"; supported: boolean; reason: string | null }[];
+}
+
+export interface Catalog {
+  format: 1;
+  cycles: CycleEntry[];
+  /** The sections of a job around the cycle; an empty path is the job itself. */
+  sections: { path: string; fields: FieldEntry[] }[];
+  posts: PostEntry[];
+  rapidRate: number;
+  maxTouches: number;
+}
+
+/** Points that a machine measured: ball centres, one a touch, in order; or text, one point a line (CSV or LinuxCNC's PROBEOPEN log). */
+export type Measured = string | (Vec3 | { x: number; y: number; z: number })[];

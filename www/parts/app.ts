@@ -1,0 +1,111 @@
+import { css, html, LitElement, type TemplateResult, unsafeCSS } from "lit";
+import { version } from "../core/browser.js";
+import { type Draft, Store } from "../store.js";
+import styles from "../style.css?inline";
+import "./findings.js";
+import "./form.js";
+import "./picture.js";
+import "./program.js";
+import "./results.js";
+import "./table.js";
+
+const TABS = { setup: "Setup", program: "Program", table: "Parameters", results: "Results" } as const;
+type Tab = keyof typeof TABS;
+
+/** The whole page as one element. On a narrow screen one panel is shown at a time; on a wide one they stand side by side. */
+class App extends LitElement {
+  static override styles = css`${unsafeCSS(styles)}`;
+  private readonly store = new Store();
+  private tab: Tab = "setup";
+  private readonly wide = matchMedia("(min-width: 900px)");
+  private readonly relayout = () => this.requestUpdate();
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.wide.addEventListener("change", this.relayout);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.wide.removeEventListener("change", this.relayout);
+  }
+
+  override render(): TemplateResult {
+    const wide = this.wide.matches;
+    const tabs: Tab[] = wide ? ["program", "table"] : ["setup", "program", "table", "results"];
+    const active = tabs.includes(this.tab) ? this.tab : (tabs[0] as Tab);
+    const hidden = (tab: Tab) => tabs.includes(tab) && tab !== active;
+    return html`
+      <header>
+        <h1>Touchpath</h1>
+        <p>Touch-probe cycles, seen before the machine moves</p>
+        <span class="gap"></span>
+        <button type="button" @click=${() => this.store.reset()}>Reset</button>
+        <button type="button" @click=${this.saveJob}>Save job</button>
+        <label class="button">Open job<input type="file" accept=".json,application/json" @change=${this.openJob} /></label>
+        <small>${version()}</small>
+      </header>
+      <main @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
+        <section class="picture" aria-label="Picture">
+          <tp-picture .store=${this.store}></tp-picture>
+          <tp-findings .store=${this.store}></tp-findings>
+        </section>
+        <div class="tabs" role="tablist" aria-label="Panels">
+          ${tabs.map((tab) => html`<button type="button" role="tab" id=${`tab-${tab}`} aria-controls=${`panel-${tab}`} tabindex=${tab === active ? 0 : -1}
+            aria-selected=${tab === active ? "true" : "false"} @click=${() => this.show(tab)} @keydown=${(e: KeyboardEvent) => this.key(e, tabs, tab)}>${TABS[tab]}</button>`)}
+        </div>
+        <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}><tp-form .store=${this.store}></tp-form></section>
+        <section class="program" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${this.store}></tp-program></section>
+        <section class="table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
+        <section class="results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
+      </main>
+    `;
+  }
+
+  private show(tab: Tab): void {
+    this.tab = tab;
+    this.requestUpdate();
+  }
+
+  private key(event: KeyboardEvent, tabs: Tab[], tab: Tab): void {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const next = tabs[(tabs.indexOf(tab) + step + tabs.length) % tabs.length] as Tab;
+    this.show(next);
+    this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
+  }
+
+  /** To the field of a path, or to the nearest one around it. */
+  private async go(path: string): Promise<void> {
+    if (!this.wide.matches) this.show("setup");
+    await this.updateComplete;
+    const find = (p: string) => this.renderRoot.querySelector<HTMLElement>(`[id="f-${p}"]`);
+    const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
+    field?.scrollIntoView({ block: "center" });
+    field?.focus();
+  }
+
+  private saveJob(): void {
+    const link = document.createElement("a");
+    const text = `${JSON.stringify(this.store.draft, null, 2)}\n`;
+    link.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+    link.download = "job.json";
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+
+  private async openJob(event: Event): Promise<void> {
+    const input = event.target as HTMLInputElement;
+    const text = await input.files?.[0]?.text();
+    input.value = "";
+    try {
+      const job = JSON.parse(text ?? "") as Draft;
+      if (typeof job?.cycle !== "object") throw new SyntaxError("no cycle");
+      this.store.load(job);
+    } catch {
+      alert("This file is not a Touchpath job (JSON with a cycle).");
+    }
+  }
+}
+
+customElements.define("touchpath-app", App);

@@ -1,0 +1,168 @@
+import { html, nothing, type TemplateResult } from "lit";
+import type { FieldEntry, Finding } from "../core/browser.js";
+import { parseNumber } from "../store.js";
+import { Part } from "./part.js";
+
+/** A field and where its value stands in the job. */
+interface Placed {
+  field: FieldEntry;
+  path: string;
+}
+
+/** The form, drawn from the catalog. */
+class FormPart extends Part {
+  protected override follows = ["change"];
+
+  override render(): TemplateResult {
+    const cycle = this.store.cycle;
+    return html`
+      <form @submit=${(event: Event) => event.preventDefault()} autocomplete="off">
+        <fieldset>
+          <legend>Cycle</legend>
+          <div class="field wide">
+            <label for="f-cycle.type">Cycle</label>
+            <select id="f-cycle.type" @change=${(e: Event) => this.store.choose((e.target as HTMLSelectElement).value as typeof cycle.type)}>
+              ${this.store.catalog.cycles.map((c) => html`<option value=${c.type} ?selected=${c.type === cycle.type}>${c.title} (${c.source})</option>`)}
+            </select>
+            ${this.problems("cycle.type")}
+          </div>
+        </fieldset>
+        ${this.groups().map(
+          ([name, fields]) => html`<fieldset><legend>${name}</legend>${fields.map((placed) => this.field(placed))}</fieldset>`,
+        )}
+      </form>
+    `;
+  }
+
+  /** Fields under their headings: the cycle's own first, then what stands around it, the virtual part last. */
+  private groups(): [string, Placed[]][] {
+    const groups = new Map<string, Placed[]>();
+    const add = (path: string, field: FieldEntry, group = field.group) => {
+      const list = groups.get(group) ?? [];
+      list.push({ field, path });
+      groups.set(group, list);
+    };
+    const { sections } = this.store.catalog;
+    for (const field of this.store.cycle.fields) add(`cycle.${field.key}`, field);
+    for (const { path, fields } of sections) {
+      for (const field of fields) add(path ? `${path}.${field.key}` : field.key, field);
+    }
+    for (const field of this.store.cycle.fields.filter((f) => f.size)) {
+      const label = `${field.label} differs by`;
+      const help = `How much the real ${field.label.toLowerCase()} is larger (or, negative, smaller) than it should be.`;
+      add(`part.sizes.${field.key}`, { ...field, label, help, default: 0, code: null }, "Virtual part");
+    }
+    // The postprocessor's own fields are rarely touched.
+    const order = (name: string) => (name === "Postprocessor" ? 1 : name === "Virtual part" ? 2 : 0);
+    return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
+  }
+
+  private field(placed: Placed): TemplateResult {
+    const { field, path } = placed;
+    if (path === "control.workOffset") return this.workOffset(placed);
+    switch (field.kind) {
+      case "flag":
+        return html`<div class="field">
+          <label class="check"><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true} aria-describedby=${`h-${path}`}
+            @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>
+          ${this.foot(placed)}
+        </div>`;
+      case "choice":
+        return html`<div class="field">
+          <label for=${`f-${path}`}>${field.label}</label>
+          <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.choose(path, (e.target as HTMLSelectElement).value)}>
+            ${field.choices.map((c) => html`<option value=${c.value} ?selected=${this.store.get(path) === c.value}>${c.label}</option>`)}
+          </select>
+          ${this.foot(placed)}
+        </div>`;
+      case "text":
+        return html`<div class="field">
+          <label for=${`f-${path}`}>${field.label}</label>
+          <input id=${`f-${path}`} type="text" spellcheck="false" aria-describedby=${`h-${path}`} .value=${String(this.store.get(path) ?? "")}
+            @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} />
+          ${this.foot(placed)}
+        </div>`;
+      case "point":
+        return html`<div class="field wide" role="group" aria-label=${field.label}>
+          <span class="label">${field.label}</span>
+          <div class="point">
+            ${["X", "Y", "Z"].map((axis, i) => html`<span class="axis"><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`)}</span>`)}
+          </div>
+          ${[0, 1, 2].map((i) => this.problems(`${path}[${i}]`))} ${this.foot(placed)}
+        </div>`;
+      case "number":
+      case "count":
+        return html`<div class="field">
+          <label for=${`f-${path}`}>${field.label}</label>
+          <div class="line">${field.null ? this.nullable(placed) : this.number(field, path)}</div>
+          ${this.foot(placed)}
+        </div>`;
+    }
+  }
+
+  private number(field: FieldEntry, path: string, name?: string): TemplateResult {
+    const value = this.store.get(path);
+    const text = this.store.typed.get(path) ?? String(value ?? (field.default as number | null) ?? "");
+    const bad = this.store.at(path).some((f) => f.level === "error");
+    return html`<span class="number"><input id=${`f-${path}`} type="text" inputmode=${field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
+        aria-describedby=${`h-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${bad ? "true" : "false"} .value=${text}
+        @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
+        @input=${(e: Event) => {
+          const typed = (e.target as HTMLInputElement).value;
+          this.store.set(path, parseNumber(typed), typed);
+        }} /><span class="unit">${this.unit(field)}</span></span>`;
+  }
+
+  /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
+  private nullable({ field, path }: Placed): TemplateResult {
+    const off = this.store.get(path) === null;
+    const scale = this.store.units === "inch" ? 1 / 25.4 : 1;
+    return html`${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
+      <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`}
+        @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked ? null : Number(((field.default as number) * scale).toFixed(3)))} /> ${field.null}</label>`;
+  }
+
+  private workOffset(placed: Placed): TemplateResult {
+    const { field, path } = placed;
+    const value = this.store.get(path) ?? null;
+    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
+    const word = (n: number) => (n <= 6 ? `G${53 + n}` : `G59.${n - 6}`);
+    const options = [null, ...Array.from({ length: most }, (_, i) => i + 1)];
+    return html`<div class="field">
+      <label for=${`f-${path}`}>${field.label}</label>
+      <select id=${`f-${path}`} aria-describedby=${`h-${path}`}
+        @change=${(e: Event) => {
+          const chosen = (e.target as HTMLSelectElement).value;
+          this.store.set(path, chosen ? Number(chosen) : null);
+        }}>
+        ${options.map((n) => html`<option value=${n ?? ""} ?selected=${n === value}>${n === null ? "none, measure only" : `${word(n)} (${n})`}</option>`)}
+      </select>
+      ${this.foot(placed)}
+    </div>`;
+  }
+
+  private choose(path: string, value: string): void {
+    if (path === "units") this.store.setUnits(value as "mm" | "inch");
+    else this.store.set(path, value);
+  }
+
+  private unit(field: FieldEntry): string {
+    const unit = this.store.units;
+    return { length: unit, feed: `${unit}/min`, angle: "°", none: "" }[field.unit];
+  }
+
+  /** Problems and help under a field. */
+  private foot({ field, path }: Placed): TemplateResult {
+    const code = field.code ? html` <code>${field.code}</code>` : nothing;
+    return html`${this.problems(path)}<p class="help" id=${`h-${path}`}>${field.help}${code}</p>`;
+  }
+
+  private problems(path: string): TemplateResult | typeof nothing {
+    const found = this.store.at(path);
+    if (found.length === 0) return nothing;
+    return html`<div id=${`e-${path}`}>${found.map((f: Finding) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)}</div>`;
+  }
+}
+
+customElements.define("tp-form", FormPart);

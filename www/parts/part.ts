@@ -1,0 +1,25 @@
+import { LitElement } from "lit";
+import type { Store } from "../store.js";
+
+/** A part of the page: draws itself from the store whenever the store says so. Parts share the styles around them. */
+export abstract class Part extends LitElement {
+  store!: Store;
+  /** Which of the store's events this part follows. */
+  protected follows: string[] = ["change", "highlight"];
+
+  private readonly redraw = () => this.requestUpdate();
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    for (const name of this.follows) this.store.addEventListener(name, this.redraw);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    for (const name of this.follows) this.store.removeEventListener(name, this.redraw);
+  }
+}

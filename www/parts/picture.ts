@@ -1,0 +1,198 @@
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { type Vec3, View } from "../core/browser.js";
+import { Part } from "./part.js";
+
+const VIEWS = ["top", "front", "side", "isometric"] as const;
+
+/** The picture with its tools: views, zoom, and a slider over the moves. */
+class PicturePart extends Part {
+  private view?: View;
+  private look: (typeof VIEWS)[number] = "top";
+  private pointers = new Map<number, { x: number; y: number }>();
+  private handle: string | null = null;
+  private dragged = false;
+  private readonly observer = new ResizeObserver(() => this.fitCanvas());
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly recolour = () => this.theme();
+
+  override render(): TemplateResult {
+    const { plan, highlight, stale } = this.store;
+    const count = plan.moves.length;
+    return html`
+      <div class="tools" role="toolbar" aria-label="Picture">
+        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
+        <span class="gap"></span>
+        <button type="button" aria-label="Zoom out" @click=${() => this.zoom(1 / 1.4)}>−</button>
+        <button type="button" aria-label="Zoom in" @click=${() => this.zoom(1.4)}>+</button>
+        <button type="button" @click=${() => this.view?.fit()}>fit</button>
+      </div>
+      <div class=${stale ? "canvas stale" : "canvas"}>
+        <canvas tabindex="0" role="img" aria-label=${this.describe()}
+          @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
+          @keydown=${this.key}></canvas>
+        ${stale ? html`<p class="stamp" role="status">The form has errors: this is the last good plan</p>` : nothing}
+      </div>
+      <div class="scrub">
+        <label for="scrub">Move</label>
+        <input id="scrub" type="range" min="0" max=${count} .value=${String(highlight === null ? 0 : highlight + 1)}
+          aria-valuetext=${this.says()}
+          @input=${(e: Event) => {
+            const n = Number((e.target as HTMLInputElement).value);
+            this.store.point(n === 0 ? null : n - 1);
+          }} />
+        <output for="scrub">${this.says()}</output>
+      </div>
+      <ul class="key" aria-label="Colours">
+        <li class="position">positioning</li><li class="link">link, back</li><li class="touch">touch</li><li class="ghost">overtravel</li><li class="rapid">rapid</li><li class="actual">virtual part</li>
+      </ul>
+    `;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.dark.addEventListener("change", this.recolour);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.dark.removeEventListener("change", this.recolour);
+    this.observer.disconnect();
+    this.view?.free();
+  }
+
+  protected override firstUpdated(): void {
+    const canvas = this.canvas();
+    this.view = new View(canvas);
+    this.observer.observe(canvas);
+    canvas.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
+    this.theme();
+    this.fitCanvas();
+  }
+
+  protected override updated(_changed: PropertyValues): void {
+    this.view?.show(this.store.shown);
+    this.view?.highlight(this.store.highlight ?? undefined);
+  }
+
+  private canvas(): HTMLCanvasElement {
+    return this.querySelector("canvas") as HTMLCanvasElement;
+  }
+
+  private fitCanvas(): void {
+    const { clientWidth, clientHeight } = this.canvas();
+    this.view?.resize(clientWidth, clientHeight, devicePixelRatio || 1);
+  }
+
+  /** The page's colours, as the style sheet has them now. */
+  private theme(): void {
+    const style = getComputedStyle(this);
+    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
+    this.view?.setTheme(Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
+  }
+
+  private turn(name: (typeof VIEWS)[number]): void {
+    this.look = name;
+    this.view?.look(name);
+    this.requestUpdate();
+  }
+
+  private zoom(factor: number): void {
+    const { clientWidth, clientHeight } = this.canvas();
+    this.view?.zoom(factor, clientWidth / 2, clientHeight / 2);
+  }
+
+  private describe(): string {
+    const { plan } = this.store;
+    return `Path of the probe, ${this.look} view: ${plan.moves.length} moves, ${plan.touches.length} touches. Arrow keys move the picture, plus and minus zoom, 0 fits.`;
+  }
+
+  /** The move that is pointed at, in words. */
+  private says(): string {
+    const { plan, highlight } = this.store;
+    const move = highlight === null ? undefined : plan.moves[highlight];
+    if (!move || highlight === null) {
+      const minutes = Math.floor(plan.time);
+      const seconds = Math.round((plan.time - minutes) * 60);
+      return `${plan.moves.length} moves, ${plan.length.toFixed(0)} ${this.store.units}, ${minutes} min ${seconds} s`;
+    }
+    const kind = { position: "positioning", touch: `touch ${(move.touch ?? 0) + 1}`, back: "back" }[move.kind];
+    return `${highlight + 1} of ${plan.moves.length}: step ${move.step}, ${kind}, ${move.feed === "longLink" ? "long link" : move.feed}`;
+  }
+
+  private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
+    const box = this.canvas().getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+
+  private down(event: PointerEvent): void {
+    const at = this.at(event);
+    this.canvas().setPointerCapture(event.pointerId);
+    this.pointers.set(event.pointerId, at);
+    this.dragged = false;
+    if (this.pointers.size === 1) this.handle = this.view?.handleAt(at.x, at.y) ?? null;
+  }
+
+  private move(event: PointerEvent): void {
+    const at = this.at(event);
+    const before = this.pointers.get(event.pointerId);
+    const view = this.view;
+    if (!view) return;
+    if (!before) {
+      this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : "";
+      this.store.point(view.pick(at.x, at.y) ?? null);
+      return;
+    }
+    this.dragged ||= Math.hypot(at.x - before.x, at.y - before.y) > 2;
+    if (this.pointers.size === 2) {
+      const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+      if (other) {
+        const reach = (p: { x: number; y: number }) => Math.hypot(p.x - other.x, p.y - other.y);
+        view.zoom(reach(at) / Math.max(reach(before), 1), (at.x + other.x) / 2, (at.y + other.y) / 2);
+        view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
+      }
+    } else if (this.handle) {
+      const lie = view.dragPart(this.handle, at.x, at.y) as { offset: Vec3; rotation: number } | null;
+      if (lie) {
+        const part = { ...(this.store.get("part") as object), ...lie };
+        for (const i of [0, 1, 2]) this.store.typed.delete(`part.offset[${i}]`);
+        this.store.typed.delete("part.rotation");
+        this.store.set("part", part);
+      }
+    } else if (this.dragged) {
+      view.pan(at.x - before.x, at.y - before.y);
+    } else {
+      return;
+    }
+    this.pointers.set(event.pointerId, at);
+  }
+
+  private up(event: PointerEvent): void {
+    const at = this.pointers.get(event.pointerId);
+    this.pointers.delete(event.pointerId);
+    if (at && !this.dragged && !this.handle) this.store.point(this.view?.pick(at.x, at.y) ?? null);
+    this.handle = null;
+  }
+
+  private leave(event: PointerEvent): void {
+    if (!this.pointers.has(event.pointerId) && event.pointerType === "mouse") this.store.point(null);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { x, y } = this.at(event);
+    this.view?.zoom(Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004), x, y);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const pans: Record<string, [number, number]> = { ArrowLeft: [24, 0], ArrowRight: [-24, 0], ArrowUp: [0, 24], ArrowDown: [0, -24] };
+    const pan = pans[event.key];
+    if (pan) this.view?.pan(...pan);
+    else if (event.key === "+") this.zoom(1.4);
+    else if (event.key === "-") this.zoom(1 / 1.4);
+    else if (event.key === "0") this.view?.fit();
+    else return;
+    event.preventDefault();
+  }
+}
+
+customElements.define("tp-picture", PicturePart);

@@ -1,0 +1,73 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { evaluate, type Finding, type Job, JobError, type ResultRow } from "../core/browser.js";
+import { Part } from "./part.js";
+
+const number = (value: number | null, digits = 4) => (value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1"));
+const signed = (value: number | null) => (value !== null && value > 0 ? `+${number(value)}` : number(value));
+
+/** What the control will have measured on the virtual part, and the same from points that a machine measured. */
+class ResultsPart extends Part {
+  protected override follows = ["change"];
+
+  override render(): TemplateResult {
+    const { plan, stale, units } = this.store;
+    return html`
+      <div class=${stale ? "stale" : ""}>${this.table(plan.results, "What the control will have stored", true)}</div>
+      <details class="triggers">
+        <summary>Trigger points of the ball centre</summary>
+        <table>
+          <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
+          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${number(x)}</td>`) : html`<td colspan="3">no contact</td>`}</tr>`)}</tbody>
+        </table>
+      </details>
+      <details class="measured" ?open=${this.store.measured !== ""}>
+        <summary>Points that a machine measured</summary>
+        <label for="measured">Ball centres in ${units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log</label>
+        <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured}
+          @input=${(e: Event) => {
+            this.store.measured = (e.target as HTMLTextAreaElement).value;
+            this.requestUpdate();
+          }}></textarea>
+        <button type="button" @click=${this.fill}>Fill in the points shown</button>
+        ${this.measured()}
+      </details>
+    `;
+  }
+
+  private measured(): TemplateResult | typeof nothing {
+    if (this.store.measured.trim() === "") return nothing;
+    try {
+      return this.table(evaluate(this.store.draft as unknown as Job, this.store.measured), "From the measured points", false);
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      const errors = thrown.findings.filter((f) => f.level === "error");
+      return html`<div role="status">${errors.map((f: Finding) => html`<p class="problem error">${f.message}</p>`)}</div>`;
+    }
+  }
+
+  /** The predicted triggers as text to start from. */
+  private fill(): void {
+    this.store.measured = this.store.plan.triggers.map((t) => (t ?? []).map((x) => number(x, 4)).join(", ")).join("\n");
+    this.requestUpdate();
+  }
+
+  private table(rows: ResultRow[], caption: string, truth: boolean): TemplateResult {
+    const notes = rows.filter((r) => r.note);
+    return html`
+      <table>
+        <caption>${caption}</caption>
+        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
+        <tbody>
+          ${rows.map(
+            (r) => html`<tr><td title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
+              <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
+              <td class="n">${number(r.uncertainty)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
+          )}
+        </tbody>
+      </table>
+      ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.note}</li>`)}</ul>` : nothing}
+    `;
+  }
+}
+
+customElements.define("tp-results", ResultsPart);

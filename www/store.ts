@@ -1,0 +1,198 @@
+// The one state of the page: the job as it stands in the form, and what follows from it.
+import {
+  type Catalog,
+  type Cycle,
+  type CycleEntry,
+  catalog,
+  check,
+  defaultJob,
+  type FieldEntry,
+  type Finding,
+  type Job,
+  JobError,
+  type Plan,
+  plan,
+} from "./core/browser.js";
+
+/** A job while it is typed: any field may hold what is not (yet) a value. */
+export type Draft = Record<string, unknown>;
+
+const STORAGE = "touchpath.job.1";
+
+export class Store extends EventTarget {
+  readonly catalog: Catalog = catalog();
+  draft: Draft;
+  /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
+  typed = new Map<string, string>();
+  findings: Finding[] = [];
+  /** The last good plan. */
+  plan!: Plan;
+  /** Whether `plan` is of an earlier form, since the present one has errors. */
+  stale = false;
+  /** The job that `plan` is of. */
+  shown!: Draft;
+  /** The move that is pointed at. */
+  highlight: number | null = null;
+  measured = "";
+  /** Forms of cycles that were left, so that coming back finds them. */
+  private left = new Map<string, unknown>();
+
+  constructor() {
+    super();
+    const first = this.catalog.cycles[0];
+    if (!first) throw new Error("the catalog has a cycle");
+    this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
+    this.compute();
+    this.restore();
+  }
+
+  get cycle(): CycleEntry {
+    const type = (this.draft.cycle as Draft).type;
+    return this.catalog.cycles.find((c) => c.type === type) ?? (this.catalog.cycles[0] as CycleEntry);
+  }
+
+  get units(): "mm" | "inch" {
+    return this.draft.units === "inch" ? "inch" : "mm";
+  }
+
+  /** The value at a path such as `cycle.origin[1]`. */
+  get(path: string): unknown {
+    return steps(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
+  }
+
+  /** Sets a value; every keystroke comes through here. */
+  set(path: string, value: unknown, typed?: string): void {
+    if (typed === undefined) this.typed.delete(path);
+    else this.typed.set(path, typed);
+    const keys = steps(path);
+    const last = keys.pop() as string;
+    let place = this.draft;
+    for (const key of keys) {
+      place[key] ??= {};
+      place = place[key] as Draft;
+    }
+    place[last] = value;
+    this.changed();
+  }
+
+  /** Another cycle; the rest of the job stays, and the form that was left is kept. */
+  choose(type: Cycle["type"]): void {
+    const old = this.draft.cycle as Draft;
+    this.left.set(`${old.type} ${this.units}`, old);
+    const kept = this.left.get(`${type} ${this.units}`);
+    const fresh = defaultJob(type) as unknown as Draft;
+    this.draft.cycle = kept ?? (this.units === "inch" ? this.converted(fresh, 1 / 25.4).cycle : fresh.cycle);
+    (this.draft.part as Draft).sizes = {};
+    this.forget("cycle");
+    this.forget("part.sizes");
+    this.highlight = null;
+    this.changed();
+  }
+
+  /** Other units: the values shown are converted, the geometry stays. */
+  setUnits(units: "mm" | "inch"): void {
+    if (units === this.units) return;
+    this.draft = this.converted(this.draft, units === "inch" ? 1 / 25.4 : 25.4);
+    this.draft.units = units;
+    this.typed.clear();
+    this.changed();
+  }
+
+  /** Takes a whole job. */
+  load(job: Draft): void {
+    this.draft = job;
+    this.typed.clear();
+    this.highlight = null;
+    this.changed();
+  }
+
+  /** Back to the defaults of the present cycle. */
+  reset(): void {
+    this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
+  }
+
+  point(index: number | null): void {
+    if (index === this.highlight) return;
+    this.highlight = index;
+    this.dispatchEvent(new Event("highlight"));
+  }
+
+  /** Findings at a path, or at something inside it. */
+  at(path: string): Finding[] {
+    return this.findings.filter((f) => f.path === path);
+  }
+
+  private changed(): void {
+    this.compute();
+    try {
+      localStorage.setItem(STORAGE, JSON.stringify({ draft: this.draft, typed: [...this.typed] }));
+    } catch {
+      // No storage: the page works without.
+    }
+    this.dispatchEvent(new Event("change"));
+  }
+
+  private compute(): void {
+    try {
+      this.plan = plan(this.draft as unknown as Job);
+      this.findings = this.plan.findings;
+      this.shown = structuredClone(this.draft);
+      this.stale = false;
+      if (this.highlight !== null && this.highlight >= this.plan.moves.length) this.highlight = null;
+    } catch (thrown) {
+      this.findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
+      this.stale = true;
+    }
+  }
+
+  private restore(): void {
+    try {
+      const kept = JSON.parse(localStorage.getItem(STORAGE) ?? "null");
+      if (!kept?.draft?.cycle || !this.catalog.cycles.some((c) => c.type === kept.draft.cycle.type)) return;
+      this.draft = kept.draft;
+      this.typed = new Map(kept.typed);
+      this.compute();
+    } catch {
+      // What cannot be read is left alone: the defaults are shown.
+    }
+  }
+
+  private forget(prefix: string): void {
+    for (const path of [...this.typed.keys()]) if (path.startsWith(prefix)) this.typed.delete(path);
+  }
+
+  /** The same job with every length and feed multiplied. */
+  private converted(draft: Draft, factor: number): Draft {
+    const copy = structuredClone(draft);
+    const digits = factor < 1 ? 6 : 4;
+    const convert = (value: unknown): unknown => {
+      if (typeof value === "number") return Number((value * factor).toFixed(digits));
+      return Array.isArray(value) ? value.map(convert) : value;
+    };
+    const each = (place: Draft | undefined, fields: FieldEntry[]) => {
+      if (!place) return;
+      for (const field of fields) {
+        const metric = field.unit === "length" || field.unit === "feed";
+        if (metric && field.key in place) place[field.key] = convert(place[field.key]);
+      }
+    };
+    for (const section of this.catalog.sections) {
+      each(section.path ? (copy[section.path] as Draft) : copy, section.fields);
+    }
+    const type = (copy.cycle as Draft).type;
+    const fields = this.catalog.cycles.find((c) => c.type === type)?.fields ?? [];
+    each(copy.cycle as Draft, fields);
+    each((copy.part as Draft | undefined)?.sizes as Draft | undefined, fields);
+    return copy;
+  }
+}
+
+function steps(path: string): string[] {
+  return path.split(/[.[\]]+/).filter(Boolean);
+}
+
+/** A number as somebody types it, with point or comma; what is none stays text, and the check will say so. */
+export function parseNumber(text: string): number | string {
+  const plain = text.trim().replace(",", ".");
+  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : text;
+}
