@@ -1,7 +1,7 @@
 // Builds the package into dist/ and the page into dist/page/.
 import { cpSync, mkdirSync, readFileSync, rmSync } from "node:fs";
-import { brotliCompressSync, gzipSync } from "node:zlib";
 import { fileURLToPath } from "node:url";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 
 /** The WebAssembly module and its bindings, into www/core/wasm/. */
@@ -35,7 +35,9 @@ export async function build() {
   await stage("Page", () => run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]));
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
   const kB = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
-  console.log(`wasm: ${kB(wasm.length)}, gzip ${kB(gzipSync(wasm, { level: 9 }).length)}, brotli ${kB(brotliCompressSync(wasm).length)}`);
+  console.log(
+    `wasm: ${kB(wasm.length)}, gzip ${kB(gzipSync(wasm, { level: 9 }).length)}, brotli ${kB(brotliCompressSync(wasm).length)}`,
+  );
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -98,8 +98,7 @@ function aptInstall(...packages) {
 
 /** Chromium and its driver; gives both paths. */
 export function ensureChromium() {
-  const find = (variable, names) =>
-    [process.env[variable], ...names].find((name) => name && works(name));
+  const find = (variable, names) => [process.env[variable], ...names].find((name) => name && works(name));
   const browsers = ["chromium", "chromium-browser", "google-chrome"];
   let browser = find("CHROMIUM", browsers);
   let driver = find("CHROMEDRIVER", ["chromedriver"]);
@@ -133,7 +132,9 @@ export function ensureInterpreter() {
     run("sh", ["-c", `for deb in *.deb; do dpkg -x "$deb" "${folder}"; done`], { cwd: download, quiet: true });
     rmSync(download, { recursive: true });
     const lib = `${folder}/usr/lib:${folder}/usr/lib/x86_64-linux-gnu`;
-    writeFileSync(command, `#!/bin/sh\nLD_LIBRARY_PATH="${lib}" exec "${folder}/usr/bin/rs274" "$@"\n`, { mode: 0o755 });
+    writeFileSync(command, `#!/bin/sh\nLD_LIBRARY_PATH="${lib}" exec "${folder}/usr/bin/rs274" "$@"\n`, {
+      mode: 0o755,
+    });
   }
   return command;
 }

@@ -324,12 +324,13 @@ mod tests {
         let directions = [Vec3::X, Vec3::Y];
         let at = |a: f64, b: f64| formula.evaluate(&[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))], &directions);
         let (a, b, h) = (3.0, 5.0, 1e-6);
-        let exact = at(a, b);
-        for i in 0..4 {
-            let by_a = (at(a + h, b)[i].value - at(a - h, b)[i].value) / (2.0 * h);
-            let by_b = (at(a, b + h)[i].value - at(a, b - h)[i].value) / (2.0 * h);
-            assert!((exact[i].by_touch[0] - by_a).abs() < 1e-6, "{i}: {} {by_a}", exact[i].by_touch[0]);
-            assert!((exact[i].by_touch[1] - by_b).abs() < 1e-6, "{i}: {} {by_b}", exact[i].by_touch[1]);
+        let [exact, right, left, up, down] = [(a, b), (a + h, b), (a - h, b), (a, b + h), (a, b - h)].map(|(a, b)| at(a, b));
+        let slope = |high: &[Dual], low: &[Dual], i: usize| (high[i].value - low[i].value) / (2.0 * h);
+        for (i, dual) in exact.iter().enumerate() {
+            let by_quotient = [slope(&right, &left, i), slope(&up, &down, i)];
+            for (touch, quotient) in by_quotient.iter().enumerate() {
+                assert!((dual.by_touch[touch] - quotient).abs() < 1e-6, "{i}: {} {quotient}", dual.by_touch[touch]);
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! Touch-probe cycles that you can see before the machine moves.
 //!
-//! One JSON form goes in, one plan comes out: the job is [checked](spec), its [cycle](cycle) becomes a [path], and from
+//! One JSON form goes in, one plan comes out: the job is [checked](spec), its [cycle] becomes a [path], and from
 //! the path follow the [program](post), the parameter table, what the control will have measured on a [part] that lies a
 //! little off, and the [picture](view). [`job`] joins these; it is what a Rust user calls.
 //!

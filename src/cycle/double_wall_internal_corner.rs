@@ -32,7 +32,8 @@ pub static DEF: CycleDef = CycleDef {
     read: |section| Box::new(Form::read(section)),
 };
 
-const COUNT_REASON: &str = "the parameter table holds 16 touch points (the 17th would run into the -200 block), and the other wall needs one";
+const COUNT_REASON: &str =
+    "the parameter table holds 16 touch points (the 17th would run into the -200 block), and the other wall needs one";
 
 form! {
     /// The form of type 13.
@@ -169,7 +170,11 @@ impl Form {
         table.length(-67, self.step2, "Step 2, between touch points on the second wall", "cycle.step2");
         let split = self.count1.max(1) as usize;
         table.touches(touches, 0.0, |k| {
-            if k < split { format!("Point {} on the first side", k + 1) } else { format!("Point {} on the second side", k - split + 1) }
+            if k < split {
+                format!("Point {} on the first side", k + 1)
+            } else {
+                format!("Point {} on the second side", k - split + 1)
+            }
         });
         table
     }

@@ -38,9 +38,9 @@ form! {
         /// How the rectangle is turned about the tool axis; counter-clockwise positive.
         rotation: f64 = Field::angle("rotation", "Rotation", 0.0).group("Place"),
         /// From touch point 1 to touch point 2, along the first direction of the rectangle.
-        width1: f64 = Field::length("width1", "Width 1", 80.0).above(0.0, 10_000.0).code("CmdPrm.Flt[-53]").group("Size").size(),
+        width1: f64 = Field::length("width1", "Width 1", 80.0).above(0.0, 10_000.0).usual(5.0, 2000.0).code("CmdPrm.Flt[-53]").group("Size").size(),
         /// From touch point 3 to touch point 4, along the second direction.
-        width2: f64 = Field::length("width2", "Width 2", 50.0).above(0.0, 10_000.0).code("CmdPrm.Flt[-54]").group("Size").size(),
+        width2: f64 = Field::length("width2", "Width 2", 50.0).above(0.0, 10_000.0).usual(5.0, 2000.0).code("CmdPrm.Flt[-54]").group("Size").size(),
         /// From the top side down to the ball centre at the touches.
         depth: f64 = Field::length("depth", "Depth", 10.0).above(0.0, 1000.0).usual(0.5, 200.0).code("CmdPrm.Flt[-51]").group("Size"),
         /// How far above the top side the ball centre crosses from wall to wall.

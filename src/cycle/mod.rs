@@ -1,8 +1,8 @@
 //! The cycles. Adding one is a file, its line in [`CYCLES`], and a job in `tests/jobs/`.
 
+mod double_wall_internal_corner;
 mod ency;
 mod internal_rectangle_protected;
-mod double_wall_internal_corner;
 
 use std::fmt::Debug;
 

@@ -17,10 +17,8 @@ const PLANES: &[Choice] = &[
     Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
 ];
 pub const POST_CHOICES: &[Choice] = &[Choice { value: "linuxcnc", label: "LinuxCNC" }, Choice { value: "grbl", label: "grbl" }];
-const FORMS: &[Choice] = &[
-    Choice { value: "moves", label: "Plain moves" },
-    Choice { value: "cycle", label: "The control's own cycle" },
-];
+const FORMS: &[Choice] =
+    &[Choice { value: "moves", label: "Plain moves" }, Choice { value: "cycle", label: "The control's own cycle" }];
 
 form! {
     /// The job itself.
@@ -262,7 +260,8 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control) {
 fn check_name(checker: &mut Checker, name: &str) {
     let written = post::comment_text(name);
     if written != name {
-        let message = format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");
+        let message =
+            format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");
         checker.info("name-changed", "name", message);
     }
 }
@@ -284,14 +283,18 @@ fn read_sizes(
     section.only(&fields, &[]);
     let mut actual: Option<Box<dyn Cycle>> = None;
     for (key, given) in entries {
-        let Some(field) = fields.iter().find(|f| f.key == key) else { continue };
+        let Some(field) = fields.iter().find(|f| f.key == key) else {
+            continue;
+        };
         let reach = match field.kind {
             crate::spec::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
             _ => Field::length(field.key, field.label, 0.0).range(-100.0, 100.0),
         };
         let path = format!("part.sizes.{key}");
         let mut section = Section::new(checker, None, "part.sizes");
-        let Some(delta) = section.number(given, &reach, &path) else { continue };
+        let Some(delta) = section.number(given, &reach, &path) else {
+            continue;
+        };
         if delta == 0.0 {
             continue;
         }

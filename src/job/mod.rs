@@ -12,7 +12,7 @@ mod form;
 mod plan;
 
 pub use catalog::{Catalog, catalog, default_job};
-pub use form::Job;
+pub use form::{Job, SECTIONS};
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
 
 use crate::spec::{Checker, Finding, Value};
@@ -44,7 +44,7 @@ pub fn check(value: &Value) -> Vec<Finding> {
 
 /// The whole plan of a job, in the job's units.
 pub fn plan(value: &Value) -> Result<Plan, JobError> {
-    let mut checker = Checker::new();
+    let mut checker = Checker::default();
     let job = Job::read(&mut checker, value);
     match job {
         Some(job) => plan::make(&job, checker),
@@ -54,7 +54,7 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
 
 /// What is needed to draw a job: the checked job, its path, and what happens on the actual part. Lengths in mm.
 pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Wall>, crate::part::Run)> {
-    let job = Job::read(&mut Checker::new(), value)?;
+    let job = Job::read(&mut Checker::default(), value)?;
     let path = job.cycle.plan(&job.setup);
     let walls = plan::actual_walls(&job);
     let run = crate::part::run(&path, &walls, &job.setup);
@@ -64,7 +64,7 @@ pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::
 /// The results from ball centres that a machine really measured, one a touch, in the job's units. See
 /// [`crate::part::read_measured`] for the forms that are understood.
 pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
-    let mut checker = Checker::new();
+    let mut checker = Checker::default();
     let Some(job) = Job::read(&mut checker, value) else {
         return Err(JobError { findings: checker.findings });
     };

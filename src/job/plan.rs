@@ -199,7 +199,8 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     let before = checker.findings.len();
     let points = part::read_measured(&mut checker, measured);
     if checker.findings.len() == before && points.len() != path.touches.len() {
-        let message = format!("{} points are given for {} touches: one ball centre a touch, in order", points.len(), path.touches.len());
+        let message =
+            format!("{} points are given for {} touches: one ball centre a touch, in order", points.len(), path.touches.len());
         checker.error("wrong-count", "measured", message);
     }
     for (k, (point, touch)) in points.iter().zip(&path.touches).enumerate() {
@@ -225,6 +226,23 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
 
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let field = if job.lie.nominal { "cycle" } else { "part" };
+    if let Some((index, center)) = run.collision {
+        let step = &path.moves[index];
+        let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
+        let what = match step.purpose {
+            Purpose::Position => "positioning".to_owned(),
+            Purpose::Back(k) => format!("back from touch {}", k + 1),
+            Purpose::Touch(k) => format!("touch {}", k + 1),
+        };
+        let message = format!(
+            "Move {} (step {}, {what}) meets the part with the ball centre at {}",
+            index + 1,
+            step.step,
+            place.join(", ")
+        );
+        checker.error("collision", field, message);
+        return;
+    }
     for (k, trigger) in run.triggers.iter().enumerate() {
         if trigger.is_none() {
             let message = format!(
@@ -237,19 +255,9 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
         }
     }
     for &(k, wall) in &run.strays {
-        let message = format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);
+        let message =
+            format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);
         checker.warning("wrong-wall", field, message);
-    }
-    for &(index, center) in &run.collisions {
-        let step = &path.moves[index];
-        let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
-        let what = match step.purpose {
-            Purpose::Position => "positioning".to_owned(),
-            Purpose::Back(k) => format!("back from touch {}", k + 1),
-            Purpose::Touch(k) => format!("touch {}", k + 1),
-        };
-        let message = format!("Move {} (step {}, {what}) meets the part with the ball centre at {}", index + 1, step.step, place.join(", "));
-        checker.error("collision", field, message);
     }
 }
 

@@ -31,11 +31,7 @@ pub fn first_contact(walls: &[Wall], up: Vec3, radius: f64, from: Vec3, to: Vec3
 fn meet(wall: &Wall, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     // Distance in front of the wall and height above its top, at the start and their change over the whole way.
     let (d0, dd) = ((from - wall.point).dot(wall.normal), (to - from).dot(wall.normal));
-    let (h0, dh) = if wall.has_top {
-        ((from - wall.point).dot(up), (to - from).dot(up))
-    } else {
-        (f64::NEG_INFINITY, 0.0)
-    };
+    let (h0, dh) = if wall.has_top { ((from - wall.point).dot(up), (to - from).dot(up)) } else { (f64::NEG_INFINITY, 0.0) };
     let height = |t: f64| if wall.has_top { h0 + dh * t } else { h0 };
     // Gap between ball and material at the start: below the top the wall counts, behind it the top side, else the edge.
     let gap = if h0 <= 0.0 {
@@ -61,10 +57,10 @@ fn meet(wall: &Wall, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64>
         return face;
     }
     let top = (dh < 0.0).then(|| (radius - h0) / dh).and_then(way).filter(|&t| d0 + dd * t <= 0.0);
-    // The edge: d² + h² = r², going in.
+    // The edge: d² + h² = r², going in. A ball that only grazes it goes on.
     let (a, b, c) = (dd * dd + dh * dh, d0 * dd + h0 * dh, d0 * d0 + h0 * h0 - radius * radius);
     let root = b * b - a * c;
-    let edge = (a > 0.0 && b < 0.0 && root >= 0.0)
+    let edge = (a > 0.0 && b < 0.0 && root > 2.0 * radius * SKIN * a)
         .then(|| (-b - root.sqrt()) / a)
         .and_then(way)
         .filter(|&t| d0 + dd * t >= 0.0 && height(t) >= 0.0);
@@ -77,7 +73,14 @@ mod tests {
 
     fn wall(has_top: bool) -> Wall {
         // Material at x > 10, top at z = 0.
-        Wall { point: Vec3::new(10.0, 0.0, 0.0), normal: -Vec3::X, along: Vec3::Y, extent: (-5.0, 5.0), drawn_depth: 5.0, has_top }
+        Wall {
+            point: Vec3::new(10.0, 0.0, 0.0),
+            normal: -Vec3::X,
+            along: Vec3::Y,
+            extent: (-5.0, 5.0),
+            drawn_depth: 5.0,
+            has_top,
+        }
     }
 
     fn meet(has_top: bool, radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<f64> {

@@ -17,7 +17,8 @@ pub fn read(checker: &mut Checker, value: &Value) -> Measured {
         }
         Value::Text(text) => lines(checker, text),
         other => {
-            let message = format!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {}", other.noun());
+            let message =
+                format!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {}", other.noun());
             checker.error("wrong-type", "measured", message);
             Vec::new()
         }
@@ -62,7 +63,8 @@ fn lines(checker: &mut Checker, text: &str) -> Measured {
         let parsed = match parts.as_deref() {
             Some(p @ ([_, _, _] | [_, _, _, _, _, _, _, _, _])) => Some(Vec3::new(p[0], p[1], p[2]) * checker.scale),
             Some(p) => {
-                let message = format!("Line {} holds {} numbers; a point is 3 of them, a line of LinuxCNC's log 9", index + 1, p.len());
+                let message =
+                    format!("Line {} holds {} numbers; a point is 3 of them, a line of LinuxCNC's log 9", index + 1, p.len());
                 checker.error("wrong-count", path, message);
                 None
             }
@@ -90,7 +92,7 @@ mod tests {
     use super::*;
 
     fn text(text: &str) -> (Measured, Vec<String>) {
-        let mut checker = Checker::new();
+        let mut checker = Checker::default();
         let points = read(&mut checker, &Value::Text(text.to_owned()));
         (points, checker.findings.into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
     }
@@ -98,7 +100,14 @@ mod tests {
     #[test]
     fn csv_in_the_forms_people_have() {
         let point = Some(Vec3::new(37.0, -0.5, -10.0));
-        for form in ["37,-0.5,-10", "37; -0,5; -10", "37\t-0,5\t-10", " 37 -0.5  -10 ", "X,Y,Z\n37,-0.5,-10\n\n", "# log\n37.0 -.5 -1e1"] {
+        for form in [
+            "37,-0.5,-10",
+            "37; -0,5; -10",
+            "37\t-0,5\t-10",
+            " 37 -0.5  -10 ",
+            "X,Y,Z\n37,-0.5,-10\n\n",
+            "# log\n37.0 -.5 -1e1",
+        ] {
             assert_eq!(text(form), (vec![point], vec![]), "{form:?}");
         }
         assert_eq!(text("37.000000 -0.500000 -10.000000 0.0 0 0 0 0 0"), (vec![point], vec![]));

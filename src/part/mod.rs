@@ -29,8 +29,9 @@ pub struct Run {
     pub triggers: Vec<Option<Vec3>>,
     /// Touches that meet another wall than theirs first, and which one.
     pub strays: Vec<(usize, usize)>,
-    /// Moves that are not touches and yet meet the part: index of the move and where the ball centre is then.
-    pub collisions: Vec<(usize, Vec3)>,
+    /// The first move that is not a touch and yet meets the part: its index, and where the ball centre is then. The machine
+    /// stops there, or breaks; nothing after it is run.
+    pub collision: Option<(usize, Vec3)>,
 }
 
 /// The walls of the actual part: `walls` of the resized feature, where they really lie.
@@ -51,7 +52,7 @@ pub fn place(walls: &[Wall], lie: &Lie) -> Vec<Wall> {
 pub fn run(path: &Path, walls: &[Wall], setup: &Setup) -> Run {
     let up = path.frame.w;
     let mut triggers = vec![None; path.touches.len()];
-    let (mut strays, mut collisions) = (Vec::new(), Vec::new());
+    let mut strays = Vec::new();
     let mut at: Option<Vec3> = None;
     for (index, step) in path.moves.iter().enumerate() {
         // The way to the first place is not known: only the place itself is looked at.
@@ -68,11 +69,11 @@ pub fn run(path: &Path, walls: &[Wall], setup: &Setup) -> Run {
             }
             Purpose::Position | Purpose::Back(_) => {
                 if let Some(contact) = first_contact(walls, up, setup.radius, from, step.to) {
-                    collisions.push((index, contact.center));
+                    return Run { triggers, strays, collision: Some((index, contact.center)) };
                 }
                 at = Some(step.to);
             }
         }
     }
-    Run { triggers, strays, collisions }
+    Run { triggers, strays, collision: None }
 }

@@ -29,7 +29,11 @@ fn notes(checker: &mut Checker) {
         "grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
          those points give",
     );
-    checker.info("positioning-not-watched", "control.post", "grbl does not watch the probe in positioning moves: a contact there goes unnoticed");
+    checker.info(
+        "positioning-not-watched",
+        "control.post",
+        "grbl does not watch the probe in positioning moves: a contact there goes unnoticed",
+    );
 }
 
 fn emit(request: &Request<'_>) -> Program {

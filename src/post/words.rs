@@ -78,9 +78,7 @@ impl<'a> Writer<'a> {
     pub fn motion(&mut self, step: &Move) {
         let request = self.request;
         let (word, target) = match step.purpose {
-            Purpose::Touch(k) => {
-                (self.dialect.probe, step.to - request.path.touches[k].vector * request.setup.overtravel)
-            }
+            Purpose::Touch(k) => (self.dialect.probe, step.to - request.path.touches[k].vector * request.setup.overtravel),
             Purpose::Position | Purpose::Back(_) => match request.feeds.rate(step.feed) {
                 Some(_) => ("G1", step.to),
                 None => ("G0", step.to),

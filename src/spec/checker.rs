@@ -16,12 +16,14 @@ pub struct Checker {
     pub findings: Vec<Finding>,
 }
 
-impl Checker {
-    /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
-    pub fn new() -> Self {
+/// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
+impl std::default::Default for Checker {
+    fn default() -> Self {
         Checker { scale: 1.0, unit: "mm", findings: Vec::new() }
     }
+}
 
+impl Checker {
     /// Reports an error.
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
         self.findings.push(Finding::new(Level::Error, code, path, message));
@@ -98,7 +100,9 @@ impl<'a, 'c> Section<'a, 'c> {
 
     /// Reports every key that is neither a field nor one of `others`.
     pub fn only(&mut self, fields: &[Field], others: &[&str]) {
-        let Some(Value::Map(entries)) = self.value else { return };
+        let Some(Value::Map(entries)) = self.value else {
+            return;
+        };
         for (key, _) in entries {
             let known = fields.iter().any(|f| f.key == key) || others.contains(&key.as_str());
             if !known {
@@ -117,11 +121,7 @@ impl<'a, 'c> Section<'a, 'c> {
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
         let Value::Number(given) = *value else {
             let null = if field.null.is_some() { " or null" } else { "" };
-            self.checker.error(
-                "wrong-type",
-                path,
-                format!("{} must be a number{null}, not {}", field.label, value.noun()),
-            );
+            self.checker.error("wrong-type", path, format!("{} must be a number{null}, not {}", field.label, value.noun()));
             return None;
         };
         if !given.is_finite() {
@@ -230,7 +230,9 @@ impl Checked for bool {
 
 impl Checked for Vec3 {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
-        let Some(value) = section.get(field.key) else { return Vec3::ZERO };
+        let Some(value) = section.get(field.key) else {
+            return Vec3::ZERO;
+        };
         let path = section.at(field.key);
         match value {
             Value::List(items) if items.len() == 3 => {

@@ -96,7 +96,20 @@ impl Range {
 
 impl Field {
     const fn new(key: &'static str, label: &'static str, kind: Kind, default: Default, hard: Range) -> Self {
-        Field { key, label, help: "", kind, default, hard, usual: None, reason: "", null: None, code: "", group: "", size: false }
+        Field {
+            key,
+            label,
+            help: "",
+            kind,
+            default,
+            hard,
+            usual: None,
+            reason: "",
+            null: None,
+            code: "",
+            group: "",
+            size: false,
+        }
     }
 
     /// A length, by default anywhere from −100 m to 100 m.

@@ -38,9 +38,7 @@ impl Projection {
             Projection::Top => [Vec3::X, Vec3::Y],
             Projection::Front => [Vec3::X, Vec3::Z],
             Projection::Side => [Vec3::Y, Vec3::Z],
-            Projection::Isometric => {
-                [Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(), Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt()]
-            }
+            Projection::Isometric => [Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(), Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt()],
         }
     }
 
@@ -207,9 +205,10 @@ impl Scene {
         });
         let walls = self.walls.iter().flat_map(|w| w.corners);
         let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        balls.chain(ends).chain(walls).fold(start, |[low, high], p| {
-            [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]
-        })
+        balls
+            .chain(ends)
+            .chain(walls)
+            .fold(start, |[low, high], p| [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]])
     }
 
     /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch

@@ -51,8 +51,12 @@ class App extends LitElement {
           <tp-findings .store=${this.store}></tp-findings>
         </section>
         <div class="tabs" role="tablist" aria-label="Panels">
-          ${tabs.map((tab) => html`<button type="button" role="tab" id=${`tab-${tab}`} aria-controls=${`panel-${tab}`} tabindex=${tab === active ? 0 : -1}
-            aria-selected=${tab === active ? "true" : "false"} @click=${() => this.show(tab)} @keydown=${(e: KeyboardEvent) => this.key(e, tabs, tab)}>${TABS[tab]}</button>`)}
+          ${tabs.map(
+            (
+              tab,
+            ) => html`<button type="button" role="tab" id=${`tab-${tab}`} aria-controls=${`panel-${tab}`} tabindex=${tab === active ? 0 : -1}
+            aria-selected=${tab === active ? "true" : "false"} @click=${() => this.show(tab)} @keydown=${(e: KeyboardEvent) => this.key(e, tabs, tab)}>${TABS[tab]}</button>`,
+          )}
         </div>
         <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}><tp-form .store=${this.store}></tp-form></section>
         <section class="program" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${this.store}></tp-program></section>

@@ -9,7 +9,11 @@ class FindingsPart extends Part {
     const { findings } = this.store;
     const count = (level: string) => findings.filter((f) => f.level === level).length;
     const plural = (n: number, word: string) => (n === 0 ? [] : [`${n} ${word}${n === 1 ? "" : "s"}`]);
-    const words = [...plural(count("error"), "error"), ...plural(count("warning"), "warning"), ...plural(count("info"), "note")];
+    const words = [
+      ...plural(count("error"), "error"),
+      ...plural(count("warning"), "warning"),
+      ...plural(count("info"), "note"),
+    ];
     if (findings.length === 0) return html`<p class="fine" role="status">No problems found</p>`;
     return html`
       <details ?open=${count("error") > 0}>

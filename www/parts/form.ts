@@ -28,7 +28,8 @@ class FormPart extends Part {
           </div>
         </fieldset>
         ${this.groups().map(
-          ([name, fields]) => html`<fieldset><legend>${name}</legend>${fields.map((placed) => this.field(placed))}</fieldset>`,
+          ([name, fields]) =>
+            html`<fieldset><legend>${name}</legend>${fields.map((placed) => this.field(placed))}</fieldset>`,
         )}
       </form>
     `;

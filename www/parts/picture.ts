@@ -184,7 +184,12 @@ class PicturePart extends Part {
   }
 
   private key(event: KeyboardEvent): void {
-    const pans: Record<string, [number, number]> = { ArrowLeft: [24, 0], ArrowRight: [-24, 0], ArrowUp: [0, 24], ArrowDown: [0, -24] };
+    const pans: Record<string, [number, number]> = {
+      ArrowLeft: [24, 0],
+      ArrowRight: [-24, 0],
+      ArrowUp: [0, 24],
+      ArrowDown: [0, -24],
+    };
     const pan = pans[event.key];
     if (pan) this.view?.pan(...pan);
     else if (event.key === "+") this.zoom(1.4);

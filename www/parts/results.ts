@@ -2,7 +2,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import { evaluate, type Finding, type Job, JobError, type ResultRow } from "../core/browser.js";
 import { Part } from "./part.js";
 
-const number = (value: number | null, digits = 4) => (value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1"));
+const number = (value: number | null, digits = 4) =>
+  value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 const signed = (value: number | null) => (value !== null && value > 0 ? `+${number(value)}` : number(value));
 
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
@@ -37,7 +38,11 @@ class ResultsPart extends Part {
   private measured(): TemplateResult | typeof nothing {
     if (this.store.measured.trim() === "") return nothing;
     try {
-      return this.table(evaluate(this.store.draft as unknown as Job, this.store.measured), "From the measured points", false);
+      return this.table(
+        evaluate(this.store.draft as unknown as Job, this.store.measured),
+        "From the measured points",
+        false,
+      );
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       const errors = thrown.findings.filter((f) => f.level === "error");
@@ -59,7 +64,9 @@ class ResultsPart extends Part {
         <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
         <tbody>
           ${rows.map(
-            (r) => html`<tr><td title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
+            (
+              r,
+            ) => html`<tr><td title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
               <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
               <td class="n">${number(r.uncertainty)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
           )}

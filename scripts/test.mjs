@@ -1,0 +1,111 @@
+// Sets up what a machine lacks and runs every test. `setup` only sets up; `check` only reads the sources.
+import { spawnSync } from "node:child_process";
+import { build } from "./build.mjs";
+import {
+  at,
+  ensureBindgen,
+  ensureChromium,
+  ensureInterpreter,
+  ensurePackages,
+  ensureTarget,
+  ensureWasmPack,
+  pathWith,
+  root,
+  run,
+  stage,
+  summary,
+} from "./lib.mjs";
+
+const only = process.argv[2];
+const npx = (...args) => run("npx", ["--no-install", ...args]);
+
+/** wasm-pack skips a test file that has no fitting mode without failing: the tests are counted. */
+function wasmPackTest(env, least, ...args) {
+  const done = spawnSync("wasm-pack", ["test", ...args], {
+    cwd: root,
+    encoding: "utf8",
+    env: { ...process.env, ...env },
+  });
+  process.stdout.write(done.stdout ?? "");
+  process.stderr.write(done.stderr ?? "");
+  const passed = [...`${done.stdout}${done.stderr}`.matchAll(/(\d+) passed/g)].reduce(
+    (sum, [, n]) => sum + Number(n),
+    0,
+  );
+  if (done.status !== 0 || passed < least) {
+    console.error(
+      `\nFailed: wasm-pack test ${args.join(" ")}: exit ${done.status}, ${passed} tests passed, ${least} expected`,
+    );
+    summary();
+    process.exit(1);
+  }
+}
+
+const tools = await stage("Set-up", () => {
+  ensurePackages();
+  ensureTarget();
+  if (only === "check") return {};
+  return {
+    rs274: ensureInterpreter(),
+    chromium: ensureChromium(),
+    bindgen: ensureBindgen(),
+    wasmPack: ensureWasmPack(),
+  };
+});
+
+if (only !== "setup") {
+  if (only === "check") await build();
+  await stage("Format and lints (Rust)", () => {
+    run("cargo", ["fmt", "--all", "--check"]);
+    run("cargo", ["clippy", "--quiet", "--locked", "--all-targets", "--", "-D", "warnings"]);
+    run("cargo", [
+      "clippy",
+      "--quiet",
+      "--locked",
+      "--lib",
+      "--target",
+      "wasm32-unknown-unknown",
+      "--",
+      "-D",
+      "warnings",
+    ]);
+    run("cargo", ["doc", "--quiet", "--locked", "--no-deps", "--lib"], { env: { RUSTDOCFLAGS: "-D warnings" } });
+  });
+}
+if (!only) {
+  await stage("Native tests", () =>
+    run("cargo", ["test", "--locked"], { env: { RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
+  );
+  await build();
+}
+if (only !== "setup") {
+  await stage("Format, lints and types (TypeScript)", () => {
+    npx("biome", "ci", "--error-on-warnings", ".");
+    npx("tsc", "-p", "tsconfig.json");
+  });
+}
+if (!only) {
+  const env = { ...pathWith(tools.wasmPack, tools.bindgen), CHROMEDRIVER: tools.chromium.driver };
+  await stage("WebAssembly tests in Node", () =>
+    wasmPackTest(env, 6, "--node", "--mode", "no-install", "--test", "wasm_node"),
+  );
+  await stage("WebAssembly tests in Chromium", () =>
+    wasmPackTest(
+      env,
+      7,
+      "--headless",
+      "--chrome",
+      "--chromedriver",
+      tools.chromium.driver,
+      "--mode",
+      "no-install",
+      "--test",
+      "wasm_browser",
+    ),
+  );
+  await stage("Package tests", () => run("node", ["--test", at("tests", "package")]));
+  await stage("Page tests", () =>
+    run("node", ["--test", at("tests", "page")], { env: { CHROMIUM: tools.chromium.browser } }),
+  );
+}
+summary();

@@ -1,0 +1,194 @@
+//! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use touchpath::job::{Plan, from_json, plan};
+use touchpath::spec::Value;
+
+/// The jobs of the repository: name and value.
+pub fn jobs() -> Vec<(String, Value)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs");
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).expect("tests/jobs").map(|e| e.expect("entry").path()).collect();
+    paths.sort();
+    paths
+        .into_iter()
+        .map(|path| {
+            let text = std::fs::read_to_string(&path).expect("a job file");
+            let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            (name, from_json(&text).expect("a job file is JSON"))
+        })
+        .collect()
+}
+
+/// A plan that must be there.
+pub fn planned(job: &Value) -> Plan {
+    plan(job).unwrap_or_else(|e| panic!("{:#?}", e.findings))
+}
+
+/// A job from JSON text.
+pub fn job(text: &str) -> Value {
+    from_json(text).expect("JSON")
+}
+
+/// The same job with another value at a path such as `cycle.width1`.
+pub fn with(job: &Value, path: &str, value: Value) -> Value {
+    let (key, rest) = path.split_once('.').map_or((path, None), |(k, r)| (k, Some(r)));
+    let mut entries = match job {
+        Value::Map(entries) => entries.clone(),
+        _ => Vec::new(),
+    };
+    let inner = match rest {
+        None => value,
+        Some(rest) => with(job.get(key).unwrap_or(&Value::Map(Vec::new())), rest, value),
+    };
+    entries.retain(|(k, _)| k != key);
+    entries.push((key.to_owned(), inner));
+    Value::Map(entries)
+}
+
+pub fn number(x: f64) -> Value {
+    Value::Number(x)
+}
+
+pub fn point(p: [f64; 3]) -> Value {
+    Value::List(p.map(Value::Number).to_vec())
+}
+
+/// A number of the job, or the default.
+pub fn number_at(job: &Value, path: &str, default: f64) -> f64 {
+    let mut at = Some(job);
+    for key in path.split('.') {
+        at = at.and_then(|v| v.get(key));
+    }
+    match at {
+        Some(Value::Number(x)) => *x,
+        _ => default,
+    }
+}
+
+/// One canonical move of the interpreter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Canon {
+    pub kind: &'static str,
+    pub to: [f64; 3],
+    pub feed: f64,
+}
+
+/// What the interpreter made of a program.
+#[derive(Clone, Debug, Default)]
+pub struct Interpreted {
+    pub moves: Vec<Canon>,
+    pub prints: Vec<(String, f64)>,
+    /// The offset that is set first after the last move, number and X, Y, Z: the program's write, where it has one.
+    pub written: Option<(usize, [f64; 3])>,
+    /// The rotation that goes with it.
+    pub rotation: Option<f64>,
+    pub inch: bool,
+}
+
+/// Runs a program through LinuxCNC's interpreter. The error is what it says on a program it refuses.
+pub fn interpret(program: &str) -> Result<Interpreted, String> {
+    let command = std::env::var("RS274").map(PathBuf::from).unwrap_or_else(|_| {
+        let target = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
+        PathBuf::from(target).join("tools/linuxcnc/rs274")
+    });
+    assert!(command.exists(), "LinuxCNC's interpreter is not set up: run `npm run test:setup` once");
+    let folder = std::env::temp_dir().join(format!("touchpath-{}-{:?}", std::process::id(), std::thread::current().id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a file");
+        path
+    };
+    let output = Command::new(command)
+        .arg("-t")
+        .arg(file("tool.tbl", "T1 P1 D6 Z0\n"))
+        .arg("-v")
+        .arg(file("empty.var", ""))
+        .arg("-g")
+        .arg(file("program.ngc", program))
+        // It maps a tool table of its own from the home folder: two at once would share it and crash.
+        .env("HOME", &folder)
+        .stdin(std::process::Stdio::null())
+        .output()
+        .expect("the interpreter runs");
+    std::fs::remove_dir_all(&folder).expect("the folder goes");
+    let text = String::from_utf8_lossy(&output.stdout);
+    if !output.status.success() {
+        return Err(format!("{text}{}", String::from_utf8_lossy(&output.stderr)));
+    }
+    Ok(read(&text))
+}
+
+fn read(text: &str) -> Interpreted {
+    let mut found = Interpreted::default();
+    let mut feed = 0.0;
+    for line in text.lines() {
+        if let Some((name, value)) = line.split_once('=').filter(|_| !line.contains("N.....")) {
+            found.prints.push((name.to_owned(), value.parse().expect("a printed number")));
+            continue;
+        }
+        let Some((word, rest)) = line.split_once("N..... ").and_then(|(_, call)| call.split_once('(')) else {
+            continue;
+        };
+        let numbers: Vec<f64> = rest.trim_end_matches(')').split(',').filter_map(|n| n.trim().parse().ok()).collect();
+        let kind = match word {
+            "STRAIGHT_TRAVERSE" => "rapid",
+            "STRAIGHT_FEED" => "feed",
+            "STRAIGHT_PROBE" => "probe",
+            "SET_FEED_RATE" => {
+                feed = numbers[0];
+                continue;
+            }
+            "SET_G5X_OFFSET" => {
+                found.written.get_or_insert((numbers[0] as usize, [numbers[1], numbers[2], numbers[3]]));
+                continue;
+            }
+            "SET_XY_ROTATION" => {
+                found.rotation.get_or_insert(numbers[0]);
+                continue;
+            }
+            "USE_LENGTH_UNITS" => {
+                found.inch |= rest.contains("INCHES");
+                continue;
+            }
+            _ => continue,
+        };
+        (found.written, found.rotation) = (None, None);
+        found.moves.push(Canon { kind, to: [numbers[0], numbers[1], numbers[2]], feed });
+    }
+    found
+}
+
+/// Compares the interpreter's moves with the plan's: units, places within half a last digit of its print, kinds, feeds, count.
+pub fn compare_moves(plan: &Plan, overtravel: f64, ran: &Interpreted) -> Result<(), String> {
+    if ran.moves.len() != plan.moves.len() {
+        return Err(format!("{} moves run, {} planned", ran.moves.len(), plan.moves.len()));
+    }
+    if ran.inch != plan.results.iter().any(|r| r.unit == "inch") {
+        return Err("the program runs in the other units".to_owned());
+    }
+    for (i, (canon, step)) in ran.moves.iter().zip(&plan.moves).enumerate() {
+        let mut to = step.to;
+        if step.kind == "touch" {
+            let vector = plan.touches[step.touch.expect("a touch")].vector;
+            to = [0, 1, 2].map(|axis| to[axis] - overtravel * vector[axis]);
+        }
+        let kind = match (step.kind, step.feed) {
+            ("touch", _) => "probe",
+            (_, "rapid") => "rapid",
+            _ => "feed",
+        };
+        if canon.kind != kind {
+            return Err(format!("move {i} runs as {}, planned as {kind}", canon.kind));
+        }
+        for axis in 0..3 {
+            if (canon.to[axis] - to[axis]).abs() > 1.01e-4 {
+                return Err(format!("move {i} runs to {:?}, planned to {to:?}", canon.to));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,349 @@
+//! What must hold for every form, not only for the golden ones.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{number, point, with};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::job::{Plan, check, default_job, plan};
+use touchpath::spec::{Default, Field, Kind, Level, Value};
+
+/// Any value a field allows, or, now and then, one that it does not.
+fn field_value(field: &Field) -> BoxedStrategy<Value> {
+    let (low, high) = field.usual.unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
+    let null = field.null.is_some();
+    match field.kind {
+        Kind::Length | Kind::Feed | Kind::Angle => prop_oneof![
+            60 => (low..=high).prop_map(Value::Number),
+            1 => (field.hard.min..=field.hard.max).prop_map(Value::Number),
+            1 => Just(if null { Value::Null } else { Value::Number(high) }),
+        ]
+        .boxed(),
+        Kind::Count => (field.hard.min as i32..=field.hard.max.min(9.0) as i32)
+            .prop_map(move |n| if null && n % 2 == 0 { Value::Null } else { Value::Number(f64::from(n)) })
+            .boxed(),
+        Kind::Flag => any::<bool>().prop_map(Value::Flag).boxed(),
+        Kind::Choice(choices) => (0..choices.len()).prop_map(move |i| Value::Text(choices[i].value.to_owned())).boxed(),
+        Kind::Text(_) => "\\PC{0,30}".prop_map(Value::Text).boxed(),
+        Kind::Point => proptest::array::uniform3(-200.0..200.0).prop_map(point).boxed(),
+    }
+}
+
+fn form(fields: &'static [Field]) -> BoxedStrategy<Vec<(String, Value)>> {
+    let values: Vec<_> = fields.iter().map(field_value).collect();
+    values.prop_map(|values| fields.iter().map(|f| f.key.to_owned()).zip(values).collect()).boxed()
+}
+
+/// A whole job of a cycle: every field of the cycle at random, every other field too. The control's form stays `moves`.
+fn whole_job() -> impl Strategy<Value = Value> {
+    (0..CYCLES.len()).prop_flat_map(|i| {
+        let def: &'static CycleDef = CYCLES[i];
+        let cycle = form(def.fields).prop_map(move |mut fields| {
+            fields.push(("type".to_owned(), Value::Text(def.key.to_owned())));
+            Value::Map(fields)
+        });
+        let sections: Vec<_> = touchpath::job::SECTIONS.iter().map(|(path, fields)| (Just(*path), form(fields))).collect();
+        // A part that lies off by what a setter would call off; half the jobs have the nominal one.
+        let lie = (proptest::array::uniform3(-1.0..1.0), -1.0..1.0f64, any::<bool>());
+        (cycle, sections, lie).prop_map(|(cycle, sections, (offset, rotation, nominal))| {
+            let mut job = vec![("format".to_owned(), number(1.0)), ("cycle".to_owned(), cycle)];
+            for (path, fields) in sections {
+                match path {
+                    "" => job.extend(fields),
+                    "part" => {
+                        let offset = if nominal { [0.0; 3] } else { offset };
+                        job.push(("part".to_owned(), Value::Map(vec![("offset".to_owned(), point(offset))])));
+                        job = match with(&Value::Map(job), "part.rotation", number(if nominal { 0.0 } else { rotation })) {
+                            Value::Map(entries) => entries,
+                            _ => unreachable!("a job is a map"),
+                        };
+                    }
+                    _ => job.push((path.to_owned(), Value::Map(fields))),
+                }
+            }
+            with(&Value::Map(job), "control.form", Value::Text("moves".to_owned()))
+        })
+    })
+}
+
+/// Anything at all that could be handed over as a job.
+fn anything() -> impl Strategy<Value = Value> {
+    let leaf = prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::Flag),
+        any::<f64>().prop_map(Value::Number),
+        prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(1e300), Just(-1e300), Just(5e-324)].prop_map(Value::Number),
+        ".{0,12}".prop_map(Value::Text),
+        Just(Value::Other("a function")),
+    ];
+    leaf.prop_recursive(3, 24, 6, |inner| {
+        prop_oneof![
+            proptest::collection::vec(inner.clone(), 0..5).prop_map(Value::List),
+            proptest::collection::vec((".{0,8}", inner), 0..5).prop_map(Value::Map),
+        ]
+    })
+}
+
+fn errors(job: &Value) -> usize {
+    check(job).iter().filter(|f| f.level == Level::Error).count()
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// What every plan owes.
+fn sane(plan: &Plan) -> Result<(), TestCaseError> {
+    let tool_axis_gain = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| b[i] - a[i]).sum::<f64>();
+    prop_assert!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
+    prop_assert!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
+    let mut touched = Vec::new();
+    for (i, step) in plan.moves.iter().enumerate() {
+        if step.kind == "touch" {
+            // A touch starts in front of its wall, ends at the contact, and goes back to where it began.
+            let k = step.touch.unwrap();
+            touched.push(k);
+            let (before, back) = (&plan.moves[i - 1], &plan.moves[i + 1]);
+            prop_assert_eq!(back.kind, "back");
+            prop_assert_eq!(back.touch, Some(k));
+            prop_assert!(distance(before.to, back.to) < 1e-9);
+            let vector = plan.touches[k].vector;
+            let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
+            prop_assert!((towards - distance(before.to, step.to)).abs() < 1e-6, "a touch runs along its inverted vector");
+            prop_assert_eq!(step.feed, "work");
+        } else {
+            prop_assert_ne!(step.feed, "work");
+        }
+    }
+    prop_assert_eq!(touched, (0..plan.touches.len()).collect::<Vec<_>>(), "each touch once, in order");
+    for touch in &plan.touches {
+        prop_assert!((distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
+    }
+    // It ends where it began, above the touches.
+    let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
+    prop_assert!(distance(first.to, last.to) < 1e-9);
+    prop_assert!(tool_axis_gain(plan.moves[1].to, last.to) >= -1e-9 || distance(plan.moves[1].to, last.to) > 0.0);
+    program_is_sane(plan)
+}
+
+fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
+    let lines: Vec<&str> = plan.program.text.lines().collect();
+    prop_assert_eq!(plan.program.move_lines.len(), plan.moves.len());
+    prop_assert!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
+    for (&line, step) in plan.program.move_lines.iter().zip(&plan.moves) {
+        let word = lines[line as usize].split(' ').next().unwrap();
+        let wanted = match (step.kind, step.feed) {
+            ("touch", _) => "G38.2",
+            (_, "rapid") => "G0",
+            _ => "G1",
+        };
+        prop_assert_eq!(word, wanted);
+    }
+    let motions = lines.iter().filter(|l| l.starts_with("G0 ") || l.starts_with("G1 ") || l.starts_with("G38")).count();
+    prop_assert_eq!(motions, plan.moves.len(), "no block moves but those of the path");
+    for line in &lines {
+        prop_assert!(line.is_ascii() && line.len() <= 255, "{}", line);
+        prop_assert!(
+            !line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"),
+            "{}",
+            line
+        );
+        if line.starts_with('(') {
+            prop_assert!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
+        } else {
+            prop_assert!(
+                !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with('#') || line.starts_with("G10"),
+                "{}",
+                line
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The laws say something only if enough forms have a plan.
+#[test]
+fn many_forms_have_a_plan_and_many_have_not() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let jobs: Vec<Value> = (0..400).map(|_| whole_job().new_tree(&mut runner).unwrap().current()).collect();
+    let good = jobs.iter().filter(|job| plan(job).is_ok()).count();
+    assert!((80..360).contains(&good), "{good} of 400");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// A form gives either errors or a whole, sane plan, and `check` says which.
+    #[test]
+    fn every_form_gives_errors_or_a_whole_plan(job in whole_job()) {
+        match plan(&job) {
+            Ok(plan) => {
+                prop_assert_eq!(errors(&job), 0);
+                sane(&plan)?;
+            }
+            Err(error) => {
+                prop_assert!(error.findings.iter().any(|f| f.level == Level::Error));
+                prop_assert_eq!(&error.findings, &check(&job));
+            }
+        }
+    }
+
+    /// Nothing that is handed over can panic, whole or as a part of a good job.
+    #[test]
+    fn nothing_panics(value in anything(), which in 0usize..40) {
+        let _ = check(&value);
+        let job = default_job(CYCLES[which % CYCLES.len()].key).unwrap();
+        let paths = ["format", "name", "units", "plane", "stylus", "stylus.diameter", "feeds", "feeds.work", "overtravel", "cycle",
+            "cycle.type", "cycle.origin", "cycle.rotation", "cycle.angle", "cycle.width1", "cycle.count1", "control",
+            "control.post", "control.workOffset", "part", "part.offset", "part.sizes", "part.sizes.width1", "bogus"];
+        let broken = with(&job, paths[which % paths.len()], value.clone());
+        let _ = plan(&broken);
+        let _ = touchpath::job::evaluate(&job, &value);
+    }
+
+    /// The same part in inch and in mm gives the same geometry, program line for program line.
+    #[test]
+    fn inch_and_mm_are_the_same_part(job in whole_job()) {
+        let metric = with(&job, "units", Value::Text("mm".to_owned()));
+        let imperial = in_inch(&metric);
+        let (Ok(a), Ok(b)) = (plan(&metric), plan(&imperial)) else {
+            prop_assert_eq!(errors(&metric) > 0, errors(&imperial) > 0);
+            return Ok(());
+        };
+        prop_assert_eq!(a.moves.len(), b.moves.len());
+        for (m, i) in a.moves.iter().zip(&b.moves) {
+            prop_assert!(distance(m.to, i.to.map(|x| x * 25.4)) < 1e-7);
+            prop_assert_eq!((m.kind, m.feed, m.step), (i.kind, i.feed, i.step));
+        }
+        prop_assert!((a.time - b.time).abs() < 1e-9);
+        for (m, i) in a.results.iter().zip(&b.results) {
+            let scale = if m.unit == "mm" { 25.4 } else { 1.0 };
+            match (m.value, i.value) {
+                (Some(m), Some(i)) => prop_assert!((m - i * scale).abs() < 1e-6),
+                (m, i) => prop_assert_eq!(m.is_some(), i.is_some()),
+            }
+        }
+    }
+
+    /// Turning the job about the tool axis turns the path and nothing else.
+    #[test]
+    fn a_turned_job_is_a_turned_path(job in whole_job(), turn in -180.0..180.0f64) {
+        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+        let axes: [usize; 3] = match job.get("plane") {
+            Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
+            Some(Value::Text(p)) if p == "G19" => [1, 2, 0],
+            _ => [0, 1, 2],
+        };
+        let (sin, cos) = turn.to_radians().sin_cos();
+        let turned_point = |p: [f64; 3]| {
+            let mut q = p;
+            q[axes[0]] = p[axes[0]] * cos - p[axes[1]] * sin;
+            q[axes[1]] = p[axes[0]] * sin + p[axes[1]] * cos;
+            q
+        };
+        let cycle = job.get("cycle").unwrap();
+        let Some(Value::List(origin)) = cycle.get("origin") else { panic!("an origin") };
+        let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
+        let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
+        let rotation = touchpath::num::wrap_degrees(rotation + turn);
+        let turned = with(&with(&job, "part", Value::Map(vec![])), "cycle.rotation", number(rotation));
+        let turned = with(&turned, "cycle.origin", point(turned_point([origin[0], origin[1], origin[2]])));
+        let turned = plan(&turned).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        for (a, b) in straight.moves.iter().zip(&turned.moves) {
+            prop_assert!(distance(turned_point(a.to), b.to) < 1e-8);
+        }
+    }
+
+    /// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
+    /// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
+    #[test]
+    fn results_follow_the_part(job in whole_job(), dx in -0.4..0.4f64, dy in -0.4..0.4f64, turn in -0.2..0.2f64) {
+        let job = with(&with(&job, "overtravel", number(20.0)), "units", Value::Text("mm".to_owned()));
+        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+        for row in &nominal.results {
+            if let Some(deviation) = row.deviation {
+                prop_assert!(deviation.abs() < 1e-7, "{}: {}", row.code, deviation);
+            }
+        }
+        let axes = match job.get("plane") {
+            Some(Value::Text(p)) if p == "G18" => [2, 0],
+            Some(Value::Text(p)) if p == "G19" => [1, 2],
+            _ => [0, 1],
+        };
+        let mut offset = [0.0; 3];
+        (offset[axes[0]], offset[axes[1]]) = (dx, dy);
+        let shifted = with(&with(&job, "part", Value::Map(vec![])), "part.offset", point(offset));
+        if let Ok(shifted) = plan(&shifted) {
+            for row in &shifted.results {
+                let wanted = match row.code.as_str() {
+                    "center.x" | "corner.x" | "offset.x" => dx,
+                    "center.y" | "corner.y" | "offset.y" => dy,
+                    _ => 0.0,
+                };
+                if let Some(deviation) = row.deviation {
+                    prop_assert!((deviation - wanted).abs() < 1e-6, "{}: {} for {}", row.code, deviation, wanted);
+                }
+            }
+        }
+        let turned = with(&shifted, "part.rotation", number(turn));
+        if let Ok(turned) = plan(&turned) {
+            // A corner with its own angles has no error; whatever has one is told the truth beside it.
+            let exact = turned.results.iter().any(|r| r.code == "angle" && r.value.is_some());
+            for row in turned.results.iter().filter(|_| exact) {
+                if let (Some(value), Some(truth)) = (row.value, row.truth) {
+                    prop_assert!((value - truth).abs() < 1e-6, "{}: {} {}", row.code, value, truth);
+                }
+            }
+        }
+    }
+
+    /// What was measured is evaluated as what was predicted.
+    #[test]
+    fn measured_triggers_give_the_predicted_results(job in whole_job()) {
+        let Ok(predicted) = plan(&job) else { return Ok(()) };
+        if predicted.triggers.iter().any(Option::is_none) {
+            return Ok(());
+        }
+        let points = Value::List(predicted.triggers.iter().map(|t| point(t.unwrap())).collect());
+        // A part that lies far off can trigger before the approach is done; such points are refused, not evaluated.
+        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(()) };
+        for (a, b) in predicted.results.iter().zip(&rows) {
+            prop_assert_eq!(&a.code, &b.code);
+            if let (Some(a), Some(b)) = (a.value, b.value) {
+                prop_assert!((a - b).abs() < 1e-7);
+            }
+        }
+    }
+}
+
+/// The same job with every length and feed in inch.
+fn in_inch(job: &Value) -> Value {
+    let mut inch = with(job, "units", Value::Text("inch".to_owned()));
+    let mut convert = |prefix: &str, fields: &[Field]| {
+        for field in fields {
+            let path = if prefix.is_empty() { field.key.to_owned() } else { format!("{prefix}.{}", field.key) };
+            let mut at = Some(job);
+            for key in path.split('.') {
+                at = at.and_then(|v| v.get(key));
+            }
+            let value = match (at, field.kind, field.default) {
+                (Some(Value::Number(x)), Kind::Length | Kind::Feed, _) => number(x / 25.4),
+                (Some(Value::List(items)), Kind::Point, _) => Value::List(
+                    items.iter().map(|v| if let Value::Number(x) = v { number(x / 25.4) } else { v.clone() }).collect(),
+                ),
+                (_, _, Default::Number(_) | Default::Flag(_) | Default::Text(_) | Default::Point(_) | Default::Null) => {
+                    continue;
+                }
+            };
+            inch = with(&inch, &path, value);
+        }
+    };
+    for (path, fields) in touchpath::job::SECTIONS {
+        convert(path, fields);
+    }
+    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { panic!("a type") };
+    convert("cycle", touchpath::cycle::find(key).unwrap().fields);
+    inch
+}

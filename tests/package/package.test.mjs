@@ -1,0 +1,119 @@
+// The package as somebody uses it: by its own name from the repository, and installed from its tarball.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+let folder;
+
+before(() => {
+  folder = mkdtempSync(join(tmpdir(), "touchpath-package-"));
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+test("by its own name from the repository", async () => {
+  const touchpath = await import("touchpath");
+  for (const name of ["catalog", "defaultJob", "check", "plan", "evaluate", "moveColumns", "version"]) {
+    assert.equal(typeof touchpath[name], "function", name);
+  }
+  const { defaultJob, check, plan, moveColumns, JobError, version } = touchpath;
+  assert.equal(version(), JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version);
+  const job = defaultJob("double-wall-internal-corner");
+  assert.deepEqual(check(job), []);
+  const made = plan(job);
+  assert.equal(made.touches.length, 4);
+  assert.equal(Object.getPrototypeOf(made), Object.prototype);
+  assert.deepEqual(JSON.parse(JSON.stringify(made)), made);
+  const columns = moveColumns(job);
+  assert.ok(columns.to instanceof Float64Array);
+  assert.deepEqual([...columns.to.slice(0, 3)], made.moves[0].to);
+
+  job.cycle.clearance1 = Number.NaN;
+  job.cycle.count2 = 99;
+  assert.throws(
+    () => plan(job),
+    (error) => {
+      assert.ok(error instanceof JobError && error instanceof Error);
+      assert.deepEqual(error.findings, check(job));
+      assert.deepEqual(error.findings.map((f) => f.path).sort(), ["cycle.clearance1", "cycle.count2"]);
+      return true;
+    },
+  );
+  assert.throws(() => defaultJob("bogus"), JobError);
+  assert.throws(() => touchpath.evaluate(defaultJob("double-wall-internal-corner"), "1"), JobError);
+  const { proxy, revoke } = Proxy.revocable({}, {});
+  revoke();
+  assert.equal(check({ format: 1, cycle: proxy })[0].level, "error");
+});
+
+test("every job of the repository plans as the crate plans it", async () => {
+  const { plan } = await import("touchpath");
+  const job = JSON.parse(readFileSync(join(root, "tests/jobs/pocket.json"), "utf8"));
+  const snapshot = readFileSync(join(root, "tests/snapshots/pocket.snap"), "utf8");
+  assert.ok(snapshot.endsWith(plan(job).program.text), "the program in wasm is the native one, byte for byte");
+});
+
+test("installed from its tarball, in JavaScript and in strict TypeScript", () => {
+  const [packed] = JSON.parse(
+    execFileSync("npm", ["pack", "--json", "--pack-destination", folder], { cwd: root, encoding: "utf8" }),
+  );
+  const names = packed.files.map((f) => f.path);
+  assert.ok(
+    names.includes("dist/node.js") &&
+      names.includes("dist/browser.js") &&
+      names.includes("dist/wasm/touchpath_bg.wasm"),
+  );
+  assert.ok(
+    !names.some((n) => n.startsWith("dist/page") || n.startsWith("src") || n.startsWith("target")),
+    names.join(),
+  );
+  const user = join(folder, "user");
+  mkdirSync(user);
+  writeFileSync(join(user, "package.json"), JSON.stringify({ name: "user", private: true, type: "module" }));
+  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", join(folder, packed.filename)], {
+    cwd: user,
+    stdio: "pipe",
+  });
+
+  const script = `const t = await import("touchpath"); console.log(t.plan(t.defaultJob("internal-rectangle-protected")).moves.length)`;
+  assert.equal(execFileSync("node", ["--input-type=module", "-e", script], { cwd: user, encoding: "utf8" }), "27\n");
+
+  writeFileSync(
+    join(user, "use.ts"),
+    `import { catalog, check, defaultJob, evaluate, JobError, moveColumns, plan, version } from "touchpath";
+import type { Catalog, Finding, Job, Move, MoveColumns, ParameterRow, Plan, ResultRow, Vec3 } from "touchpath";
+const job: Job = defaultJob("internal-rectangle-protected");
+const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
+const found: Finding[] = check(short);
+const made: Plan = plan(job);
+const move: Move | undefined = made.moves[0];
+const to: Vec3 | undefined = move?.to;
+const rows: ParameterRow[] = made.table;
+const results: ResultRow[] = evaluate(job, "1,2,3");
+const columns: MoveColumns = moveColumns(job);
+const all: Catalog = catalog();
+try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
+console.log(found, to, rows, results, columns, all, version());
+// @ts-expect-error a feed is a number or null
+const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
+// @ts-expect-error there is no such cycle
+const bogus: Job = { format: 1, cycle: { type: "bogus" } };
+export { bogus, wrong };
+`,
+  );
+  const tsc = join(root, "node_modules", ".bin", "tsc");
+  const types = ["--types", "", "--skipLibCheck", "false", "--lib", "ES2023,DOM"];
+  for (const resolution of [
+    ["--module", "nodenext"],
+    ["--module", "esnext", "--moduleResolution", "bundler"],
+  ]) {
+    execFileSync(tsc, ["--strict", "--noEmit", "--target", "es2022", ...types, ...resolution, "use.ts"], {
+      cwd: user,
+      stdio: "inherit",
+    });
+  }
+});

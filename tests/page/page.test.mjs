@@ -1,0 +1,302 @@
+// The served page in Chromium, as a user works with it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, beforeEach, test } from "node:test";
+import AxeBuilder from "@axe-core/playwright";
+import { chromium } from "playwright-core";
+import { serve } from "../../scripts/serve.mjs";
+
+const args = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+let server;
+let browser;
+let context;
+let page;
+let problems;
+
+before(async () => {
+  server = await serve(0);
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+beforeEach(async () => {
+  await context?.close();
+  await open({ viewport: { width: 1280, height: 800 } });
+});
+
+async function open(options) {
+  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], ...options });
+  page = await context.newPage();
+  problems = [];
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  await page.goto(`http://localhost:${server.address().port}/`);
+  await page.getByRole("heading", { name: "Touchpath" }).waitFor();
+  await page.locator("canvas").waitFor();
+}
+
+const field = (path) => page.locator(`[id="f-${path}"]`);
+const program = async () => (await page.locator("tp-program .text").allTextContents()).join("\n");
+const selected = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
+
+/** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
+const pixels = () =>
+  page.locator("canvas").evaluate((canvas) => {
+    const data = new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    let count = 0;
+    let sum = 0;
+    for (let i = 0; i < data.length; i++) {
+      if (data[i] !== data[0]) {
+        count++;
+        sum = (sum * 31 + i + data[i]) % 1_000_000_007;
+      }
+    }
+    return { count, sum };
+  });
+
+test("a keystroke changes program, table, picture and results", async () => {
+  assert.match(await program(), /G38\.2 X42 F150/);
+  const before = await pixels();
+  assert.ok(before.count > 2000, "the canvas is not blank");
+  await field("cycle.width1").fill("90");
+  assert.match(await program(), /G38\.2 X47 F150/);
+  assert.notEqual((await pixels()).sum, before.sum);
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const row = page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-53]" });
+  assert.match((await row.textContent()) ?? "", /90/);
+  assert.match((await page.locator("tp-results tr", { hasText: "width1" }).first().textContent()) ?? "", /90\.0000/);
+  assert.deepEqual(problems, []);
+});
+
+test("a decimal comma is a number and stays as it was typed", async () => {
+  await field("cycle.width1").fill("80,5");
+  assert.match(await program(), /G38\.2 X42\.25 F150/);
+  assert.equal(await field("cycle.width1").inputValue(), "80,5");
+});
+
+test("the other cycle, and back without losing the form", async () => {
+  await field("cycle.width1").fill("77");
+  await field("cycle.type").selectOption("double-wall-internal-corner");
+  await field("cycle.count1").fill("3");
+  assert.match(await program(), /type 13/);
+  assert.equal((await program()).match(/G38\.2/g)?.length, 5);
+  await field("cycle.type").selectOption("internal-rectangle-protected");
+  assert.equal(await field("cycle.width1").inputValue(), "77");
+});
+
+test("an error stands beside its field, the last good plan stays and is marked, and what was typed is kept", async () => {
+  const good = await program();
+  await field("cycle.sideClearance1").fill("2");
+  const problem = page.locator(`[id="e-cycle.sideClearance1"]`);
+  assert.match((await problem.textContent()) ?? "", /ball radius/);
+  assert.equal(await field("cycle.sideClearance1").getAttribute("aria-invalid"), "true");
+  assert.equal(await program(), good);
+  await page.getByText("last good plan").waitFor();
+  await field("cycle.depth").fill("ten");
+  assert.match((await page.locator("tp-findings").textContent()) ?? "", /2 errors/);
+  await page.reload();
+  await page.locator("canvas").waitFor();
+  assert.equal(await field("cycle.depth").inputValue(), "ten");
+  assert.equal(await field("cycle.sideClearance1").inputValue(), "2");
+  await page.locator("tp-findings a", { hasText: "cycle.depth" }).click();
+  assert.equal(
+    await page.evaluate(() => document.querySelector("touchpath-app").shadowRoot.activeElement.id),
+    "f-cycle.depth",
+  );
+  await field("cycle.depth").fill("10");
+  await field("cycle.sideClearance1").fill("8");
+  assert.equal(await page.getByText("last good plan").count(), 0);
+});
+
+test("units convert what is shown, not the part", async () => {
+  await field("units").selectOption("inch");
+  assert.equal(await field("cycle.width1").inputValue(), "3.149606");
+  assert.match(await program(), /G20/);
+  assert.match(await program(), /G38\.2 X1\.65354/);
+  await field("units").selectOption("mm");
+  assert.equal(await field("cycle.width1").inputValue(), "80");
+  assert.match(await program(), /G38\.2 X42 F150/);
+});
+
+test("a feed is rapid only by its own box, never by an empty field", async () => {
+  await field("feeds.longLink").fill("");
+  assert.match((await page.locator(`[id="e-feeds.longLink"]`).textContent()) ?? "", /must be a number/);
+  await page.getByLabel("Long link feed: rapid").check();
+  assert.match(await program(), /G0 X32\n/);
+});
+
+test("pointing at a line, a move or a touch's row lights up the others", async () => {
+  const plain = await pixels();
+  await page.locator("tp-program .line", { hasText: "G38.2 X42" }).hover();
+  assert.deepEqual(await selected(), ["G38.2 X42 F150"]);
+  assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
+  assert.match((await page.locator(".scrub output").textContent()) ?? "", /5 of 27: step 4, touch 1, work/);
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  assert.equal(await page.locator("tp-table tr.lit").count(), 0);
+  await page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-112]" }).hover();
+  assert.match((await page.locator(".scrub output").textContent()) ?? "", /touch 3/);
+  assert.equal(await page.locator("tp-table tr.lit").count(), 12, "six codes used, six original");
+  await page.getByRole("tab", { name: "Program" }).click();
+  // Touch 1 in the picture: between the centre and the wall on the right, near the wall.
+  const box = await page.locator("canvas").boundingBox();
+  let found = [];
+  for (let x = box.width * 0.75; x < box.width && !found[0]?.startsWith("G38.2 X42"); x += 4) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+    found = await selected();
+  }
+  assert.deepEqual(found, ["G38.2 X42 F150"]);
+});
+
+test("copy and save with the control's extension", async () => {
+  await field("name").fill("MY POCKET");
+  await page.getByRole("button", { name: "Copy" }).click();
+  await page.getByText("Copied").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save .ngc" }).click();
+  const saved = await download;
+  assert.equal(saved.suggestedFilename(), "MY_POCKET.ngc");
+  assert.equal(readFileSync(await saved.path(), "utf8"), copied);
+  assert.match(copied, /^\(Job: MY POCKET\)\n[\s\S]*\nM2\n$/);
+  await field("control.post").selectOption("grbl");
+  assert.equal(await page.getByRole("button", { name: "Save .nc" }).count(), 1);
+  assert.doesNotMatch(await program(), /#</);
+});
+
+test("a job is saved and opened again", async () => {
+  await field("cycle.width2").fill("44");
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save job" }).click();
+  const path = await (await download).path();
+  await page.getByRole("button", { name: "Reset" }).click();
+  assert.equal(await field("cycle.width2").inputValue(), "50");
+  await page.locator("input[type=file]").setInputFiles(path);
+  await page.waitForFunction(
+    () => document.querySelector("touchpath-app").shadowRoot.getElementById("f-cycle.width2").value === "44",
+  );
+});
+
+test("the keyboard alone is enough", async () => {
+  const focused = () => page.evaluate(() => document.querySelector("touchpath-app").shadowRoot.activeElement);
+  const id = () => page.evaluate(() => document.querySelector("touchpath-app").shadowRoot.activeElement?.id ?? "");
+  await page.locator("body").press("Tab");
+  for (let i = 0; i < 60 && (await id()) !== "f-cycle.width1"; i++) await page.keyboard.press("Tab");
+  assert.equal(await id(), "f-cycle.width1");
+  await page.keyboard.type("66");
+  assert.match(await program(), /G38\.2 X35 F150/, "focus selects, so that typing replaces");
+  const list = page.getByRole("listbox", { name: "Program" });
+  await list.focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
+  assert.deepEqual(await selected(), ["G38.2 X35 F150"]);
+  await page.locator("canvas").focus();
+  const before = await pixels();
+  await page.keyboard.press("+");
+  assert.notEqual((await pixels()).sum, before.sum);
+  await page.keyboard.press("0");
+  await page.getByRole("tab", { name: "Program" }).focus();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await id(), "tab-table");
+  assert.ok(await focused());
+});
+
+test("views, zoom by wheel, drag", async () => {
+  const seen = new Set([(await pixels()).sum]);
+  for (const name of ["front", "side", "isometric", "top"]) {
+    await page.getByRole("button", { name, exact: true }).click();
+    seen.add((await pixels()).sum);
+  }
+  assert.equal(seen.size, 4, "four different pictures");
+  const box = await page.locator("canvas").boundingBox();
+  const fitted = (await pixels()).sum;
+  await page.mouse.move(box.x + 60, box.y + 60);
+  await page.mouse.wheel(0, -300);
+  assert.notEqual((await pixels()).sum, fitted);
+  await page.getByRole("button", { name: "fit" }).click();
+  await page.mouse.move(box.x + 4, box.y + 4);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 60, box.y + 40, { steps: 4 });
+  await page.mouse.up();
+  assert.notEqual((await pixels()).sum, fitted);
+});
+
+test("the virtual part: its fields, its handle, its results", async () => {
+  await field("part.offset[0]").fill("0.5");
+  await field("part.rotation").fill("1");
+  const row = page.locator("tp-results tr", { hasText: "width1" }).first();
+  // 74·(1/cos 1° − 1) = 0.01127 too wide.
+  assert.match((await row.textContent()) ?? "", /80\.0113/);
+  assert.match((await page.locator("tp-results .notes").textContent()) ?? "", /cosine error/);
+  await field("part.rotation").fill("0");
+  await field("part.offset[0]").fill("0");
+  const box = await page.locator("canvas").boundingBox();
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x + 5, middle.y - 5, { steps: 3 });
+  await page.mouse.up();
+  const shift = [
+    Number(await field("part.offset[0]").inputValue()),
+    Number(await field("part.offset[1]").inputValue()),
+  ];
+  assert.ok(shift[0] > 0.1 && shift[1] > 0.1, `${shift}`);
+  assert.match(
+    (await page.locator("tp-results tr", { hasText: "center.x" }).first().textContent()) ?? "",
+    new RegExp(`\\+${shift[0]}`),
+  );
+});
+
+test("measured points give the same results, and bad ones a plain answer", async () => {
+  await page.getByText("Points that a machine measured").click();
+  const box = page.locator("#measured");
+  await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
+  const table = page.locator(".measured table");
+  assert.match((await table.locator("tr", { hasText: "center.x" }).textContent()) ?? "", /0\.1000/);
+  await box.fill("37.1,0\n");
+  assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
+  await page.getByRole("button", { name: "Fill in the points shown" }).click();
+  assert.match((await table.locator("tr", { hasText: "width1" }).textContent()) ?? "", /80\.0000/);
+});
+
+for (const colorScheme of ["light", "dark"]) {
+  for (const [width, height] of [
+    [1280, 800],
+    [390, 844],
+  ]) {
+    test(`no serious accessibility problem at ${width} px, ${colorScheme}, also with errors`, async () => {
+      await context.close();
+      await open({ viewport: { width, height }, colorScheme });
+      const violations = async () => {
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        return violations
+          .filter((v) => v.impact === "serious" || v.impact === "critical")
+          .map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" | ")}`);
+      };
+      assert.deepEqual(await violations(), []);
+      await field("cycle.depth").fill("-1");
+      await field("feeds.work").fill("4000");
+      assert.deepEqual(await violations(), []);
+      await field("cycle.depth").fill("10");
+      if (width < 900) {
+        for (const name of ["Program", "Parameters", "Results"]) {
+          await page.getByRole("tab", { name }).click();
+          assert.deepEqual(await violations(), []);
+        }
+      }
+      const over = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      );
+      assert.equal(over, 0, "nothing sticks out to the side");
+      assert.deepEqual(problems, []);
+    });
+  }
+}

@@ -1,0 +1,231 @@
+//! Every problem a job can have, by code and path; and that all of them are reported at once.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{job, number, point, with};
+use touchpath::job::{check, default_job, plan};
+use touchpath::spec::{Finding, Level, Value};
+
+fn pocket() -> Value {
+    default_job("internal-rectangle-protected").unwrap()
+}
+
+fn corner() -> Value {
+    default_job("double-wall-internal-corner").unwrap()
+}
+
+fn text(t: &str) -> Value {
+    Value::Text(t.to_owned())
+}
+
+/// The findings of one level as "code path".
+fn found(job: &Value, level: Level) -> Vec<String> {
+    check(job).iter().filter(|f| f.level == level).map(|f| format!("{} {}", f.code, f.path)).collect()
+}
+
+#[test]
+fn default_jobs_are_without_any_finding() {
+    for cycle in touchpath::cycle::CYCLES {
+        let job = default_job(cycle.key).unwrap();
+        assert_eq!(check(&job), [], "{}", cycle.key);
+        plan(&job).unwrap();
+    }
+    assert!(default_job("bogus").is_none());
+}
+
+#[test]
+fn each_problem_is_found_where_it_is() {
+    let cases: &[(Value, &str)] = &[
+        // The job itself.
+        (number(3.0), "wrong-type "),
+        (Value::Null, "wrong-type "),
+        (with(&pocket(), "format", number(2.0)), "newer-format format"),
+        (with(&pocket(), "format", number(0.0)), "unknown-value format"),
+        (with(&pocket(), "format", text("1")), "unknown-value format"),
+        (job(r#"{ "cycle": { "type": "internal-rectangle-protected" } }"#), "missing format"),
+        (job(r#"{ "format": 1 }"#), "missing cycle"),
+        (job(r#"{ "format": 1, "cycle": {} }"#), "missing cycle.type"),
+        (job(r#"{ "format": 1, "cycle": 7 }"#), "wrong-type cycle"),
+        (with(&pocket(), "cycle.type", text("pocket")), "unknown-value cycle.type"),
+        (with(&pocket(), "cycle.type", number(7.0)), "wrong-type cycle.type"),
+        // Unknown keys, at every level.
+        (with(&pocket(), "speed", number(1.0)), "unknown-key speed"),
+        (with(&pocket(), "stylus.lenght", number(1.0)), "unknown-key stylus.lenght"),
+        (with(&pocket(), "cycle.angle", number(1.0)), "unknown-key cycle.angle"),
+        (with(&pocket(), "part.sizes.depth", number(1.0)), "unknown-key part.sizes.depth"),
+        // Wrong types.
+        (with(&pocket(), "stylus", number(6.0)), "wrong-type stylus"),
+        (with(&pocket(), "stylus.diameter", text("6")), "wrong-type stylus.diameter"),
+        (with(&pocket(), "stylus.diameter", Value::Null), "wrong-type stylus.diameter"),
+        (with(&pocket(), "cycle.compensateDimensions", number(1.0)), "wrong-type cycle.compensateDimensions"),
+        (with(&pocket(), "cycle.origin", number(1.0)), "wrong-type cycle.origin"),
+        (with(&pocket(), "cycle.origin", Value::List(vec![number(1.0)])), "wrong-type cycle.origin"),
+        (with(&pocket(), "cycle.origin", Value::List(vec![number(1.0), text("2"), number(3.0)])), "wrong-type cycle.origin[1]"),
+        (with(&pocket(), "name", number(1.0)), "wrong-type name"),
+        (with(&pocket(), "name", text(&"x".repeat(201))), "too-long name"),
+        (with(&pocket(), "part.sizes", number(1.0)), "wrong-type part.sizes"),
+        // Words.
+        (with(&pocket(), "units", text("cm")), "unknown-value units"),
+        (with(&pocket(), "plane", text("G20")), "unknown-value plane"),
+        (with(&pocket(), "control.post", text("fanuc")), "unknown-value control.post"),
+        // Numbers that are none.
+        (with(&pocket(), "cycle.width1", number(f64::NAN)), "not-finite cycle.width1"),
+        (with(&pocket(), "cycle.width1", number(f64::INFINITY)), "not-finite cycle.width1"),
+        (with(&pocket(), "cycle.width1", number(1e300)), "out-of-range cycle.width1"),
+        (with(&pocket(), "cycle.origin", point([0.0, -1e300, 0.0])), "out-of-range cycle.origin[1]"),
+        (with(&pocket(), "cycle.subCode", number(1.5)), "not-whole cycle.subCode"),
+        // Ranges.
+        (with(&pocket(), "cycle.depth", number(0.0)), "out-of-range cycle.depth"),
+        (with(&pocket(), "cycle.depth", number(-1.0)), "out-of-range cycle.depth"),
+        (with(&pocket(), "cycle.feedDistance", number(-1.0)), "out-of-range cycle.feedDistance"),
+        (with(&pocket(), "feeds.work", number(0.0)), "out-of-range feeds.work"),
+        (with(&pocket(), "feeds.work", Value::Null), "wrong-type feeds.work"),
+        (with(&pocket(), "feeds.longLink", number(-5.0)), "out-of-range feeds.longLink"),
+        (with(&pocket(), "overtravel", number(0.0)), "out-of-range overtravel"),
+        (with(&pocket(), "stylus.diameter", number(-1.0)), "out-of-range stylus.diameter"),
+        (with(&pocket(), "stylus.repeatability", number(-1.0)), "out-of-range stylus.repeatability"),
+        (with(&corner(), "cycle.count1", number(0.0)), "out-of-range cycle.count1"),
+        (with(&corner(), "cycle.count2", number(16.0)), "out-of-range cycle.count2"),
+        (with(&corner(), "cycle.step1", number(0.0)), "out-of-range cycle.step1"),
+        (with(&corner(), "cycle.angle", number(19.9)), "out-of-range cycle.angle"),
+        (with(&corner(), "cycle.angle", number(160.1)), "out-of-range cycle.angle"),
+        (with(&pocket(), "part.sizes.width1", number(-80.0)), "out-of-range part.sizes.width1"),
+        // Dimensions that do not go together. Ball diameter 6 by default.
+        (with(&pocket(), "cycle.sideClearance1", number(3.0)), "clearance-too-small cycle.sideClearance1"),
+        (with(&pocket(), "cycle.sideClearance2", number(2.0)), "clearance-too-small cycle.sideClearance2"),
+        (with(&corner(), "cycle.clearance1", number(3.0)), "clearance-too-small cycle.clearance1"),
+        (with(&corner(), "cycle.clearance2", number(1.0)), "clearance-too-small cycle.clearance2"),
+        (with(&pocket(), "cycle.width1", number(6.0)), "ball-too-wide cycle.width1"),
+        (with(&pocket(), "cycle.width2", number(5.0)), "ball-too-wide cycle.width2"),
+        (with(&pocket(), "cycle.sideClearance1", number(77.0)), "approach-beyond-wall cycle.sideClearance1"),
+        (with(&pocket(), "cycle.sideClearance2", number(60.0)), "approach-beyond-wall cycle.sideClearance2"),
+        // 15 + 15·cos 160° = 0.9 is where the foot is; 15 + 12·cos 160° = 3.72 > 3 is free, 4 + 12·cos … is not.
+        (
+            with(&with(&corner(), "cycle.angle", number(160.0)), "cycle.clearance2", number(14.0)),
+            "touch-beyond-corner cycle.clearance2",
+        ),
+        (
+            with(&with(&corner(), "cycle.angle", number(120.0)), "cycle.clearance1", number(7.0)),
+            "touch-beyond-corner cycle.clearance1",
+        ),
+        // 8 + 9 touches are one too many.
+        (with(&with(&corner(), "cycle.count1", number(8.0)), "cycle.count2", number(9.0)), "too-many-touches cycle.count2"),
+        // Controls.
+        (with(&pocket(), "control.form", text("cycle")), "form-unsupported control.form"),
+        (with(&pocket(), "control.workOffset", number(0.0)), "out-of-range control.workOffset"),
+        (with(&pocket(), "control.workOffset", number(10.0)), "work-offset-unsupported control.workOffset"),
+        (
+            with(&with(&pocket(), "control.post", text("grbl")), "control.workOffset", number(1.0)),
+            "work-offset-unsupported control.workOffset",
+        ),
+        // The virtual part in the way of the probe.
+        (with(&pocket(), "part.offset", point([30.0, 0.0, 0.0])), "collision part"),
+    ];
+    for (job, wanted) in cases {
+        let errors = found(job, Level::Error);
+        assert!(errors.iter().any(|e| e == wanted), "{wanted}: {errors:?}");
+        let error = plan(job).expect_err(wanted);
+        assert_eq!(error.findings, check(job), "{wanted}");
+        assert!(check(job).iter().all(|f| !f.message.is_empty()));
+    }
+}
+
+#[test]
+fn one_problem_is_one_error() {
+    for (job, wanted) in [
+        (with(&pocket(), "cycle.sideClearance1", number(3.0)), "clearance-too-small cycle.sideClearance1"),
+        (with(&pocket(), "cycle.width1", number(5.0)), "ball-too-wide cycle.width1"),
+        (with(&pocket(), "cycle.width1", text("x")), "wrong-type cycle.width1"),
+        (with(&pocket(), "stylus.diameter", number(f64::NAN)), "not-finite stylus.diameter"),
+        (with(&corner(), "cycle.angle", number(0.0)), "out-of-range cycle.angle"),
+    ] {
+        assert_eq!(found(&job, Level::Error), [wanted]);
+    }
+}
+
+#[test]
+fn all_problems_come_at_once() {
+    let mut job = with(&pocket(), "stylus.diameter", text("6"));
+    job = with(&job, "bogus", number(1.0));
+    job = with(&job, "cycle.depth", number(-1.0));
+    job = with(&job, "feeds.work", Value::Null);
+    job = with(&job, "control.post", text("fanuc"));
+    job = with(&job, "cycle.width2", number(1e9));
+    job = with(&job, "part.rotation", number(f64::NAN));
+    let mut errors = found(&job, Level::Error);
+    errors.sort();
+    assert_eq!(
+        errors,
+        [
+            "not-finite part.rotation",
+            "out-of-range cycle.depth",
+            "out-of-range cycle.width2",
+            "unknown-key bogus",
+            "unknown-value control.post",
+            "wrong-type feeds.work",
+            "wrong-type stylus.diameter",
+        ]
+    );
+}
+
+#[test]
+fn unusual_values_and_near_misses_are_warnings() {
+    let warned = |job: &Value| found(job, Level::Warning);
+    assert_eq!(warned(&with(&pocket(), "overtravel", number(80.0))), ["unusual overtravel"]);
+    assert_eq!(warned(&with(&pocket(), "feeds.work", number(4000.0))), ["unusual feeds.work"]);
+    assert_eq!(warned(&with(&pocket(), "cycle.depth", number(2.0))), ["touch-near-edge cycle.depth"]);
+    assert_eq!(warned(&with(&pocket(), "cycle.topClearance", number(3.0))), ["low-crossing cycle.topClearance"]);
+    // 6 mm further away than nominal, with 5 mm of overtravel: nothing is met on that wall.
+    let job = with(&with(&pocket(), "part.sizes.width1", number(12.0)), "control.workOffset", number(1.0));
+    assert_eq!(warned(&job), ["no-contact part", "no-contact part"]);
+    let plan = plan(&job).unwrap();
+    let value = |code: &str| plan.results.iter().find(|r| r.code == code).unwrap().value;
+    assert_eq!((value("center.x"), value("width1"), value("offset.x")), (None, None, None));
+    assert_eq!((value("center.y"), value("width2")), (Some(0.0), Some(50.0)));
+}
+
+#[test]
+fn a_count_above_what_the_table_holds_says_why() {
+    let findings = check(&with(&with(&corner(), "cycle.count1", number(9.0)), "cycle.count2", number(8.0)));
+    let finding: &Finding = findings.iter().find(|f| f.code == "too-many-touches").unwrap();
+    assert!(
+        finding.message.contains("17 touches") && finding.message.contains("-196") && finding.message.contains("-200"),
+        "{finding:?}"
+    );
+    assert_eq!(found(&with(&with(&corner(), "cycle.count1", number(8.0)), "cycle.count2", number(8.0)), Level::Error), [""; 0]);
+}
+
+#[test]
+fn messages_speak_in_the_jobs_units() {
+    let job = with(&with(&pocket(), "units", text("inch")), "cycle.sideClearance1", number(0.1));
+    let job = with(&job, "stylus.diameter", number(0.25));
+    let finding = check(&job).into_iter().find(|f| f.code == "clearance-too-small").unwrap();
+    assert!(finding.message.contains("0.1 inch") && finding.message.contains("0.125 inch"), "{}", finding.message);
+}
+
+#[test]
+fn a_hostile_name_stays_inside_its_comment() {
+    for name in ["A)\nG0 Z-100", "(PRINT,#5061", "x\r\nM3", "%\nO1", ")G0X0(", "\u{2028}G0", "é;#<x>=1"] {
+        for post in ["linuxcnc", "grbl"] {
+            let job = with(&with(&pocket(), "name", text(name)), "control.post", text(post));
+            let hostile = plan(&job).unwrap();
+            let plain = plan(&with(&job, "name", text("x"))).unwrap();
+            let rest = |text: &str| text.lines().skip(1).map(str::to_owned).collect::<Vec<_>>();
+            assert_eq!(rest(&hostile.program.text), rest(&plain.program.text), "only the first line may differ");
+            let first = hostile.program.text.lines().next().unwrap();
+            assert!(first.starts_with("(Job: ") && first.ends_with(')') && first.matches(['(', ')']).count() == 2, "{first}");
+            assert!(found(&job, Level::Info).contains(&"name-changed name".to_owned()));
+        }
+    }
+}
+
+#[test]
+fn missing_values_are_the_catalogs_defaults_and_keep_their_size_in_inch() {
+    let short = plan(&job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected" } }"#)).unwrap();
+    let long = plan(&pocket()).unwrap();
+    assert_eq!(short.program.text, long.program.text);
+    let inch = plan(&job(r#"{ "format": 1, "units": "inch", "cycle": { "type": "internal-rectangle-protected" } }"#)).unwrap();
+    assert!((inch.touches[0].point[0] * 25.4 - 40.0).abs() < 1e-9);
+    assert!(inch.program.text.contains("G20"));
+}
