@@ -1,5 +1,5 @@
 // Builds the package into dist/ and the page into dist/page/.
-import { cpSync, mkdirSync, readFileSync, rmSync } from "node:fs";
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
@@ -14,6 +14,9 @@ function buildWasm() {
   const target = process.env.CARGO_TARGET_DIR ?? at("target");
   const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
   run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out]);
+  // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
+  const types = `${out}/touchpath.d.ts`;
+  writeFileSync(types, readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
   const wasm = `${out}/touchpath_bg.wasm`;
   run("node", [at("node_modules", "binaryen", "bin", "wasm-opt"), "-O3", wasm, "-o", wasm]);
 }

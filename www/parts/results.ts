@@ -66,7 +66,7 @@ class ResultsPart extends Part {
           ${rows.map(
             (
               r,
-            ) => html`<tr><td title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
+            ) => html`<tr><td class="code" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
               <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
               <td class="n">${number(r.uncertainty)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
           )}
