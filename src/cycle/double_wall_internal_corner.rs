@@ -29,6 +29,16 @@ pub static DEF: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "The last lift uses the return feed: the source names no feed there.",
+        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
+         clockwise from it.",
+        "A wall with two touches or more is the line of total least squares through the ball centres, offset by the ball radius \
+         along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.",
+        "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.",
+    ],
     read: |section| Box::new(Form::read(section)),
 };
 

@@ -27,6 +27,17 @@ pub static DEF: CycleDef = CycleDef {
         "Steps 2 to 6 three times more, once for each touch point that is left",
         "Up by the feed distance",
     ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "Sideways returns use the long link feed and the last lift the return feed: the source names no feed there.",
+        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
+         shift with tool compensation\". The points from code -200 never move.",
+        "Touch point 1 is the wall in the first direction, 2 its opposite, 3 the wall a quarter turn counter-clockwise from 1, \
+         4 its opposite.",
+        "The control adds the ball radius along the probing direction, so a turned pocket reads too wide: by (W - d)(1/cos t - 1) \
+         for a width W, a ball diameter d and a turn t.",
+    ],
     read: |section| Box::new(Form::read(section)),
 };
 

@@ -27,6 +27,8 @@ pub struct CycleDef {
     pub fields: &'static [Field],
     /// The steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
+    /// What is our reading and not the source's word, for the manual.
+    pub readings: &'static [&'static str],
     /// Reads the form.
     pub read: fn(&mut Section<'_, '_>) -> Box<dyn Cycle>,
 }

@@ -22,7 +22,10 @@ fn js(body: &str) -> JsValue {
 }
 
 fn codes(findings: &JsValue) -> Vec<String> {
-    Array::from(findings).iter().map(|f| format!("{} {}", get(&f, "code").as_string().unwrap(), get(&f, "path").as_string().unwrap())).collect()
+    Array::from(findings)
+        .iter()
+        .map(|f| format!("{} {}", get(&f, "code").as_string().unwrap(), get(&f, "path").as_string().unwrap()))
+        .collect()
 }
 
 pub fn pocket() -> JsValue {
@@ -71,7 +74,21 @@ fn what_json_cannot_say_is_found() {
     assert_eq!(broken("job.overtravel = -Infinity"), ["not-finite overtravel"]);
     assert_eq!(broken("job.overtravel = 1n"), ["wrong-type overtravel"]);
     assert_eq!(broken("job.name = () => 1"), ["wrong-type name"]);
-    assert_eq!(broken("job.feeds = job"), ["unknown-key feeds.format", "unknown-key feeds.name", "unknown-key feeds.units", "unknown-key feeds.plane", "unknown-key feeds.overtravel", "unknown-key feeds.stylus", "unknown-key feeds.feeds", "unknown-key feeds.control", "unknown-key feeds.part", "unknown-key feeds.cycle"]);
+    assert_eq!(
+        broken("job.feeds = job"),
+        [
+            "unknown-key feeds.format",
+            "unknown-key feeds.name",
+            "unknown-key feeds.units",
+            "unknown-key feeds.plane",
+            "unknown-key feeds.overtravel",
+            "unknown-key feeds.stylus",
+            "unknown-key feeds.feeds",
+            "unknown-key feeds.control",
+            "unknown-key feeds.part",
+            "unknown-key feeds.cycle"
+        ]
+    );
     assert_eq!(broken("Object.defineProperty(job, 'name', { enumerable: true, get() { throw 1 } })"), ["wrong-type name"]);
     assert_eq!(broken("job.cycle.origin = new Array(4e9 - 5e8)"), ["wrong-type cycle.origin"]);
     // undefined is a key that is not there, never null: a feed does not become rapid.

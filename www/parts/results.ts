@@ -4,7 +4,8 @@ import { Part } from "./part.js";
 
 const number = (value: number | null, digits = 4) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-const signed = (value: number | null) => (value !== null && value > 0 ? `+${number(value)}` : number(value));
+const signed = (value: number | null) =>
+  value !== null && Number(number(value)) > 0 ? `+${number(value)}` : number(value);
 
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
 class ResultsPart extends Part {
@@ -66,7 +67,7 @@ class ResultsPart extends Part {
           ${rows.map(
             (
               r,
-            ) => html`<tr><td class="code" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
+            ) => html`<tr><td class="name" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
               <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
               <td class="n">${number(r.uncertainty)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
           )}

@@ -1,0 +1,89 @@
+// Form edit to whole plan: natively and in WebAssembly, few touches and many, nominal part and another; and the wasm's size.
+// Times are medians; what counts are the ratios, all of one run on one machine.
+import { readFileSync } from "node:fs";
+import { brotliCompressSync, gzipSync } from "node:zlib";
+import { build } from "./build.mjs";
+import { at, run } from "./lib.mjs";
+
+await build();
+const { check, moveColumns, plan } = await import("touchpath");
+
+const corner = (count1, count2, part) => ({
+  format: 1,
+  cycle: { type: "double-wall-internal-corner", count1, count2, step1: 7, step2: 6 },
+  ...(part ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } } : {}),
+});
+const jobs = {
+  "type 7, 4 touches": { format: 1, cycle: { type: "internal-rectangle-protected" } },
+  "type 7, 4 touches, part": {
+    format: 1,
+    cycle: { type: "internal-rectangle-protected" },
+    part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { width1: 0.1 } },
+  },
+  "type 13, 4 touches": corner(2, 2),
+  "type 13, 16 touches": corner(8, 8),
+  "type 13, 16 touches, part": corner(8, 8, true),
+};
+
+/** Median microseconds of a call. */
+function time(work) {
+  for (let i = 0; i < 300; i++) work();
+  const rounds = Array.from({ length: 21 }, () => {
+    const start = performance.now();
+    for (let i = 0; i < 100; i++) work();
+    return ((performance.now() - start) / 100) * 1000;
+  });
+  return rounds.sort((a, b) => a - b)[10];
+}
+
+const args = Object.entries(jobs).map(([name, job]) => `${name}=${JSON.stringify(job)}`);
+const native = new Map(
+  run("cargo", ["bench", "--quiet", "--locked", "--bench", "plan", "--", ...args], { quiet: true })
+    .trim()
+    .split("\n")
+    .map((line) => line.match(/^(.*) (\d+) (\d+)$/))
+    .filter(Boolean)
+    .map(([, name, , ns]) => [name, Number(ns) / 1000]),
+);
+
+console.log("\nForm edit to whole plan, median, µs");
+console.log("job                         native     wasm   wasm / native   wasm check   wasm columns");
+const wasm = new Map();
+for (const [name, job] of Object.entries(jobs)) {
+  wasm.set(
+    name,
+    time(() => plan(job)),
+  );
+  const cells = [
+    native.get(name).toFixed(1).padStart(8),
+    wasm.get(name).toFixed(1).padStart(8),
+    (wasm.get(name) / native.get(name)).toFixed(2).padStart(12),
+    time(() => check(job))
+      .toFixed(1)
+      .padStart(13),
+    time(() => moveColumns(job))
+      .toFixed(1)
+      .padStart(13),
+  ];
+  console.log(name.padEnd(26), ...cells);
+}
+
+console.log("\nRatios                                          native     wasm");
+const ratio = (label, a, b) => {
+  const of = (times) => (times.get(a) / times.get(b)).toFixed(2).padStart(8);
+  console.log(label.padEnd(45), of(native), of(wasm));
+};
+ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 touches");
+ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part", "type 13, 16 touches");
+ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
+
+const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
+const sizes = {
+  raw: bytes.length,
+  gzip: gzipSync(bytes, { level: 9 }).length,
+  brotli: brotliCompressSync(bytes).length,
+};
+console.log("\nBytes of the wasm");
+for (const [name, size] of Object.entries(sizes)) {
+  console.log(name.padEnd(8), String(size).padStart(8), `${((100 * size) / sizes.raw).toFixed(0)} %`.padStart(6));
+}
