@@ -21,9 +21,9 @@ pub enum Expr {
     Length(f64),
     /// The value of an earlier assignment, by its index.
     Variable(usize),
-    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a touch.
+    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated ones.
     Trigger {
-        /// Index of the touch.
+        /// Index of the sample.
         touch: usize,
         /// 0, 1, 2 for X, Y, Z.
         axis: usize,

@@ -39,6 +39,44 @@ pub enum Feed {
     Retract,
     /// The last lift.
     Return,
+    /// As fast as the control does it, or at a stated rapid rate.
+    Rapid,
+}
+
+/// The feeds of a path in mm/min.
+#[derive(Clone, Copy, Debug)]
+pub struct Feeds {
+    /// None is rapid.
+    pub approach: Option<f64>,
+    /// None is rapid.
+    pub long_link: Option<f64>,
+    /// Never rapid.
+    pub work: f64,
+    /// None is rapid.
+    pub retract: Option<f64>,
+    /// None is rapid.
+    pub return_: Option<f64>,
+    /// None is the control's own rate.
+    pub rapid: Option<f64>,
+}
+
+impl Feeds {
+    /// The rate of a move, mm/min; none is as fast as the control does it.
+    pub fn rate(&self, feed: Feed) -> Option<f64> {
+        match feed {
+            Feed::Approach => self.approach,
+            Feed::LongLink => self.long_link,
+            Feed::Work => Some(self.work),
+            Feed::Retract => self.retract,
+            Feed::Return => self.return_,
+            Feed::Rapid => self.rapid,
+        }
+    }
+
+    /// Whether a move is a rapid, by its own name or because its feed is set so.
+    pub fn is_rapid(&self, feed: Feed) -> bool {
+        feed == Feed::Rapid || self.rate(feed).is_none()
+    }
 }
 
 /// What a move is for.
@@ -52,7 +90,16 @@ pub enum Purpose {
     Back(usize),
 }
 
-/// One straight move of the ball centre.
+/// An arc about the tool axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// Its centre, at the height of the move.
+    pub center: Vec3,
+    /// Radians, counter-clockwise positive seen against the tool axis; less than a whole turn.
+    pub sweep: f64,
+}
+
+/// One move of the ball centre, straight or along an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
     /// Where it ends.
@@ -63,6 +110,23 @@ pub struct Move {
     pub purpose: Purpose,
     /// Number of the step in the cycle's documented list, from 1.
     pub step: u8,
+    /// The arc it runs along; none is straight. Only positioning moves are arcs.
+    pub arc: Option<Arc>,
+}
+
+impl Move {
+    /// The ends of the straight pieces this move is looked at by: its own end, or an arc in pieces of about `degrees`. `up` is
+    /// the tool axis.
+    pub fn pieces(&self, from: Vec3, up: Vec3, degrees: f64) -> Vec<Vec3> {
+        let Some(arc) = self.arc else { return vec![self.to] };
+        let count = (arc.sweep.abs().to_degrees() / degrees).ceil().max(1.0) as usize;
+        let (out, across) = (from - arc.center, up.cross(from - arc.center));
+        let at = |i: usize| {
+            let (sin, cos) = (arc.sweep * i as f64 / count as f64).sin_cos();
+            arc.center + out * cos + across * sin
+        };
+        (1..count).map(at).chain([self.to]).collect()
+    }
 }
 
 /// One touch.
@@ -72,8 +136,12 @@ pub struct Touch {
     pub point: Vec3,
     /// The target vector: outward normal of the surface, from the material into free space, a unit vector.
     pub vector: Vec3,
-    /// Which wall it belongs to, from 0.
+    /// Which wall or circle it belongs to, from 0: the index of its surface.
     pub group: usize,
+    /// How far past the nominal contact it searches, mm.
+    pub search: f64,
+    /// Which of the formula's points it measures; several touches of one point are averaged.
+    pub sample: usize,
 }
 
 impl Touch {
@@ -98,6 +166,28 @@ pub struct Wall {
     pub drawn_depth: f64,
     /// Whether it ends at `point`'s level with a flat top side behind it; else it goes on upwards.
     pub has_top: bool,
+}
+
+/// A round wall about the tool axis: a hole or a stud.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Round {
+    /// The middle of its top.
+    pub center: Vec3,
+    /// Its radius, mm.
+    pub radius: f64,
+    /// Whether the material lies outside (a hole) or inside (a stud).
+    pub hole: bool,
+    /// How deep below the top it is drawn.
+    pub drawn_depth: f64,
+}
+
+/// A surface of the feature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    /// A flat wall.
+    Flat(Wall),
+    /// A round wall.
+    Round(Round),
 }
 
 /// One row of the source's parameter table, before units.
@@ -138,7 +228,9 @@ pub struct Path {
     /// The moves, in order.
     pub moves: Vec<Move>,
     /// The nominal feature.
-    pub walls: Vec<Wall>,
+    pub surfaces: Vec<Surface>,
+    /// Feeds of the cycle's own, where it does not use the job's.
+    pub feeds: Option<Feeds>,
     /// The frame the feature's dimensions are given in.
     pub frame: Frame,
     /// What the control computes from the touches.
@@ -163,15 +255,25 @@ impl Tracer {
 
     /// A positioning move.
     pub fn position(&mut self, to: Vec3, feed: Feed, step: u8) {
-        self.push(Move { to, feed, purpose: Purpose::Position, step });
+        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: None });
+    }
+
+    /// A positioning move along an arc.
+    pub fn arc(&mut self, to: Vec3, arc: Arc, feed: Feed, step: u8) {
+        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: Some(arc) });
+    }
+
+    /// Where the ball stands, once that is known.
+    pub fn place(&self) -> Option<Vec3> {
+        self.at
     }
 
     /// The touch with this index from where the ball stands, and back to there.
     pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
         let from = self.at.expect("a touch starts at a known place");
         let to = touch.contact(self.radius);
-        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step });
-        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step });
+        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step, arc: None });
+        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step, arc: None });
     }
 
     /// The moves.

@@ -8,7 +8,6 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::job::{self, JobError, Move};
-use crate::path::Feed;
 use crate::spec::{Finding, Level, Value};
 use crate::view::camera::Camera;
 use crate::view::canvas::{ARM, Painter, Theme};
@@ -246,15 +245,15 @@ impl View {
 
 impl View {
     fn build(&self, value: Value) -> Option<Shown> {
-        let (job, path, walls, run) = job::scene_parts(&value)?;
+        let (job, path, surfaces, run) = job::scene_parts(&value)?;
         let actual = Actual {
-            walls: &walls,
+            surfaces: &surfaces,
             run: &run,
             origin: job.lie.rigid.point(path.frame.origin),
             direction: job.lie.rigid.direction(path.frame.u),
         };
-        let rapid = |feed: Feed| job.feeds.rate(feed).is_none();
-        let scene = scene::build(&path, &job.setup, rapid, &actual, self.projection);
+        let feeds = path.feeds.unwrap_or(job.feeds);
+        let scene = scene::build(&path, &job.setup, &feeds, &actual, self.projection);
         Some(Shown {
             scene,
             deviates: !job.lie.nominal,

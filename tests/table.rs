@@ -41,12 +41,16 @@ fn type_7_has_the_rows_of_its_page() {
     }
     assert_eq!((at(&plan, "CmdPrm.Int[-1]"), at(&plan, "CmdPrm.Int[-2]")), (7.0, 77.0));
     // Touch 1 is the wall at 100 + 30, level 5 − 12, its outward normal points back to the centre; touch 4 is at 200 − 20.
-    let block = |plan: &Plan, first: i32| -> Vec<f64> { (0..6).map(|i| at(plan, &format!("CmdPrm.Flt[{}]", first - i))).collect() };
+    let block =
+        |plan: &Plan, first: i32| -> Vec<f64> { (0..6).map(|i| at(plan, &format!("CmdPrm.Flt[{}]", first - i))).collect() };
     assert_eq!(block(&plan, -100), [130.0, 200.0, -7.0, -1.0, 0.0, 0.0]);
     assert_eq!(block(&plan, -118), [100.0, 180.0, -7.0, 0.0, 1.0, 0.0]);
     assert_eq!(block(&plan, -200), block(&plan, -100));
     let last = plan.table.last().unwrap();
-    assert_eq!((last.code.as_str(), last.type_name, last.field), ("CmdPrm.Flt[-66]", "Integer", Some("cycle.compensateDimensions")));
+    assert_eq!(
+        (last.code.as_str(), last.type_name, last.field),
+        ("CmdPrm.Flt[-66]", "Integer", Some("cycle.compensateDimensions"))
+    );
     let row = plan.table.iter().find(|r| r.code == "CmdPrm.Flt[-112]").unwrap();
     assert_eq!((row.type_name, row.touch), ("Double", Some(2)));
     // Compensated: the used points are ball centres, a radius of 2 inside; the originals do not move, nor does the path.
@@ -60,12 +64,14 @@ fn type_7_has_the_rows_of_its_page() {
 /// The page of type 13: -1, -2, -50, -56, -57, -63, -64, -65, -67, then C touches of side 1 and the rest of side 2.
 #[test]
 fn type_13_has_the_rows_of_its_page() {
-    let corner = job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "origin": [1, 2, 3], "clearance1": 14,
+    let corner =
+        job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "origin": [1, 2, 3], "clearance1": 14,
         "clearance2": 16, "count1": 3, "count2": 2, "step1": 21, "step2": 22, "feedDistance": 23, "subCode": -5 } }"#);
     let plan = planned(&corner);
-    let mut expected: Vec<String> = ["Int[-1]", "Int[-2]", "Flt[-50]", "Flt[-56]", "Flt[-57]", "Int[-63]", "Int[-64]", "Flt[-65]", "Flt[-67]"]
-        .map(|c| format!("CmdPrm.{c}"))
-        .to_vec();
+    let mut expected: Vec<String> =
+        ["Int[-1]", "Int[-2]", "Flt[-50]", "Flt[-56]", "Flt[-57]", "Int[-63]", "Int[-64]", "Flt[-65]", "Flt[-67]"]
+            .map(|c| format!("CmdPrm.{c}"))
+            .to_vec();
     expected.extend(floats((100..130).map(|c: i32| -c)));
     expected.extend(floats((200..230).map(|c: i32| -c)));
     assert_eq!(codes(&plan), expected);
@@ -83,7 +89,9 @@ fn type_13_has_the_rows_of_its_page() {
 /// from it, and 12 = −10·cos 60° + y·sin 60°, so y = 17/sin 60° = 19.6299…; the foot on wall 2 is (10 + 6)/sin 60°.
 #[test]
 fn type_13_starts_where_both_clearances_meet() {
-    let corner = job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "angle": 60, "clearance1": 10, "clearance2": 12 } }"#);
+    let corner = job(
+        r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "angle": 60, "clearance1": 10, "clearance2": 12 } }"#,
+    );
     let plan = planned(&corner);
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-6, "{a} {b}");
     near(plan.moves[1].to[0], 10.0);

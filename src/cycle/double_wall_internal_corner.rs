@@ -8,7 +8,7 @@ use crate::cycle::ency::{Table, clearance_rule, touch_count_rule};
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::{Expr, Formula, Role, project};
 use crate::geom::{Frame, Vec3};
-use crate::path::{Feed, Path, Setup, Touch, Tracer, Wall};
+use crate::path::{Feed, Path, Setup, Surface, Touch, Tracer, Wall};
 use crate::spec::{Checker, Field, form};
 
 pub static DEF: CycleDef = CycleDef {
@@ -116,14 +116,14 @@ impl Form {
         ]
     }
 
-    fn touches(&self, frame: &Frame) -> Vec<Touch> {
+    fn touches(&self, frame: &Frame, setup: &Setup) -> Vec<Touch> {
         let mut touches = Vec::new();
         for (group, side) in self.sides().iter().enumerate() {
             let along = frame.direction(side.along.0, side.along.1);
             let vector = frame.direction(side.normal.0, side.normal.1);
             for i in 0..side.count {
                 let point = frame.origin + along * (side.foot + i as f64 * side.step);
-                touches.push(Touch { point, vector, group });
+                touches.push(Touch { point, vector, group, search: setup.overtravel, sample: touches.len() });
             }
         }
         touches
@@ -308,7 +308,7 @@ impl Cycle for Form {
 
     fn plan(&self, setup: &Setup) -> Path {
         let frame = self.frame(setup);
-        let touches = self.touches(&frame);
+        let touches = self.touches(&frame, setup);
         let sides = self.sides();
         let start = frame.point(self.clearance1, sides[0].foot, 0.0);
         let above = start + frame.w * self.feed_distance;
@@ -335,21 +335,31 @@ impl Cycle for Form {
         tracer.position(start, Feed::LongLink, steps[1][2]);
         tracer.position(above, Feed::Return, 10);
         let parameters = self.parameters(&touches).rows();
-        Path { moves: tracer.moves(), walls: self.walls(setup), frame, formula: self.formula(setup), parameters, touches }
+        Path {
+            moves: tracer.moves(),
+            surfaces: self.surfaces(setup),
+            feeds: None,
+            frame,
+            formula: self.formula(setup),
+            parameters,
+            touches,
+        }
     }
 
-    fn walls(&self, setup: &Setup) -> Vec<Wall> {
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = self.frame(setup);
         let margin = 3.0 * setup.radius.max(2.0);
         self.sides()
             .iter()
-            .map(|side| Wall {
-                point: frame.origin,
-                normal: frame.direction(side.normal.0, side.normal.1),
-                along: frame.direction(side.along.0, side.along.1),
-                extent: (0.0, side.foot.max(0.0) + (side.count - 1) as f64 * side.step + margin),
-                drawn_depth: 2.0 * setup.radius.max(1.0),
-                has_top: false,
+            .map(|side| {
+                Surface::Flat(Wall {
+                    point: frame.origin,
+                    normal: frame.direction(side.normal.0, side.normal.1),
+                    along: frame.direction(side.along.0, side.along.1),
+                    extent: (0.0, side.foot.max(0.0) + (side.count - 1) as f64 * side.step + margin),
+                    drawn_depth: 2.0 * setup.radius.max(1.0),
+                    has_top: false,
+                })
             })
             .collect()
     }

@@ -8,7 +8,7 @@ use crate::cycle::ency::{Table, clearance_rule};
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::{Expr, Formula, Role, project};
 use crate::geom::{Frame, Vec3};
-use crate::path::{Feed, Path, Setup, Touch, Tracer, Wall};
+use crate::path::{Feed, Path, Setup, Surface, Touch, Tracer, Wall};
 use crate::spec::{Checker, Field, form};
 
 pub static DEF: CycleDef = CycleDef {
@@ -76,10 +76,11 @@ impl Form {
         Frame::new(setup.plane, self.origin, self.rotation.to_radians())
     }
 
-    fn touches(&self, frame: &Frame) -> [Touch; 4] {
+    fn touches(&self, frame: &Frame, setup: &Setup) -> [Touch; 4] {
         let wall = |u: f64, v: f64, width: f64, group: usize| {
             let outwards = frame.direction(u, v);
-            Touch { point: frame.origin + outwards * (width / 2.0) - frame.w * self.depth, vector: -outwards, group }
+            let point = frame.origin + outwards * (width / 2.0) - frame.w * self.depth;
+            Touch { point, vector: -outwards, group, search: setup.overtravel, sample: group }
         };
         [
             wall(1.0, 0.0, self.width1, 0),
@@ -181,7 +182,7 @@ impl Cycle for Form {
 
     fn plan(&self, setup: &Setup) -> Path {
         let frame = self.frame(setup);
-        let touches = self.touches(&frame);
+        let touches = self.touches(&frame, setup);
         let start = frame.point(0.0, 0.0, self.top_clearance);
         let drop = frame.w * (self.top_clearance + self.depth);
         let above = start + frame.w * self.feed_distance;
@@ -201,26 +202,29 @@ impl Cycle for Form {
         Path {
             touches: touches.to_vec(),
             moves: tracer.moves(),
-            walls: self.walls(setup),
+            surfaces: self.surfaces(setup),
+            feeds: None,
             frame,
             formula: self.formula(setup),
             parameters: self.parameters(setup, &touches).rows(),
         }
     }
 
-    fn walls(&self, setup: &Setup) -> Vec<Wall> {
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = self.frame(setup);
         let halves = [self.width2 / 2.0, self.width2 / 2.0, self.width1 / 2.0, self.width1 / 2.0];
-        self.touches(&frame)
+        self.touches(&frame, setup)
             .iter()
             .zip(halves)
-            .map(|(touch, half)| Wall {
-                point: touch.point + frame.w * self.depth,
-                normal: touch.vector,
-                along: frame.w.cross(touch.vector),
-                extent: (-half, half),
-                drawn_depth: self.depth + setup.radius,
-                has_top: true,
+            .map(|(touch, half)| {
+                Surface::Flat(Wall {
+                    point: touch.point + frame.w * self.depth,
+                    normal: touch.vector,
+                    along: frame.w.cross(touch.vector),
+                    extent: (-half, half),
+                    drawn_depth: self.depth + setup.radius,
+                    has_top: true,
+                })
             })
             .collect()
     }

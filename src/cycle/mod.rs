@@ -6,7 +6,7 @@ mod internal_rectangle_protected;
 
 use std::fmt::Debug;
 
-use crate::path::{Path, Setup, Wall};
+use crate::path::{Path, Setup, Surface};
 use crate::spec::{Checker, Field, Section};
 
 /// Every cycle, in the order of the gallery.
@@ -41,8 +41,8 @@ pub trait Cycle: Debug {
     /// The whole path. Total on every cycle that passed its rules.
     fn plan(&self, setup: &Setup) -> Path;
 
-    /// The walls of the feature alone, as [`Cycle::plan`] gives them.
-    fn walls(&self, setup: &Setup) -> Vec<Wall>;
+    /// The surfaces of the feature alone, as [`Cycle::plan`] gives them.
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface>;
 
     /// The same cycle with `delta` (mm or degrees) added to the size named `key`; none where there is no such size, or
     /// where nothing of the feature would be left.

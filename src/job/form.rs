@@ -3,8 +3,8 @@
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
 use crate::geom::{Plane, Rigid, Vec3};
 use crate::part::Lie;
-use crate::path::Setup;
-use crate::post::{self, Feeds, PostDef};
+use crate::path::{Feeds, Setup};
+use crate::post::{self, PostDef};
 use crate::spec::{Checker, Choice, Field, Section, Value, form};
 
 /// The format this crate writes and reads.
@@ -170,6 +170,7 @@ impl Job {
                 work: feeds.work,
                 retract: feeds.retract,
                 return_: feeds.return_,
+                rapid: None,
             },
             def,
             cycle,

@@ -53,10 +53,10 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
 }
 
 /// What is needed to draw a job: the checked job, its path, and what happens on the actual part. Lengths in mm.
-pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Wall>, crate::part::Run)> {
+pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Surface>, crate::part::Run)> {
     let job = Job::read(&mut Checker::default(), value)?;
     let path = job.cycle.plan(&job.setup);
-    let walls = plan::actual_walls(&job);
+    let walls = plan::actual_surfaces(&job);
     let run = crate::part::run(&path, &walls, &job.setup);
     Some((job, path, walls, run))
 }

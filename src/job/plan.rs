@@ -6,7 +6,7 @@ use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::{Job, JobError};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{self, Feed, Path, Purpose, RAPID_RATE, Wall};
+use crate::path::{self, Feed, Feeds, Path, Purpose, RAPID_RATE, Surface};
 use crate::post::{self, Request};
 use crate::spec::{Checker, Finding, Value};
 
@@ -141,16 +141,16 @@ pub struct ResultRow {
     pub note: Option<String>,
 }
 
-/// The walls of the actual part where it really lies.
-pub fn actual_walls(job: &Job) -> Vec<Wall> {
+/// The surfaces of the actual part where it really lies.
+pub fn actual_surfaces(job: &Job) -> Vec<Surface> {
     let cycle = job.actual.as_deref().unwrap_or(&*job.cycle);
-    part::place(&cycle.walls(&job.setup), &job.lie)
+    part::place(&cycle.surfaces(&job.setup), &job.lie)
 }
 
 /// Makes the plan. `checker` holds what the check has found.
 pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
     let path = job.cycle.plan(&job.setup);
-    let run = part::run(&path, &actual_walls(job), &job.setup);
+    let run = part::run(&path, &actual_surfaces(job), &job.setup);
     report_run(job, &path, &run, &mut checker);
     if checker.failed() {
         return Err(JobError { findings: checker.findings });
@@ -159,6 +159,7 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.plan(&job.setup).formula);
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     let results = result_rows(job, &path, rows);
+    let feeds = path.feeds.unwrap_or(job.feeds);
     let program = (job.post.emit)(&Request {
         name: &job.name,
         title: job.def.title,
@@ -166,18 +167,18 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
         scale: job.scale,
         plane: job.setup.plane,
         setup: &job.setup,
-        feeds: &job.feeds,
+        feeds: &feeds,
         work_offset: job.work_offset,
         path: &path,
     });
-    let (length, time) = length_and_time(job, &path);
+    let (length, time) = length_and_time(job, &path, &feeds);
     Ok(Plan {
         touches: path
             .touches
             .iter()
             .map(|t| TouchPoint { point: triple(t.point, job.scale), vector: triple(t.vector, 1.0), group: t.group })
             .collect(),
-        moves: path.moves.iter().map(|m| move_row(job, m)).collect(),
+        moves: path.moves.iter().map(|m| move_row(job, &feeds, m)).collect(),
         length,
         time,
         program: ProgramText {
@@ -207,13 +208,13 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
         let Some(point) = point else { continue };
         let contact = touch.contact(job.setup.radius);
         let away = point.distance(contact);
-        if away > job.setup.overtravel + 1e-6 {
+        if away > touch.search + 1e-6 {
             let message = format!(
                 "Point {} lies {} from the nominal contact of its touch, more than the overtravel of {}: is it of this job, \
                  a ball centre, in order?",
                 k + 1,
                 checker.length(away),
-                checker.length(job.setup.overtravel)
+                checker.length(touch.search)
             );
             checker.error("too-far", format!("measured[{k}]"), message);
         }
@@ -246,10 +247,10 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     for (k, trigger) in run.triggers.iter().enumerate() {
         if trigger.is_none() {
             let message = format!(
-                "Touch {} meets nothing within the overtravel of {} past its nominal contact: the control stops there, and \
+                "Touch {} meets nothing within {} past its nominal contact: the control stops there, and \
                  what needs it is not known",
                 k + 1,
-                checker.length(job.setup.overtravel)
+                checker.length(path.touches[k].search)
             );
             checker.warning("no-contact", field, message);
         }
@@ -291,21 +292,23 @@ fn result_rows(job: &Job, path: &Path, mut rows: Vec<part::ResultRow>) -> Vec<Re
         .collect()
 }
 
-fn move_row(job: &Job, step: &path::Move) -> Move {
+fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
     let (kind, touch) = match step.purpose {
         Purpose::Position => ("position", None),
         Purpose::Touch(k) => ("touch", Some(k)),
         Purpose::Back(k) => ("back", Some(k)),
     };
-    let feed = match (job.feeds.rate(step.feed), step.feed) {
-        (None, _) => "rapid",
-        (Some(_), Feed::Approach) => "approach",
-        (Some(_), Feed::LongLink) => "longLink",
-        (Some(_), Feed::Work) => "work",
-        (Some(_), Feed::Retract) => "retract",
-        (Some(_), Feed::Return) => "return",
+    let feed = match step.feed {
+        feed if feeds.is_rapid(feed) => "rapid",
+        Feed::Rapid => "rapid",
+        Feed::Approach => "approach",
+        Feed::LongLink => "longLink",
+        Feed::Work => "work",
+        Feed::Retract => "retract",
+        Feed::Return => "return",
     };
-    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc: None }
+    let arc = step.arc.map(|arc| Arc { center: triple(arc.center, job.scale), sweep: tidy(arc.sweep.to_degrees()) });
+    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc }
 }
 
 fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
@@ -323,13 +326,16 @@ fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
     }
 }
 
-fn length_and_time(job: &Job, path: &Path) -> (f64, f64) {
+fn length_and_time(job: &Job, path: &Path, feeds: &Feeds) -> (f64, f64) {
     let mut length = 0.0;
     let mut time = 0.0;
     for pair in path.moves.windows(2) {
-        let way = pair[0].to.distance(pair[1].to);
+        let way = match pair[1].arc {
+            Some(arc) => pair[0].to.distance(arc.center) * arc.sweep.abs(),
+            None => pair[0].to.distance(pair[1].to),
+        };
         length += way;
-        time += way / job.feeds.rate(pair[1].feed).unwrap_or(RAPID_RATE);
+        time += way / feeds.rate(pair[1].feed).unwrap_or(RAPID_RATE);
     }
     (tidy(length / job.scale), tidy(time))
 }

@@ -1,7 +1,7 @@
 //! Where a ball that moves in a straight line first meets a wall. Exact for flat walls and their straight top edges.
 
 use crate::geom::Vec3;
-use crate::path::Wall;
+use crate::path::{Round, Surface, Wall};
 
 /// A contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,21 +10,72 @@ pub struct Contact {
     pub fraction: f64,
     /// The ball centre there.
     pub center: Vec3,
-    /// Index of the wall that is met.
-    pub wall: usize,
+    /// Index of the surface that is met.
+    pub surface: usize,
 }
 
 /// A ball that stands this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
 const SKIN: f64 = 1e-7;
 
 /// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. `up` is the
-/// tool axis. A ball that moves away from a wall it touches does not meet it.
+/// tool axis. A ball that moves away from a surface it touches does not meet it.
 ///
-/// A wall goes on along its length; it ends at its top where it has one, and behind the edge lies a flat top side.
-pub fn first_contact(walls: &[Wall], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
-    let meetings = walls.iter().enumerate().filter_map(|(i, wall)| Some((meet(wall, up, radius, from, to)?, i)));
-    let (fraction, wall) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(Contact { fraction, center: from + (to - from) * fraction, wall })
+/// A flat wall goes on along its length. A surface ends at its top where it has one, and behind the edge lies a flat top side.
+/// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
+pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
+    let meetings = surfaces.iter().enumerate().filter_map(|(i, surface)| {
+        let fraction = match surface {
+            Surface::Flat(wall) => meet(wall, up, radius, from, to),
+            Surface::Round(round) => meet_round(round, up, radius, from, to),
+        };
+        Some((fraction?, i))
+    });
+    let (fraction, surface) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Contact { fraction, center: from + (to - from) * fraction, surface })
+}
+
+/// The fraction of the way at which the ball meets a hole or a stud.
+fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
+    let flat = |v: Vec3| v - up * v.dot(up);
+    let (start, way) = (flat(from - round.center), flat(to - from));
+    let (h0, h1) = ((from - round.center).dot(up), (to - round.center).dot(up));
+    // Distance in front of the surface: to the axis in a hole, from it at a stud.
+    let front = |p: Vec3| if round.hole { round.radius - p.length() } else { p.length() - round.radius };
+    // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
+    let reach = |h: f64| {
+        if h <= 0.0 {
+            Some(radius)
+        } else if h < radius {
+            Some((radius * radius - h * h).sqrt())
+        } else {
+            None
+        }
+    };
+    if way.length() < 1e-12 {
+        let d = front(start);
+        if d >= radius - SKIN {
+            return None;
+        }
+        let stop = if d > 0.0 { (radius * radius - d * d).sqrt() } else { radius };
+        return if h0 < stop - SKIN { Some(0.0) } else { (h1 < stop).then(|| ((h0 - stop) / (h0 - h1)).clamp(0.0, 1.0)) };
+    }
+    let near = reach(h0.min(h1))?;
+    let gap = front(start) - near;
+    // The way is met where |start + t·way| is `limit`: going out of a hole's middle, or coming in to a stud.
+    let limit = if round.hole { round.radius - near } else { round.radius + near };
+    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
+    let closing = if round.hole { b > 0.0 } else { b < 0.0 };
+    if gap < -SKIN || (gap <= SKIN && closing && !round.hole) {
+        return Some(0.0);
+    }
+    let root = b * b - a * c;
+    if round.hole {
+        // From inside there is one way out. A ball that stands at the wall meets it only if it goes outwards.
+        let t = (-b + root.max(0.0).sqrt()) / a;
+        return (t <= 1.0 && (gap > SKIN || t <= SKIN || closing)).then_some(t.max(0.0));
+    }
+    let t = (-b - root.max(0.0).sqrt()) / a;
+    (closing && root > 2.0 * limit * SKIN * a && (0.0..=1.0).contains(&t)).then_some(t)
 }
 
 /// The fraction of the way at which the ball meets one wall.
@@ -85,7 +136,7 @@ mod tests {
 
     fn meet(has_top: bool, radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        first_contact(&[wall(has_top)], Vec3::Z, radius, from, to).map(|c| c.center.distance(from))
+        first_contact(&[Surface::Flat(wall(has_top))], Vec3::Z, radius, from, to).map(|c| c.center.distance(from))
     }
 
     #[test]
@@ -122,5 +173,40 @@ mod tests {
         assert_eq!(meet(true, 3.0, [7.0, 0.0, -5.0], [7.0, 9.0, -5.0]), None);
         assert_eq!(meet(true, 3.0, [7.0, 0.0, -5.0], [8.0, 0.0, -5.0]), Some(0.0));
         assert_eq!(meet(true, 3.0, [7.5, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(0.0));
+    }
+
+    fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
+        // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
+        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0 });
+        let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
+        first_contact(&[surface], Vec3::Z, 3.0, from, to).map(|c| c.center.distance(from))
+    }
+
+    #[test]
+    fn a_hole_is_met_from_inside() {
+        assert_eq!(round(true, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]), Some(7.0));
+        assert_eq!(round(true, [0.0, 0.0, -5.0], [6.9, 0.0, -5.0]), None);
+        // Off the middle by 4.2: 7² = 4.2² + 5.6².
+        let met = round(true, [0.0, 4.2, -5.0], [20.0, 4.2, -5.0]).unwrap();
+        assert!((met - 5.6).abs() < 1e-12);
+        assert_eq!(round(true, [7.0, 0.0, -5.0], [0.0, 0.0, -5.0]), None, "leaving the wall");
+        assert_eq!(round(true, [0.0, 0.0, 3.0], [40.0, 0.0, 3.0]), None, "over the top");
+        assert_eq!(round(true, [0.0, 0.0, 20.0], [0.0, 0.0, -20.0]), None, "down the middle");
+        assert_eq!(round(true, [12.0, 0.0, 20.0], [12.0, 0.0, -20.0]), Some(17.0), "down on the top side");
+    }
+
+    #[test]
+    fn a_stud_is_met_from_outside() {
+        assert_eq!(round(false, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0));
+        // Past it at a distance of 13 is free; at 12 it is met where 13² = 12² + 5².
+        assert_eq!(round(false, [-20.0, 13.0, -5.0], [20.0, 13.0, -5.0]), None);
+        assert_eq!(round(false, [-20.0, 12.0, -5.0], [20.0, 12.0, -5.0]), Some(15.0));
+        assert_eq!(round(false, [13.0, 0.0, -5.0], [20.0, 0.0, -5.0]), None, "leaving it");
+        assert_eq!(round(false, [13.0, 0.0, -5.0], [12.0, 0.0, -5.0]), Some(0.0));
+        // Over it, 1.8 above its edge, a ball of 3 is met 2.4 before the edge; over the top it is free.
+        let met = round(false, [20.0, 0.0, 1.8], [0.0, 0.0, 1.8]).unwrap();
+        assert!((met - 7.6).abs() < 1e-12);
+        assert_eq!(round(false, [20.0, 0.0, 3.0], [-20.0, 0.0, 3.0]), None);
+        assert_eq!(round(false, [0.0, 0.0, 20.0], [0.0, 0.0, 0.0]), Some(17.0));
     }
 }

@@ -30,8 +30,11 @@ pub struct ResultRow {
 /// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
 /// probing direction.
 pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> Vec<ResultRow> {
-    let directions: Vec<Vec3> = path.touches.iter().map(|t| t.vector).collect();
-    let values = path.formula.evaluate(triggers, &directions);
+    let samples = samples(path, triggers);
+    let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
+    // A sample of n touches scatters by 1/√n of one.
+    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
+    let values = path.formula.evaluate(&points, &directions);
     path.formula
         .results
         .iter()
@@ -50,6 +53,30 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
             }
         })
         .collect()
+}
+
+/// One point of the formula.
+struct Sample {
+    point: Option<Vec3>,
+    direction: Vec3,
+    count: usize,
+}
+
+/// The means of the touches of each sample; none where one of them is missing.
+fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
+    let mut samples: Vec<Sample> = Vec::new();
+    for (touch, trigger) in path.touches.iter().zip(triggers) {
+        if touch.sample == samples.len() {
+            samples.push(Sample { point: Some(Vec3::ZERO), direction: touch.vector, count: 0 });
+        }
+        let sample = &mut samples[touch.sample];
+        sample.point = sample.point.zip(*trigger).map(|(sum, p)| sum + p);
+        sample.count += 1;
+    }
+    for sample in &mut samples {
+        sample.point = sample.point.map(|sum| sum / sample.count as f64);
+    }
+    samples
 }
 
 /// Adds to each row what is true of the actual part. `actual` is the formula of the resized feature in its nominal place,

@@ -9,7 +9,7 @@ pub use evaluate::{ResultRow, add_truth, evaluate, write_offset};
 pub use measured::{Measured, read as read_measured};
 
 use crate::geom::{Rigid, Vec3};
-use crate::path::{Path, Purpose, Setup, Wall};
+use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};
 
 /// How the real part lies.
 #[derive(Clone, Debug)]
@@ -27,29 +27,32 @@ pub struct Lie {
 pub struct Run {
     /// Ball centre at the trigger of each touch; none where the part was not met in time.
     pub triggers: Vec<Option<Vec3>>,
-    /// Touches that meet another wall than theirs first, and which one.
+    /// Touches that meet another surface than theirs first, and which one.
     pub strays: Vec<(usize, usize)>,
     /// The first move that is not a touch and yet meets the part: its index, and where the ball centre is then. The machine
     /// stops there, or breaks; nothing after it is run.
     pub collision: Option<(usize, Vec3)>,
 }
 
-/// The walls of the actual part: `walls` of the resized feature, where they really lie.
-pub fn place(walls: &[Wall], lie: &Lie) -> Vec<Wall> {
-    walls
+/// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.
+pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
+    surfaces
         .iter()
-        .map(|wall| Wall {
-            point: lie.rigid.point(wall.point),
-            normal: lie.rigid.direction(wall.normal),
-            along: lie.rigid.direction(wall.along),
-            ..*wall
+        .map(|surface| match surface {
+            Surface::Flat(wall) => Surface::Flat(Wall {
+                point: lie.rigid.point(wall.point),
+                normal: lie.rigid.direction(wall.normal),
+                along: lie.rigid.direction(wall.along),
+                ..*wall
+            }),
+            Surface::Round(round) => Surface::Round(Round { center: lie.rigid.point(round.center), ..*round }),
         })
         .collect()
 }
 
-/// Runs the whole path on the actual walls. A touch starts where the ball stands and runs along the inverted target vector
-/// until it meets a wall, or until it is `overtravel` past its nominal contact. The way back starts at the trigger.
-pub fn run(path: &Path, walls: &[Wall], setup: &Setup) -> Run {
+/// Runs the whole path on the actual surfaces. A touch starts where the ball stands and runs along the inverted target vector
+/// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
+pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;
     let mut triggers = vec![None; path.touches.len()];
     let mut strays = Vec::new();
@@ -59,17 +62,21 @@ pub fn run(path: &Path, walls: &[Wall], setup: &Setup) -> Run {
         let from = at.unwrap_or(step.to);
         match step.purpose {
             Purpose::Touch(k) => {
-                let end = step.to - path.touches[k].vector * setup.overtravel;
-                let contact = first_contact(walls, up, setup.radius, from, end);
-                if let Some(contact) = contact.filter(|c| c.wall != path.touches[k].group) {
-                    strays.push((k, contact.wall));
+                let end = step.to - path.touches[k].vector * path.touches[k].search;
+                let contact = first_contact(surfaces, up, setup.radius, from, end);
+                if let Some(contact) = contact.filter(|c| c.surface != path.touches[k].group) {
+                    strays.push((k, contact.surface));
                 }
                 triggers[k] = contact.map(|c| c.center);
                 at = Some(contact.map_or(end, |c| c.center));
             }
             Purpose::Position | Purpose::Back(_) => {
-                if let Some(contact) = first_contact(walls, up, setup.radius, from, step.to) {
-                    return Run { triggers, strays, collision: Some((index, contact.center)) };
+                let mut stand = from;
+                for way_point in step.pieces(from, up, 1.0) {
+                    if let Some(contact) = first_contact(surfaces, up, setup.radius, stand, way_point) {
+                        return Run { triggers, strays, collision: Some((index, contact.center)) };
+                    }
+                    stand = way_point;
                 }
                 at = Some(step.to);
             }

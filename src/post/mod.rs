@@ -9,7 +9,7 @@ mod linuxcnc;
 mod words;
 
 use crate::geom::Plane;
-use crate::path::{Feed, Path, Setup};
+use crate::path::{Feeds, Path, Setup};
 use crate::spec::Checker;
 
 /// Every control, in the order of the form.
@@ -57,34 +57,6 @@ pub struct Request<'a> {
     pub work_offset: Option<i32>,
     /// What to print.
     pub path: &'a Path,
-}
-
-/// The feeds of a job in mm/min.
-#[derive(Clone, Copy, Debug)]
-pub struct Feeds {
-    /// None is rapid.
-    pub approach: Option<f64>,
-    /// None is rapid.
-    pub long_link: Option<f64>,
-    /// Never rapid.
-    pub work: f64,
-    /// None is rapid.
-    pub retract: Option<f64>,
-    /// None is rapid.
-    pub return_: Option<f64>,
-}
-
-impl Feeds {
-    /// The rate of a move, mm/min; none is rapid.
-    pub fn rate(&self, feed: Feed) -> Option<f64> {
-        match feed {
-            Feed::Approach => self.approach,
-            Feed::LongLink => self.long_link,
-            Feed::Work => Some(self.work),
-            Feed::Retract => self.retract,
-            Feed::Return => self.return_,
-        }
-    }
 }
 
 /// A printed program.

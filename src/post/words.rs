@@ -25,13 +25,15 @@ pub struct Writer<'a> {
     lines: usize,
     move_lines: Vec<usize>,
     last: [String; 3],
+    /// Where the ball stands at the end of the last move.
+    at: Option<Vec3>,
 }
 
 impl<'a> Writer<'a> {
     /// An empty program.
     pub fn new(request: &'a Request<'a>, dialect: &'static Dialect) -> Self {
         let move_lines = Vec::with_capacity(request.path.moves.len());
-        Writer { request, dialect, text: String::with_capacity(4096), lines: 0, move_lines, last: Default::default() }
+        Writer { request, dialect, text: String::with_capacity(4096), lines: 0, move_lines, last: Default::default(), at: None }
     }
 
     /// One line.
@@ -78,15 +80,30 @@ impl<'a> Writer<'a> {
     pub fn motion(&mut self, step: &Move) {
         let request = self.request;
         let (word, target) = match step.purpose {
-            Purpose::Touch(k) => (self.dialect.probe, step.to - request.path.touches[k].vector * request.setup.overtravel),
+            Purpose::Touch(k) => {
+                (self.dialect.probe, step.to - request.path.touches[k].vector * request.path.touches[k].search)
+            }
             Purpose::Position | Purpose::Back(_) => match request.feeds.rate(step.feed) {
                 Some(_) => ("G1", step.to),
                 None => ("G0", step.to),
             },
         };
+        let from = self.at.replace(step.to);
+        let (mut word, mut centre) = (word, String::new());
+        if let (Some(arc), Some(from)) = (step.arc, from) {
+            word = if arc.sweep > 0.0 { "G3" } else { "G2" };
+            let to_center = arc.center - from;
+            let [a, o, _] = request.plane.axes();
+            for axis in [a.min(o), a.max(o)] {
+                centre.push_str(&format!(" {}{}", ["I", "J", "K"][axis], self.number(to_center[axis])));
+            }
+        }
         let mut block = word.to_owned();
         block.push_str(&self.axis_words(target));
-        if let Some(rate) = request.feeds.rate(step.feed) {
+        block.push_str(&centre);
+        // An arc is cut at a stated feed only: where the rapid has no number, at that of the touches.
+        let rate = request.feeds.rate(step.feed).or(step.arc.map(|_| request.feeds.work));
+        if let Some(rate) = rate {
             block.push_str(&format!(" F{}", self.number(rate)));
         }
         self.move_lines.push(self.lines);

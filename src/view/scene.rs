@@ -2,7 +2,7 @@
 
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::part::Run;
-use crate::path::{Feed, Path, Purpose, Setup, Wall};
+use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -78,7 +78,7 @@ pub struct Line {
     pub index: usize,
 }
 
-/// One wall.
+/// One flat wall, or one strip of a round one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WallShape {
     /// Its four corners, in order.
@@ -126,8 +126,8 @@ pub struct Scene {
 /// What the actual part adds.
 #[derive(Debug)]
 pub struct Actual<'a> {
-    /// Its walls.
-    pub walls: &'a [Wall],
+    /// Its surfaces.
+    pub surfaces: &'a [Surface],
     /// What happens there.
     pub run: &'a Run,
     /// Where the feature's origin really lies.
@@ -137,22 +137,33 @@ pub struct Actual<'a> {
 }
 
 /// The scene of a path.
-pub fn build(path: &Path, setup: &Setup, rapid: impl Fn(Feed) -> bool, actual: &Actual<'_>, view: Projection) -> Scene {
+pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.spot(setup.plane, p);
-    let shape = |wall: &Wall, actual: bool| wall_shape(wall, path.frame.w, &spot, actual);
-    let walls = actual.walls.iter().map(|w| shape(w, true)).chain(path.walls.iter().map(|w| shape(w, false)));
+    let shape = |surface: &Surface, actual: bool| match surface {
+        Surface::Flat(wall) => vec![wall_shape(wall, path.frame.w, &spot, actual)],
+        Surface::Round(round) => {
+            strips(round, path.frame.w, path.frame.u).iter().map(|w| wall_shape(w, path.frame.w, &spot, actual)).collect()
+        }
+    };
+    let walls = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
     let mut lines = Vec::new();
     let mut at = None;
     for (index, step) in path.moves.iter().enumerate() {
         let from = at.unwrap_or(step.to);
         let stroke = match (step.purpose, step.feed) {
             (Purpose::Touch(_), _) => Stroke::Touch,
-            (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return) => Stroke::Position,
+            (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid) => {
+                Stroke::Position
+            }
             (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work) => Stroke::Link,
         };
-        lines.push(Line { from: spot(from), to: spot(step.to), stroke, rapid: rapid(step.feed), index });
+        let mut start = from;
+        for end in step.pieces(from, path.frame.w, 3.0) {
+            lines.push(Line { from: spot(start), to: spot(end), stroke, rapid: feeds.is_rapid(step.feed), index });
+            start = end;
+        }
         if let Purpose::Touch(k) = step.purpose {
-            let end = step.to - path.touches[k].vector * setup.overtravel;
+            let end = step.to - path.touches[k].vector * path.touches[k].search;
             lines.push(Line { from: spot(step.to), to: spot(end), stroke: Stroke::Overtravel, rapid: false, index });
         }
         at = Some(step.to);
@@ -175,6 +186,27 @@ pub fn build(path: &Path, setup: &Setup, rapid: impl Fn(Feed) -> bool, actual: &
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
+}
+
+/// A round wall as flat strips.
+fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
+    const COUNT: usize = 60;
+    let v = up.cross(u);
+    let half = round.radius * (std::f64::consts::PI / COUNT as f64).tan();
+    (0..COUNT)
+        .map(|i| {
+            let (sin, cos) = (i as f64 * std::f64::consts::TAU / COUNT as f64).sin_cos();
+            let out = u * cos + v * sin;
+            Wall {
+                point: round.center + out * round.radius,
+                normal: if round.hole { -out } else { out },
+                along: up.cross(out),
+                extent: (-half, half),
+                drawn_depth: round.drawn_depth,
+                has_top: true,
+            }
+        })
+        .collect()
 }
 
 fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool) -> WallShape {
