@@ -32,6 +32,17 @@ pub enum Expr {
     Binary(Op, Box<Expr>, Box<Expr>),
     /// A function of one operand.
     Call(Function, Box<Expr>),
+    /// A part of the circle fitted to some samples: geometric least squares, exact for three.
+    Circle {
+        /// Index of the first sample.
+        first: usize,
+        /// How many samples.
+        count: usize,
+        /// Axes of abscissa and ordinate.
+        axes: (usize, usize),
+        /// Which part.
+        part: CirclePart,
+    },
     /// The angle in degrees whose tangent is the first by the second, in the right quadrant.
     Atan2(Box<Expr>, Box<Expr>),
 }
@@ -49,6 +60,17 @@ pub enum Op {
     Divide,
 }
 
+/// A part of a fitted circle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CirclePart {
+    /// Abscissa of its centre.
+    Abscissa,
+    /// Ordinate of its centre.
+    Ordinate,
+    /// Its radius.
+    Radius,
+}
+
 /// A function of one operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
@@ -56,6 +78,8 @@ pub enum Function {
     Sin,
     /// Cosine of degrees.
     Cos,
+    /// Square root.
+    Sqrt,
 }
 
 /// One assignment.
@@ -80,6 +104,22 @@ pub enum Role {
     Angle,
     /// A direction, degrees: turns with the part.
     Direction,
+    /// A coordinate along the tool axis, a length; not probed.
+    Height,
+    /// A length that says how far something is off, or what is written.
+    Shift,
+    /// The same as an angle, degrees.
+    Turn,
+}
+
+impl Role {
+    /// Whether the result is an angle; else a length.
+    pub fn is_angle(self) -> bool {
+        match self {
+            Role::Angle | Role::Direction | Role::Turn => true,
+            Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Shift => false,
+        }
+    }
 }
 
 /// One result that the control stores.
@@ -93,6 +133,8 @@ pub struct ResultDef {
     pub role: Role,
     /// What it is on the nominal part; mm or degrees.
     pub nominal: f64,
+    /// What its deviation is measured from, where that is not the nominal value: the middle of a tolerance zone.
+    pub reference: f64,
     /// The assignment that holds it; none where these touches cannot give it.
     pub variable: Option<usize>,
 }
@@ -104,6 +146,51 @@ pub struct Formula {
     pub assignments: Vec<Assignment>,
     /// What comes out.
     pub results: Vec<ResultDef>,
+    /// What a work offset is corrected by.
+    pub datum: Option<Datum>,
+}
+
+/// What a program corrects a work offset by.
+#[derive(Clone, Debug)]
+pub struct Datum {
+    /// The measured point, abscissa and ordinate, and the nominal place it gets, mm; none leaves the origin alone.
+    pub point: Option<[(Expr, f64); 2]>,
+    /// By how many degrees the system is turned; none leaves its rotation alone.
+    pub rotation: Option<Expr>,
+}
+
+/// One result as it comes out. Lengths in mm, angles in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResultRow {
+    /// Its code, `center.x`.
+    pub code: String,
+    /// What it is.
+    pub meaning: String,
+    /// Its unit.
+    pub unit: Unit,
+    /// What it is on the nominal part.
+    pub nominal: Option<f64>,
+    /// What the control computes; none where these triggers cannot give it.
+    pub value: Option<f64>,
+    /// Value less nominal, or less the middle of the tolerance zone.
+    pub deviation: Option<f64>,
+    /// One sigma of the value, from the repeatability of a touch.
+    pub uncertainty: Option<f64>,
+    /// Good, rework, scrap, where a tolerance is given.
+    pub verdict: Option<String>,
+    /// What it is on the actual part, where that is known.
+    pub truth: Option<f64>,
+}
+
+/// The unit of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Length,
+    /// Degrees.
+    Angle,
+    /// None.
+    None,
 }
 
 impl Formula {
@@ -119,7 +206,97 @@ impl Formula {
             Expr::Variable(index) => *index,
             _ => unreachable!("a result is a named value"),
         });
-        self.results.push(ResultDef { code, meaning, role, nominal: tidy(nominal), variable });
+        let nominal = tidy(nominal);
+        self.results.push(ResultDef { code, meaning, role, nominal, reference: nominal, variable });
+    }
+
+    /// The deviation of the last result is measured from here.
+    pub fn referred_to(&mut self, reference: f64) {
+        if let Some(last) = self.results.last_mut() {
+            last.reference = reference;
+        }
+    }
+
+    /// The same computation in plain arithmetic: every circle is fitted by its normal equations, which are closed. They give
+    /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
+    pub fn plain(&self) -> Formula {
+        let mut plain = Formula::default();
+        let mut places: Vec<Expr> = Vec::with_capacity(self.assignments.len());
+        let mut circles: Vec<(usize, [Expr; 3])> = Vec::new();
+        for assignment in &self.assignments {
+            let mut expr = assignment.expr.clone();
+            expr.replace(&mut |inner| match inner {
+                Expr::Variable(index) => Some(places[*index].clone()),
+                Expr::Circle { first, count, axes, part } => {
+                    let known = circles.iter().position(|(f, _)| f == first).unwrap_or_else(|| {
+                        let number = circles.len() + 1;
+                        circles.push((*first, plain.circle(number, *first, *count, *axes)));
+                        circles.len() - 1
+                    });
+                    let [x, y, r] = &circles[known].1;
+                    Some(match part {
+                        CirclePart::Abscissa => x.clone(),
+                        CirclePart::Ordinate => y.clone(),
+                        CirclePart::Radius => r.clone(),
+                    })
+                }
+                _ => None,
+            });
+            places.push(plain.set(assignment.name.clone(), expr));
+        }
+        let moved = |e: &Expr| match e {
+            Expr::Variable(index) => places[*index].clone(),
+            other => other.clone(),
+        };
+        plain.results = self.results.clone();
+        for result in &mut plain.results {
+            result.variable = result.variable.map(|index| match places[index] {
+                Expr::Variable(new) => new,
+                _ => unreachable!("set gives variables"),
+            });
+        }
+        plain.datum = self.datum.as_ref().map(|d| Datum {
+            point: d.point.as_ref().map(|p| p.clone().map(|(e, n)| (moved(&e), n))),
+            rotation: d.rotation.as_ref().map(moved),
+        });
+        plain
+    }
+
+    /// Kåsa's circle: minimises the sum of (x² + y² − 2ax − 2by − c)² about the mean of the points.
+    fn circle(&mut self, number: usize, first: usize, count: usize, (a, o): (usize, usize)) -> [Expr; 3] {
+        let sum = |parts: Vec<Expr>| parts.into_iter().reduce(|sum, part| sum + part).expect("three points or more");
+        let n = || Expr::Number(count as f64);
+        let samples = first..first + count;
+        let mean = |axis: usize| sum(samples.clone().map(|k| Expr::trigger(k, axis)).collect()) / n();
+        let (mean_a, mean_o) = (mean(a), mean(o));
+        let mean_a = self.set(format!("c{number}_mean_a"), mean_a);
+        let mean_o = self.set(format!("c{number}_mean_o"), mean_o);
+        let mut sums: [Option<Expr>; 5] = Default::default();
+        for k in samples {
+            let u = self.set(format!("u{}", k + 1), Expr::trigger(k, a) - mean_a.clone());
+            let v = self.set(format!("v{}", k + 1), Expr::trigger(k, o) - mean_o.clone());
+            let z = self.set(format!("z{}", k + 1), u.clone() * u.clone() + v.clone() * v.clone());
+            let terms = [u.clone() * u.clone(), v.clone() * v.clone(), u.clone() * v.clone(), u * z.clone(), v * z];
+            for (i, (sum, term)) in sums.iter_mut().zip(terms).enumerate() {
+                let name = format!("c{number}_{}_{}", ["uu", "vv", "uv", "uz", "vz"][i], k - first + 1);
+                let total = match sum.take() {
+                    Some(sum) => sum + term,
+                    None => term,
+                };
+                *sum = Some(self.set(name, total));
+            }
+        }
+        let [uu, vv, uv, uz, vz] = sums.map(|s| s.expect("three points or more"));
+        let det = (uu.clone() * vv.clone() - uv.clone() * uv.clone()) * Expr::Number(2.0);
+        let det = self.set(format!("c{number}_det"), det);
+        let u = (vv.clone() * uz.clone() - uv.clone() * vz.clone()) / det.clone();
+        let u = self.set(format!("c{number}_u"), u);
+        let v = self.set(format!("c{number}_v"), (uu.clone() * vz - uv * uz) / det);
+        let square = u.clone() * u.clone() + v.clone() * v.clone() + (uu + vv) / n();
+        let x = self.set(format!("c{number}_a"), mean_a + u);
+        let y = self.set(format!("c{number}_o"), mean_o + v);
+        let r = self.set(format!("c{number}_r"), Expr::Call(Function::Sqrt, Box::new(square)));
+        [x, y, r]
     }
 
     /// Whether coordinate `axis` of this touch's trigger is used at all.
@@ -195,6 +372,22 @@ impl Expr {
         Expr::Atan2(Box::new(self), Box::new(x))
     }
 
+    /// Replaces every node for which `by` gives another, outermost first.
+    fn replace(&mut self, by: &mut impl FnMut(&Expr) -> Option<Expr>) {
+        if let Some(new) = by(self) {
+            *self = new;
+            return;
+        }
+        match self {
+            Expr::Number(_) | Expr::Length(_) | Expr::Variable(_) | Expr::Trigger { .. } | Expr::Circle { .. } => {}
+            Expr::Call(_, a) => a.replace(by),
+            Expr::Binary(_, a, b) | Expr::Atan2(a, b) => {
+                a.replace(by);
+                b.replace(by);
+            }
+        }
+    }
+
     fn is(&self, number: f64) -> bool {
         match self {
             Expr::Number(x) | Expr::Length(x) => *x == number,
@@ -206,6 +399,9 @@ impl Expr {
         match self {
             Expr::Number(_) | Expr::Length(_) | Expr::Variable(_) => false,
             Expr::Trigger { touch: t, axis: a } => (*t, *a) == (touch, axis),
+            Expr::Circle { first, count, axes, .. } => {
+                (*first..first + count).contains(&touch) && (axis == axes.0 || axis == axes.1)
+            }
             Expr::Binary(_, a, b) | Expr::Atan2(a, b) => a.uses(touch, axis) || b.uses(touch, axis),
             Expr::Call(_, a) => a.uses(touch, axis),
         }
@@ -236,7 +432,25 @@ impl Expr {
                 match function {
                     Function::Sin => a.map(sin, cos.to_radians()),
                     Function::Cos => a.map(cos, -sin.to_radians()),
+                    Function::Sqrt => a.map(a.value.sqrt(), 0.5 / a.value.sqrt()),
                 }
+            }
+            Expr::Circle { first, count, axes, part } => {
+                let samples = *first..first + count;
+                let flat = |v: &Vec3| (v[axes.0], v[axes.1]);
+                let points: Option<Vec<(f64, f64)>> = triggers[samples.clone()].iter().map(|t| t.as_ref().map(flat)).collect();
+                let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
+                let row = match part {
+                    CirclePart::Abscissa => 0,
+                    CirclePart::Ordinate => 1,
+                    CirclePart::Radius => 2,
+                };
+                let mut dual = Dual::constant([fit.center.0, fit.center.1, fit.radius][row]);
+                for (i, k) in samples.enumerate() {
+                    let d = flat(&directions[k]);
+                    dual.by_touch[k] = fit.by_point[i].0[row] * d.0 + fit.by_point[i].1[row] * d.1;
+                }
+                dual
             }
             Expr::Atan2(y, x) => {
                 let y = y.evaluate(values, triggers, directions);
@@ -247,6 +461,81 @@ impl Expr {
             }
         }
     }
+}
+
+/// A circle fitted to points of a plane.
+#[derive(Clone, Debug)]
+pub struct CircleFit {
+    /// Its centre.
+    pub center: (f64, f64),
+    /// Its radius.
+    pub radius: f64,
+    /// The change of (centre, centre, radius) for a shift of each point along the first and along the second axis.
+    pub by_point: Vec<([f64; 3], [f64; 3])>,
+}
+
+/// The circle with the least sum of squared distances (geometric, by Gauss and Newton); through three points the exact one.
+/// None where the points lie on a line or on one spot.
+pub fn fit_circle(points: &[(f64, f64)]) -> Option<CircleFit> {
+    let n = points.len() as f64;
+    let mean = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let near: Vec<(f64, f64)> = points.iter().map(|p| (p.0 - mean.0, p.1 - mean.1)).collect();
+    // The algebraic circle to start from.
+    let sum = |f: &dyn Fn(f64, f64) -> f64| near.iter().map(|p| f(p.0, p.1)).sum::<f64>();
+    let (uu, vv, uv) = (sum(&|u, _| u * u), sum(&|_, v| v * v), sum(&|u, v| u * v));
+    let (uz, vz) = (sum(&|u, v| u * (u * u + v * v)), sum(&|u, v| v * (u * u + v * v)));
+    let det = 2.0 * (uu * vv - uv * uv);
+    if points.len() < 3 || det.abs() <= 1e-14 * (uu + vv).powi(2) {
+        return None;
+    }
+    let mut c = ((vv * uz - uv * vz) / det, (uu * vz - uv * uz) / det);
+    let mut r = (c.0 * c.0 + c.1 * c.1 + (uu + vv) / n).sqrt();
+    let mut inverse = [[0.0; 3]; 3];
+    for _ in 0..50 {
+        let mut normal = [[0.0; 3]; 3];
+        let mut right = [0.0; 3];
+        for p in &near {
+            let far = (p.0 - c.0).hypot(p.1 - c.1);
+            let row = [(p.0 - c.0) / far, (p.1 - c.1) / far, 1.0];
+            for i in 0..3 {
+                right[i] += row[i] * (far - r);
+                for j in 0..3 {
+                    normal[i][j] += row[i] * row[j];
+                }
+            }
+        }
+        inverse = invert(normal)?;
+        let step: Vec<f64> = inverse.iter().map(|row| (0..3).map(|j| row[j] * right[j]).sum()).collect();
+        c = (c.0 + step[0], c.1 + step[1]);
+        r += step[2];
+        if step.iter().all(|s: &f64| s.abs() < 1e-13 * r.abs()) {
+            break;
+        }
+    }
+    if !(c.0.is_finite() && c.1.is_finite() && r.is_finite()) {
+        return None;
+    }
+    let by_point = near
+        .iter()
+        .map(|p| {
+            let far = (p.0 - c.0).hypot(p.1 - c.1);
+            let row = [(p.0 - c.0) / far, (p.1 - c.1) / far, 1.0];
+            let along: Vec<f64> = inverse.iter().map(|line| (0..3).map(|j| line[j] * row[j]).sum()).collect();
+            let scaled = |by: f64| [along[0] * by, along[1] * by, along[2] * by];
+            (scaled(row[0]), scaled(row[1]))
+        })
+        .collect();
+    Some(CircleFit { center: (c.0 + mean.0, c.1 + mean.1), radius: r, by_point })
+}
+
+/// The inverse of a 3 × 3 matrix; none where there is none.
+fn invert(m: [[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
+    let minor = |i: usize, j: usize| {
+        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+        m[a][c] * m[b][d] - m[a][d] * m[b][c]
+    };
+    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
+    (det.abs() > 1e-300).then(|| std::array::from_fn(|i| std::array::from_fn(|j| minor(j, i) / det)))
 }
 
 // The operators fold what is plain (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as by hand.

@@ -20,6 +20,7 @@ pub mod part;
 pub mod path;
 pub mod post;
 pub mod spec;
+pub mod tolerance;
 pub mod view;
 
 #[cfg(target_arch = "wasm32")]

@@ -4,8 +4,15 @@
 use std::path::{Path, PathBuf};
 
 /// Layers from the bottom up; modules of one layer do not import each other, except where listed.
-const LAYERS: &[&[&str]] =
-    &[&["num"], &["geom"], &["formula", "path", "spec"], &["cycle", "post", "part", "view"], &["job"], &["wasm"]];
+const LAYERS: &[&[&str]] = &[
+    &["num"],
+    &["geom"],
+    &["tolerance"],
+    &["formula", "path", "spec"],
+    &["cycle", "post", "part", "view"],
+    &["job"],
+    &["wasm"],
+];
 
 /// `formula` and `path` hold the two halves of one vocabulary; a picture shows what happens on the part.
 const ALLOWED: &[(&str, &str)] = &[("formula", "path"), ("path", "formula"), ("view", "part")];

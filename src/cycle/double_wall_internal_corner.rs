@@ -6,7 +6,7 @@
 
 use crate::cycle::ency::{Table, clearance_rule, touch_count_rule};
 use crate::cycle::{Cycle, CycleDef};
-use crate::formula::{Expr, Formula, Role, project};
+use crate::formula::{Datum, Expr, Formula, Role, project};
 use crate::geom::{Frame, Vec3};
 use crate::path::{Feed, Path, Setup, Surface, Touch, Tracer, Wall};
 use crate::spec::{Checker, Field, form};
@@ -162,6 +162,7 @@ impl Form {
         let angle = one.tilt.zip(two.tilt).map(|(t1, t2)| formula.set("angle", Expr::Number(self.angle) - t1 - t2));
         formula.result("corner.x", Role::Abscissa, "Corner, abscissa", self.origin[a], Some(&x));
         formula.result("corner.y", Role::Ordinate, "Corner, ordinate", self.origin[o], Some(&y));
+        formula.datum = Some(Datum { point: Some([(x, self.origin[a]), (y, self.origin[o])]), rotation: None });
         formula.result("angle", Role::Angle, "Angle between the walls", self.angle, angle.as_ref());
         formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation.as_ref());
         formula

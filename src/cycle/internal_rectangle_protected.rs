@@ -6,7 +6,7 @@
 
 use crate::cycle::ency::{Table, clearance_rule};
 use crate::cycle::{Cycle, CycleDef};
-use crate::formula::{Expr, Formula, Role, project};
+use crate::formula::{Datum, Expr, Formula, Role, project};
 use crate::geom::{Frame, Vec3};
 use crate::path::{Feed, Path, Setup, Surface, Touch, Tracer, Wall};
 use crate::spec::{Checker, Field, form};
@@ -111,6 +111,7 @@ impl Form {
         let y = formula.set("center_y", project(u, v, (sin, cos)));
         formula.result("center.x", Role::Abscissa, "Centre, abscissa", self.origin[a], Some(&x));
         formula.result("center.y", Role::Ordinate, "Centre, ordinate", self.origin[o], Some(&y));
+        formula.datum = Some(Datum { point: Some([(x, self.origin[a]), (y, self.origin[o])]), rotation: None });
         formula.result("width1", Role::Size, "Width 1", self.width1, Some(&width1));
         formula.result("width2", Role::Size, "Width 2", self.width2, Some(&width2));
         formula.result("rotation", Role::Direction, "Rotation: one touch a wall gives no angle", 0.0, None);

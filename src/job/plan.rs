@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::formula::Unit;
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::{Job, JobError};
 use crate::num::{decimal, tidy};
@@ -262,13 +263,17 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     }
 }
 
-fn result_rows(job: &Job, path: &Path, mut rows: Vec<part::ResultRow>) -> Vec<ResultRow> {
+fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
     if let Some(n) = job.work_offset {
         part::write_offset(&mut rows, &path.formula, job.setup.plane, &post::work_offset_word(n));
     }
     rows.into_iter()
         .map(|row| {
-            let scale = if row.angle { 1.0 } else { job.scale };
+            let (scale, unit) = match row.unit {
+                Unit::Length => (job.scale, job.unit),
+                Unit::Angle => (1.0, "deg"),
+                Unit::None => (1.0, ""),
+            };
             let convert = |x: Option<f64>| x.map(|x| tidy(x / scale));
             let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
             let note = off.and_then(|off| {
@@ -279,12 +284,12 @@ fn result_rows(job: &Job, path: &Path, mut rows: Vec<part::ResultRow>) -> Vec<Re
             ResultRow {
                 code: row.code,
                 meaning: row.meaning,
-                unit: if row.angle { "deg" } else { job.unit },
-                nominal: convert(Some(row.nominal)),
+                unit,
+                nominal: convert(row.nominal),
                 value: convert(row.value),
                 deviation: convert(row.deviation),
                 uncertainty: convert(row.uncertainty),
-                verdict: None,
+                verdict: row.verdict,
                 truth: convert(row.truth),
                 note,
             }

@@ -1,31 +1,10 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Formula, Role};
+use crate::formula::{Formula, ResultRow, Role, Unit};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
 use crate::path::Path;
-
-/// One result. Lengths in mm, angles in degrees.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ResultRow {
-    /// Its code, `center.x`.
-    pub code: String,
-    /// What it is.
-    pub meaning: String,
-    /// Whether it is an angle; else a length.
-    pub angle: bool,
-    /// What it is on the nominal part.
-    pub nominal: f64,
-    /// What the control computes; none where these triggers cannot give it.
-    pub value: Option<f64>,
-    /// Value less nominal.
-    pub deviation: Option<f64>,
-    /// One sigma of the value, from the repeatability of a touch.
-    pub uncertainty: Option<f64>,
-    /// What it is on the actual part, where that is known.
-    pub truth: Option<f64>,
-}
 
 /// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
 /// probing direction.
@@ -40,15 +19,15 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
         .iter()
         .map(|def| {
             let dual = def.variable.map(|v| values[v]).filter(|d| d.value.is_finite());
-            let angle = matches!(def.role, Role::Angle | Role::Direction);
             ResultRow {
                 code: def.code.to_owned(),
                 meaning: def.meaning.to_owned(),
-                angle,
-                nominal: def.nominal,
+                unit: if def.role.is_angle() { Unit::Angle } else { Unit::Length },
+                nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
-                deviation: dual.map(|d| tidy(d.value - def.nominal)),
+                deviation: dual.map(|d| tidy(d.value - def.reference)),
                 uncertainty: dual.map(|d| d.uncertainty(repeatability)),
+                verdict: None,
                 truth: None,
             }
         })
@@ -84,14 +63,13 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
 pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: Vec3, lie: &Lie) {
     let [a, o, w] = plane.axes();
     let mut point = place;
-    for (row, def) in rows.iter_mut().zip(&actual.results) {
+    for (i, (row, def)) in rows.iter_mut().zip(&actual.results).enumerate() {
         let truth = match def.role {
             Role::Abscissa => {
                 // The ordinate of the same point follows.
-                let ordinate = actual.results.iter().find(|r| r.role == Role::Ordinate).map_or(0.0, |r| r.nominal);
                 let mut nominal = Vec3::ZERO;
                 nominal[a] = def.nominal;
-                nominal[o] = ordinate;
+                nominal[o] = actual.results[i..].iter().find(|r| r.role == Role::Ordinate).map_or(0.0, |r| r.nominal);
                 nominal[w] = place[w];
                 point = lie.rigid.point(nominal);
                 point[a]
@@ -99,6 +77,7 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
             Role::Ordinate => point[o],
             Role::Size | Role::Angle => def.nominal,
             Role::Direction => wrap_degrees(def.nominal + lie.turn),
+            Role::Height | Role::Shift | Role::Turn => continue,
         };
         row.truth = Some(tidy(truth));
     }
@@ -114,15 +93,15 @@ pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, 
             let (code, axis) = match def.role {
                 Role::Abscissa => ("offset.x", a),
                 Role::Ordinate => ("offset.y", o),
-                Role::Size | Role::Angle | Role::Direction => return None,
+                Role::Size | Role::Angle | Role::Direction | Role::Height | Role::Shift | Role::Turn => return None,
             };
             let meaning = format!("Shift of {name} in {} that the program writes", crate::geom::AXIS_NAMES[axis]);
             Some(ResultRow {
                 code: code.to_owned(),
                 meaning,
-                nominal: 0.0,
+                nominal: Some(0.0),
                 value: row.deviation,
-                truth: row.truth.map(|t| tidy(t - row.nominal)),
+                truth: row.truth.map(|t| tidy(t - def.nominal)),
                 ..row.clone()
             })
         })

@@ -5,7 +5,7 @@ mod evaluate;
 mod measured;
 
 pub use contact::{Contact, first_contact};
-pub use evaluate::{ResultRow, add_truth, evaluate, write_offset};
+pub use evaluate::{add_truth, evaluate, write_offset};
 pub use measured::{Measured, read as read_measured};
 
 use crate::geom::{Rigid, Vec3};

@@ -32,10 +32,12 @@ impl Printer<'_> {
                 out.push_str(match function {
                     Function::Sin => "SIN[",
                     Function::Cos => "COS[",
+                    Function::Sqrt => "SQRT[",
                 });
                 self.put(a, 0, out);
                 out.push(']');
             }
+            Expr::Circle { .. } => unreachable!("programs get the plain formula"),
             Expr::Atan2(y, x) => {
                 out.push_str("ATAN[");
                 self.put(y, 0, out);

@@ -5,7 +5,7 @@
 //! during non-probe move"), so positioning needs no words of its own. G38.2 stays modal: an explicit G1 or G0 follows.
 //! M70 saves the modes that the program states and M72 gives them back, so that nothing leaks into the next program.
 
-use crate::formula::Role;
+use crate::formula::{Datum, Expr, Formula};
 use crate::geom::AXIS_NAMES;
 use crate::num::decimal;
 use crate::path::Purpose;
@@ -31,6 +31,7 @@ const LINE_LIMIT: usize = 255;
 fn emit(request: &Request<'_>) -> Program {
     let [a, o, _] = request.plane.axes();
     let path = request.path;
+    let formula = path.formula.plain();
     let mut w = Writer::new(request, &DIALECT);
     let offset = match request.work_offset {
         Some(n) => format!(
@@ -53,46 +54,77 @@ fn emit(request: &Request<'_>) -> Program {
     for step in &path.moves {
         w.motion(step);
         if let Purpose::Touch(k) = step.purpose {
-            for axis in (0..3).filter(|&axis| path.formula.uses(k, axis)) {
-                w.line(&format!("#<{}>=#{}", expr::trigger_name(k, axis), 5061 + axis));
-            }
+            latch(&mut w, request, &formula, k);
         }
     }
-    for assignment in &path.formula.assignments {
-        let value = expr::print(&path.formula, &assignment.expr, request.scale);
+    for assignment in &formula.assignments {
+        let value = expr::print(&formula, &assignment.expr, request.scale);
         let line = format!("#<{}>=[{value}]", assignment.name);
         debug_assert!(line.len() <= LINE_LIMIT, "{line}");
         w.line(&line);
     }
-    for result in &path.formula.results {
+    for result in &formula.results {
         if let Some(variable) = result.variable {
-            let name = &path.formula.assignments[variable].name;
+            let name = &formula.assignments[variable].name;
             w.line(&format!("(PRINT,{}=#<{name}>)", result.code));
         }
     }
-    if let Some(n) = request.work_offset {
-        w.comment("The current position less what was measured plus what is nominal: right in any units and any rotation");
-        let mut words = [String::new(), String::new(), String::new()];
-        for result in &path.formula.results {
-            let axis = match result.role {
-                Role::Abscissa => a,
-                Role::Ordinate => o,
-                Role::Size | Role::Angle | Role::Direction => continue,
-            };
-            if let Some(variable) = result.variable {
-                let measured = &path.formula.assignments[variable].name;
-                let nominal = match decimal(result.nominal / request.scale, 12).as_str() {
-                    "0" => String::new(),
-                    text if text.starts_with('-') => text.to_owned(),
-                    text => format!("+{text}"),
-                };
-                let current = ["#<_x>", "#<_y>", "#<_z>"][axis];
-                words[axis] = format!(" {}[{current}-#<{measured}>{nominal}]", AXIS_NAMES[axis]);
-            }
-        }
-        w.line(&format!("G10 L20 P{n}{}", words.concat()));
+    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
+        write_datum(&mut w, request, &formula, n, datum);
     }
     w.line("M72");
     w.line("M2");
     w.finish()
+}
+
+/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, k: usize) {
+    let touches = &request.path.touches;
+    let sample = touches[k].sample;
+    let count = touches.iter().filter(|t| t.sample == sample).count();
+    let first = k == 0 || touches[k - 1].sample != sample;
+    let last = touches.get(k + 1).is_none_or(|t| t.sample != sample);
+    for axis in (0..3).filter(|&axis| formula.uses(sample, axis)) {
+        let (name, source) = (expr::trigger_name(sample, axis), 5061 + axis);
+        w.line(&match (first, last) {
+            (true, _) => format!("#<{name}>=#{source}"),
+            (false, false) => format!("#<{name}>=[#<{name}>+#{source}]"),
+            (false, true) => format!("#<{name}>=[[#<{name}>+#{source}]/{count}]"),
+        });
+    }
+}
+
+/// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal
+/// place: right in any units and under any rotation. A rotation is set first (in degrees, on top of the one that is there);
+/// it turns the axes in which the way from the measured point to the current position is told.
+fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: i32, datum: &Datum) {
+    let [a, o, _] = request.plane.axes();
+    let name = |e: &Expr| expr::print(formula, e, request.scale);
+    let current = ["#<_x>", "#<_y>", "#<_z>"];
+    if let Some(rotation) = &datum.rotation {
+        if let Some([(x, _), (y, _)]) = &datum.point {
+            w.line(&format!("#<away_a>=[{}-{}]", current[a], name(x)));
+            w.line(&format!("#<away_o>=[{}-{}]", current[o], name(y)));
+        }
+        // Rotation of system n: #5230, #5250 ….
+        w.line(&format!("G10 L2 P{n} R[#{}+{}]", 5210 + 20 * n, name(rotation)));
+    }
+    let Some([(x, nominal_x), (y, nominal_y)]) = &datum.point else { return };
+    w.comment("The current position less what was measured plus what is nominal: right in any units and any rotation");
+    let constant = |mm: f64| match decimal(mm / request.scale, 12).as_str() {
+        "0" => String::new(),
+        text if text.starts_with('-') => text.to_owned(),
+        text => format!("+{text}"),
+    };
+    let (away_x, away_y) = match &datum.rotation {
+        None => (format!("{}-{}", current[a], name(x)), format!("{}-{}", current[o], name(y))),
+        Some(turn) => {
+            let turn = name(turn);
+            (format!("#<away_a>*COS[{turn}]+#<away_o>*SIN[{turn}]"), format!("#<away_o>*COS[{turn}]-#<away_a>*SIN[{turn}]"))
+        }
+    };
+    let mut words = [String::new(), String::new(), String::new()];
+    words[a] = format!(" {}[{away_x}{}]", AXIS_NAMES[a], constant(*nominal_x));
+    words[o] = format!(" {}[{away_y}{}]", AXIS_NAMES[o], constant(*nominal_y));
+    w.line(&format!("G10 L20 P{n}{}", words.concat()));
 }

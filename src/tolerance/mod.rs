@@ -1,0 +1,416 @@
+//! Nominal values as HEIDENHAIN's 14xx cycles take them: numbers, tolerances, unknown and given positions.
+//!
+//! The forms are recalled from the control's manuals and not seen in print: `10H7` (ISO 286), `10m` (ISO 2768-1),
+//! `10+0.01-0.015` (signed limits), `?` and `?10` (semi-automatic), `10@10.02` (given). That a missing limit is 0 is our
+//! choice.
+
+mod iso286;
+
+use crate::num::decimal;
+use iso286::{GRADES, HOLE_J, MAIN_BANDS, NONE, SHAFT_J, SHAFT_K, SHAFTS, SUB_BANDS};
+
+/// The forms a value may have, for people.
+pub const FORMS: &str = "10, 10H7, 10m, 10+0.01-0.015, +8-2-1, ?, ?10, 10@10.02";
+
+/// A value as it was meant. Lengths in the units it was written in until [`Nominal::scaled`].
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Nominal {
+    /// The nominal value; none for a bare `?`.
+    pub nominal: Option<f64>,
+    /// Lower and upper limit of the value itself (not of its deviation), where a tolerance is given.
+    pub limits: Option<(f64, f64)>,
+    /// Whether the place is unknown: semi-automatic.
+    pub unknown: bool,
+    /// The actual value, where it is given and not probed.
+    pub actual: Option<f64>,
+    /// The text it was written as; none for a plain number.
+    pub text: Option<String>,
+}
+
+impl Nominal {
+    /// A plain number.
+    pub fn number(x: f64) -> Self {
+        Nominal { nominal: Some(x), ..Nominal::default() }
+    }
+
+    /// What deviations are measured from: the middle of the tolerance zone, or the nominal value.
+    pub fn reference(&self) -> Option<f64> {
+        self.limits.map(|(low, high)| (low + high) / 2.0).or(self.nominal)
+    }
+
+    /// The same with lengths multiplied.
+    pub fn scaled(mut self, factor: f64) -> Self {
+        self.nominal = self.nominal.map(|x| x * factor);
+        self.limits = self.limits.map(|(low, high)| (low * factor, high * factor));
+        self.actual = self.actual.map(|x| x * factor);
+        self
+    }
+}
+
+/// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
+pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, String> {
+    let whole = text.trim();
+    let wrong = || format!("\"{}\" is no value: the forms are {FORMS}", shown(whole));
+    let mut value = Nominal { text: Some(whole.to_owned()), ..Nominal::default() };
+    let (rest, actual) = match whole.split_once('@') {
+        Some((left, right)) => (left, Some(right)),
+        None => (whole, None),
+    };
+    if let Some(actual) = actual {
+        value.actual = Some(number(actual).ok_or_else(wrong)?);
+    }
+    let rest = match rest.strip_prefix('?') {
+        Some(after) => {
+            value.unknown = true;
+            after
+        }
+        None => rest,
+    };
+    if value.unknown && (value.actual.is_some() || rest.is_empty()) {
+        return if value.actual.is_some() { Err(wrong()) } else { Ok(value) };
+    }
+    let split = end_of_number(rest).ok_or_else(wrong)?;
+    let nominal = number(&rest[..split]).ok_or_else(wrong)?;
+    value.nominal = Some(nominal);
+    let tolerance = &rest[split..];
+    if tolerance.is_empty() {
+        if actual.is_none() && !value.unknown {
+            value.text = None;
+        }
+        return Ok(value);
+    }
+    let (low, high) = if tolerance.starts_with(['+', '-']) {
+        signed(tolerance).ok_or_else(wrong)?
+    } else {
+        let (low, high) = standard(tolerance, nominal * to_mm).map_err(|why| format!("\"{}\": {why}", shown(whole)))?;
+        (low / to_mm, high / to_mm)
+    };
+    value.limits = Some((nominal + low, nominal + high));
+    Ok(value)
+}
+
+/// One or two signed deviations; a missing one is 0.
+fn signed(text: &str) -> Option<(f64, f64)> {
+    let split = end_of_number(text)?;
+    let first = number(&text[..split])?;
+    let second = match &text[split..] {
+        "" => 0.0,
+        rest if rest.starts_with(['+', '-']) => number(rest)?,
+        _ => return None,
+    };
+    Some((first.min(second), first.max(second)))
+}
+
+/// Lower and upper deviation in mm of a letter class.
+fn standard(text: &str, nominal: f64) -> Result<(f64, f64), String> {
+    let letters = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
+    let (class, grade) = text.split_at(letters);
+    if grade.is_empty() && ["f", "m", "c", "v"].contains(&class) {
+        return general(class, nominal.abs());
+    }
+    if class.is_empty() || grade.is_empty() || !grade.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(format!("\"{}\" is neither an ISO 286 class such as H7 nor an ISO 2768 letter f, m, c, v", shown(text)));
+    }
+    iso_286(class, grade, nominal)
+}
+
+/// ISO 2768-1, linear sizes.
+fn general(class: &str, size: f64) -> Result<(f64, f64), String> {
+    const BANDS: [f64; 8] = [3.0, 6.0, 30.0, 120.0, 400.0, 1000.0, 2000.0, 4000.0];
+    const NO: f64 = f64::NAN;
+    let row = match class {
+        "f" => [0.05, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, NO],
+        "m" => [0.1, 0.1, 0.2, 0.3, 0.5, 0.8, 1.2, 2.0],
+        "c" => [0.2, 0.3, 0.5, 0.8, 1.2, 2.0, 3.0, 4.0],
+        _ => [NO, 0.5, 1.0, 1.5, 2.5, 4.0, 6.0, 8.0],
+    };
+    let band = BANDS.iter().position(|upper| size <= *upper).filter(|_| size >= 0.5);
+    match band.map(|b| row[b]).filter(|t| t.is_finite()) {
+        Some(t) => Ok((-t, t)),
+        None => Err(format!("ISO 2768-1 gives no {class} for a size of {} mm", decimal(size, 4))),
+    }
+}
+
+/// ISO 286-1: lower and upper deviation in mm of a class for a size in mm. Capital letters are holes.
+fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), String> {
+    let unknown = || format!("ISO 286 has no {class}{grade_text} for a size of {} mm", decimal(size, 4));
+    let grade = match grade_text {
+        "01" => -1,
+        "0" => 0,
+        g if g.starts_with('0') => return Err(unknown()),
+        g => g.parse::<i32>().ok().filter(|g| (1..=18).contains(g)).ok_or_else(unknown)?,
+    };
+    if !(size > 0.0 && size <= 500.0) {
+        return Err(format!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {} mm", decimal(size, 4)));
+    }
+    let main = MAIN_BANDS.iter().position(|upper| size <= f64::from(*upper)).expect("the last band ends at 500");
+    let sub = SUB_BANDS.iter().position(|upper| size <= f64::from(*upper)).expect("the last band ends at 500");
+    let it = |grade: i32| f64::from(GRADES[(grade + 1) as usize][main]) / 10.0;
+    let width = it(grade);
+    let hole = class.starts_with(|c: char| c.is_ascii_uppercase());
+    let lower = class.to_ascii_lowercase();
+    if class != lower && class != class.to_ascii_uppercase() {
+        return Err(unknown());
+    }
+    let given = |value: i16| if value == NONE { Err(unknown()) } else { Ok(f64::from(value)) };
+    let table = |rows: &[(i32, [i16; 25])]| match rows.iter().find(|(g, _)| *g == grade) {
+        Some((_, row)) => given(row[sub]),
+        None => Err(unknown()),
+    };
+    let shaft = |letter: &str| match letter {
+        "k" if (4..=7).contains(&grade) => given(SHAFT_K[sub]),
+        "k" => Ok(0.0),
+        _ => SHAFTS.iter().find(|(l, _)| *l == letter).map_or_else(|| Err(unknown()), |(_, row)| given(row[sub])),
+    };
+    let early = matches!(lower.as_str(), "a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g");
+    // Micrometres: lower and upper deviation.
+    let (low, high) = match (lower.as_str(), hole) {
+        ("js", _) => (-width / 2.0, width / 2.0),
+        ("h", true) => (0.0, width),
+        ("h", false) => (-width, 0.0),
+        ("j", true) => {
+            let upper = table(&HOLE_J)?;
+            (upper - width, upper)
+        }
+        ("j", false) => {
+            let low = table(&SHAFT_J)?;
+            (low, low + width)
+        }
+        (letter, true) if early => {
+            let low = -shaft(letter)?;
+            (low, low + width)
+        }
+        (letter, false) if early => {
+            let high = shaft(letter)?;
+            (high - width, high)
+        }
+        (letter, true) => {
+            let upper = hole_upper(letter, grade, size, shaft(letter)?, width - if grade > -1 { it(grade - 1) } else { 0.0 });
+            (upper - width, upper)
+        }
+        (letter, false) => {
+            let low = shaft(letter)?;
+            (low, low + width)
+        }
+    };
+    Ok((low / 1000.0, high / 1000.0))
+}
+
+/// ES of the holes K … ZC from the shaft's ei, micrometres; `delta` is IT(n) − IT(n − 1).
+fn hole_upper(letter: &str, grade: i32, size: f64, shaft: f64, delta: f64) -> f64 {
+    let middle = matches!(letter, "k" | "m" | "n");
+    if letter == "m" && grade == 6 && size > 250.0 && size <= 315.0 {
+        return -9.0;
+    }
+    if letter == "n" && grade > 8 && size > 3.0 {
+        return 0.0;
+    }
+    let finest = if middle { 8 } else { 7 };
+    if size > 3.0 && grade <= finest { -shaft + delta } else { -shaft }
+}
+
+/// A plain decimal number, sign allowed, no exponent.
+fn number(text: &str) -> Option<f64> {
+    let plain = text.replace(',', ".");
+    let digits = plain.trim_start_matches(['+', '-']);
+    let good = plain.len() - digits.len() <= 1
+        && digits.bytes().all(|b| b.is_ascii_digit() || b == b'.')
+        && digits.bytes().any(|b| b.is_ascii_digit())
+        && digits.len() <= 20;
+    good.then(|| plain.parse().ok()).flatten().filter(|x: &f64| x.abs() <= 100_000.0)
+}
+
+/// Where the number at the start of a text ends; none where it starts with none.
+fn end_of_number(text: &str) -> Option<usize> {
+    let sign = usize::from(text.starts_with(['+', '-']));
+    let length = text[sign..].bytes().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b',')).count();
+    (length > 0).then_some(sign + length)
+}
+
+fn shown(text: &str) -> String {
+    text.chars().take(30).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn limits(text: &str) -> (f64, f64) {
+        let value = parse(text, 1.0).unwrap_or_else(|e| panic!("{e}"));
+        let (low, high) = value.limits.unwrap();
+        let nominal = value.nominal.unwrap();
+        (((low - nominal) * 1000.0 * 1e6).round() / 1e6, ((high - nominal) * 1000.0 * 1e6).round() / 1e6)
+    }
+
+    /// Limit deviations in micrometres as printed in handbooks' tables of ISO 286-2.
+    #[test]
+    fn printed_values_of_iso_286() {
+        for (class, low, high) in [
+            ("10H7", 0.0, 15.0),
+            ("25H7", 0.0, 21.0),
+            ("50H7", 0.0, 25.0),
+            ("100H8", 0.0, 54.0),
+            ("18H6", 0.0, 11.0),
+            ("25h6", -13.0, 0.0),
+            ("50h7", -25.0, 0.0),
+            ("100h9", -87.0, 0.0),
+            ("25g6", -20.0, -7.0),
+            ("50g6", -25.0, -9.0),
+            ("25f7", -41.0, -20.0),
+            ("40f8", -64.0, -25.0),
+            ("25F8", 20.0, 53.0),
+            ("25G7", 7.0, 28.0),
+            ("25e8", -73.0, -40.0),
+            ("30d9", -117.0, -65.0),
+            ("30D10", 65.0, 149.0),
+            ("25js6", -6.5, 6.5),
+            ("25JS7", -10.5, 10.5),
+            ("25j6", -4.0, 9.0),
+            ("25J7", -9.0, 12.0),
+            ("25k6", 2.0, 15.0),
+            ("50k6", 2.0, 18.0),
+            ("25K7", -15.0, 6.0),
+            ("50K7", -18.0, 7.0),
+            ("25m6", 8.0, 21.0),
+            ("25M7", -21.0, 0.0),
+            ("50M7", -25.0, 0.0),
+            ("25n6", 15.0, 28.0),
+            ("25N7", -28.0, -7.0),
+            ("25N9", -52.0, 0.0),
+            ("25p6", 22.0, 35.0),
+            ("25P7", -35.0, -14.0),
+            ("50P7", -42.0, -17.0),
+            ("25P9", -74.0, -22.0),
+            ("25r6", 28.0, 41.0),
+            ("25R7", -41.0, -20.0),
+            ("25s6", 35.0, 48.0),
+            ("25S7", -48.0, -27.0),
+            ("50s6", 43.0, 59.0),
+            ("80s6", 59.0, 78.0),
+            ("25u6", 48.0, 61.0),
+            ("300M6", -41.0, -9.0),
+            ("3H7", 0.0, 10.0),
+            ("3K7", -10.0, 0.0),
+            ("3N7", -14.0, -4.0),
+            ("3P7", -16.0, -6.0),
+            ("10.5H7", 0.0, 18.0),
+        ] {
+            assert_eq!(limits(class), (low, high), "{class}");
+        }
+    }
+
+    /// Every class of every letter, grade and band by the standard's own rules, wherever the tables give it.
+    #[test]
+    fn classes_keep_the_rules() {
+        let letters = [
+            "a", "b", "c", "cd", "d", "e", "ef", "f", "fg", "g", "h", "js", "j", "k", "m", "n", "p", "r", "s", "t", "u", "v",
+            "x", "y", "z", "za", "zb", "zc",
+        ];
+        let mut classes = 0;
+        for size in [
+            1.0, 2.5, 3.0, 5.0, 6.0, 9.0, 12.0, 17.0, 22.0, 28.0, 35.0, 45.0, 60.0, 75.0, 90.0, 110.0, 130.0, 150.0, 170.0,
+            190.0, 210.0, 240.0, 260.0, 300.0, 330.0, 380.0, 420.0, 480.0, 500.0,
+        ] {
+            for grade in 1..=18 {
+                let width = limits(&format!("{size}h{grade}")).0.abs();
+                assert!(width > 0.0);
+                for letter in letters {
+                    let small = parse(&format!("{size}{letter}{grade}"), 1.0);
+                    let capital = parse(&format!("{size}{}{grade}", letter.to_uppercase()), 1.0);
+                    for class in [&small, &capital].into_iter().flatten() {
+                        let (low, high) = class.limits.unwrap();
+                        assert!(((high - low) * 1000.0 - width).abs() < 1e-6, "{class:?} is as wide as its grade");
+                        classes += 1;
+                    }
+                    let (Ok(small), Ok(capital)) = (small, capital) else { continue };
+                    let (s, c) = (small.limits.unwrap(), capital.limits.unwrap());
+                    // A … H mirror their shafts; coarse or small K … ZC too.
+                    let mirrored = letters.iter().position(|l| *l == letter) < Some(11) || (size <= 3.0 && letter != "j");
+                    if mirrored {
+                        assert!(
+                            (s.0 + c.1 - 2.0 * size).abs() < 1e-9 && (s.1 + c.0 - 2.0 * size).abs() < 1e-9,
+                            "{small:?} {capital:?}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(classes > 1480, "{classes} classes");
+    }
+
+    #[test]
+    fn iso_2768_and_signed_limits() {
+        assert_eq!(limits("10m"), (-200.0, 200.0));
+        assert_eq!(limits("3f"), (-50.0, 50.0));
+        assert_eq!(limits("120c"), (-800.0, 800.0));
+        assert_eq!(limits("121v"), (-2500.0, 2500.0));
+        assert_eq!(limits("-10m"), (-200.0, 200.0));
+        assert_eq!(limits("10+0.01-0.015"), (-15.0, 10.0));
+        assert_eq!(limits("10-0.015+0.01"), (-15.0, 10.0));
+        assert_eq!(limits("+8-2-1"), (-2000.0, -1000.0));
+        assert_eq!(limits("10-0.2"), (-200.0, 0.0));
+        assert_eq!(limits("10+0,2"), (0.0, 200.0));
+    }
+
+    /// The middles that the reference prints.
+    #[test]
+    fn deviations_count_from_the_middle_of_the_zone() {
+        for (text, middle) in [("10H7", 10.0075), ("10m", 10.0), ("10+0.01-0.015", 9.9975), ("+8-2-1", 6.5), ("10", 10.0)] {
+            assert!((parse(text, 1.0).unwrap().reference().unwrap() - middle).abs() < 1e-12, "{text}");
+        }
+    }
+
+    #[test]
+    fn unknown_and_given_places() {
+        assert_eq!(parse("?", 1.0).unwrap(), Nominal { unknown: true, text: Some("?".into()), ..Nominal::default() });
+        let near = parse("?10", 1.0).unwrap();
+        assert_eq!((near.nominal, near.unknown), (Some(10.0), true));
+        let given = parse("10+0.02@10.0123", 1.0).unwrap();
+        assert_eq!((given.nominal, given.actual), (Some(10.0), Some(10.0123)));
+        assert_eq!(parse("-4.5", 1.0).unwrap(), Nominal::number(-4.5));
+        assert_eq!(parse("-4,5@-4.6", 1.0).unwrap().actual, Some(-4.6));
+    }
+
+    #[test]
+    fn what_is_no_value_is_refused_with_the_forms() {
+        for text in [
+            "",
+            "10H",
+            "10H99",
+            "10H07",
+            "?x",
+            "10@",
+            "@10",
+            "?@1",
+            "10h",
+            "10hh7",
+            "10Hh7",
+            "10+",
+            "10+0.1+",
+            "10+0.1-0.2-0.3",
+            "10H7x",
+            "x",
+            "10M",
+            "--1",
+            "1.2.3",
+            "600H7",
+            "0H7",
+            "0m",
+            "1000000",
+            "10w",
+            "2v",
+        ] {
+            let error = parse(text, 1.0).expect_err(text);
+            assert!(!error.is_empty());
+        }
+        assert!(parse("10H", 1.0).unwrap_err().contains("H7"));
+        assert!(parse("?x", 1.0).unwrap_err().contains("?10"));
+    }
+
+    #[test]
+    fn inches_take_the_class_of_their_size_in_mm() {
+        // 1 inch is 25.4 mm: H7 is 21 µm.
+        let value = parse("1H7", 25.4).unwrap();
+        assert!((value.limits.unwrap().1 - (1.0 + 0.021 / 25.4)).abs() < 1e-12);
+    }
+}
