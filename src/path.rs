@@ -188,6 +188,8 @@ pub enum Surface {
     Flat(Wall),
     /// A round wall.
     Round(Round),
+    /// Somewhere; nobody knows where. It is not drawn and not met.
+    Unknown,
 }
 
 /// One row of the source's parameter table, before units.
@@ -210,7 +212,7 @@ pub struct Parameter {
 }
 
 /// The value of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ParameterValue {
     /// A length, mm.
     Length(f64),
@@ -218,6 +220,8 @@ pub enum ParameterValue {
     Number(f64),
     /// A whole number.
     Whole(i32),
+    /// Text, as it was given.
+    Text(String),
 }
 
 /// Everything a cycle says about itself.

@@ -17,6 +17,8 @@ pub static DEF: CycleDef = CycleDef {
     source: "ENCY/SprutCAM type 13",
     doc: "docs/cycles/double-wall-internal-corner.md",
     fields: Form::FIELDS,
+    sections: &[],
+    home: ("linuxcnc", "moves"),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
         "Touch the first point of wall 1, and back",

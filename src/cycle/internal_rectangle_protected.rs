@@ -17,6 +17,8 @@ pub static DEF: CycleDef = CycleDef {
     source: "ENCY/SprutCAM type 7",
     doc: "docs/cycles/internal-rectangle-protected.md",
     fields: Form::FIELDS,
+    sections: &[],
+    home: ("linuxcnc", "moves"),
     steps: &[
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         "Over the place the side clearance away from the touch point, at the height of the start",

@@ -3,14 +3,17 @@
 mod double_wall_internal_corner;
 mod ency;
 mod internal_rectangle_protected;
+mod two_circles;
 
 use std::fmt::Debug;
 
+use crate::formula::ResultRow;
+use crate::geom::Vec3;
 use crate::path::{Path, Setup, Surface};
-use crate::spec::{Checker, Field, Section};
+use crate::spec::{Checker, Field, Section, SubForm};
 
 /// Every cycle, in the order of the gallery.
-pub static CYCLES: &[&CycleDef] = &[&internal_rectangle_protected::DEF, &double_wall_internal_corner::DEF];
+pub static CYCLES: &[&CycleDef] = &[&internal_rectangle_protected::DEF, &double_wall_internal_corner::DEF, &two_circles::DEF];
 
 /// What is known of a cycle before anybody fills in its form.
 #[derive(Debug)]
@@ -25,6 +28,10 @@ pub struct CycleDef {
     pub doc: &'static str,
     /// Its form.
     pub fields: &'static [Field],
+    /// Forms inside its form.
+    pub sections: &'static [SubForm],
+    /// The control and form its default job is for.
+    pub home: (&'static str, &'static str),
     /// The steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
     /// What is our reading and not the source's word, for the manual.
@@ -47,6 +54,9 @@ pub trait Cycle: Debug {
     /// The same cycle with `delta` (mm or degrees) added to the size named `key`; none where there is no such size, or
     /// where nothing of the feature would be left.
     fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
+
+    /// Adds what is more than arithmetic: verdicts, and rows that single touches give. `triggers` has one entry a touch.
+    fn judge(&self, _setup: &Setup, _path: &Path, _triggers: &[Option<Vec3>], _rows: &mut Vec<ResultRow>) {}
 
     /// Why the control's value of this result is off on a turned part, where it is.
     fn turned_error(&self, code: &str) -> Option<&'static str>;

@@ -6,7 +6,7 @@ use crate::cycle::{self, CYCLES, CycleDef};
 use crate::job::form::{FORMAT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 use crate::post::POSTS;
-use crate::spec::{Choice, Default, Field, Kind, Value};
+use crate::spec::{Choice, Code, Default, Field, Kind, Value};
 
 /// Cycles, controls and the sections around them.
 #[derive(Clone, Debug, Serialize)]
@@ -40,8 +40,21 @@ pub struct CycleEntry {
     pub doc: &'static str,
     /// Its form.
     pub fields: Vec<FieldEntry>,
+    /// Forms inside its form.
+    pub sections: Vec<CycleSectionEntry>,
     /// Its documented steps, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
+}
+
+/// A form inside a cycle's form.
+#[derive(Clone, Debug, Serialize)]
+pub struct CycleSectionEntry {
+    /// Its key in the cycle.
+    pub key: &'static str,
+    /// Whether it may be `null`, and is where the job says nothing.
+    pub optional: bool,
+    /// Its fields.
+    pub fields: Vec<FieldEntry>,
 }
 
 /// One section of a job.
@@ -62,7 +75,7 @@ pub struct FieldEntry {
     pub label: &'static str,
     /// What it does.
     pub help: &'static str,
-    /// `number`, `count`, `flag`, `choice`, `text` or `point`.
+    /// `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`.
     pub kind: &'static str,
     /// `length`, `feed`, `angle` or `none`.
     pub unit: &'static str,
@@ -89,8 +102,8 @@ pub struct FieldEntry {
 /// One word of a choice.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChoiceEntry {
-    /// The word in the job.
-    pub value: &'static str,
+    /// The word, or the number, in the job.
+    pub value: DefaultEntry,
     /// What a person reads.
     pub label: &'static str,
 }
@@ -157,10 +170,10 @@ pub fn catalog() -> Catalog {
                 cycles: CYCLES
                     .iter()
                     .flat_map(|def| {
-                        [
-                            SupportEntry { key: def.key, form: "moves", supported: true, reason: None },
-                            SupportEntry { key: def.key, form: "cycle", supported: false, reason: Some(post.no_cycle_form) },
-                        ]
+                        ["moves", "cycle"].map(|form| {
+                            let reason = (post.supports)(def.key, form).err();
+                            SupportEntry { key: def.key, form, supported: reason.is_none(), reason }
+                        })
                     })
                     .collect(),
             })
@@ -179,6 +192,12 @@ pub fn default_job(key: &str) -> Option<Value> {
             job.extend(default_values(fields));
         } else {
             let mut entries = default_values(fields);
+            if *path == "control" {
+                for (key, value) in [("post", def.home.0), ("form", def.home.1)] {
+                    entries.retain(|(k, _)| k != key);
+                    entries.push((key.to_owned(), Value::Text(value.to_owned())));
+                }
+            }
             if *path == "part" {
                 entries.push(("sizes".to_owned(), Value::Map(Vec::new())));
             }
@@ -187,6 +206,10 @@ pub fn default_job(key: &str) -> Option<Value> {
     }
     let mut entries = vec![("type".to_owned(), Value::Text(def.key.to_owned()))];
     entries.extend(default_values(def.fields));
+    for section in def.sections {
+        let value = if section.optional { Value::Null } else { Value::Map(default_values(section.fields)) };
+        entries.push((section.key.to_owned(), value));
+    }
     job.push(("cycle".to_owned(), Value::Map(entries)));
     Some(Value::Map(job))
 }
@@ -209,8 +232,21 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         source: def.source,
         doc: def.doc,
         fields: entries(def.fields),
+        sections: def
+            .sections
+            .iter()
+            .map(|s| CycleSectionEntry { key: s.key, optional: s.optional, fields: entries(s.fields) })
+            .collect(),
         steps: def.steps,
     }
+}
+
+fn choice_entry(choice: &Choice) -> ChoiceEntry {
+    ChoiceEntry { value: DefaultEntry::Text(choice.value), label: choice.label }
+}
+
+fn code_entry(code: &Code) -> ChoiceEntry {
+    ChoiceEntry { value: DefaultEntry::Number(f64::from(code.value)), label: code.label }
 }
 
 fn entries(fields: &[Field]) -> Vec<FieldEntry> {
@@ -226,15 +262,23 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                 Kind::Choice(_) => ("choice", "none"),
                 Kind::Text(_) => ("text", "none"),
                 Kind::Point => ("point", "length"),
+                Kind::Code(_) => ("code", "none"),
+                Kind::Nominal => ("nominal", "length"),
+                Kind::NominalPoint => ("nominalPoint", "length"),
             };
-            let choices: &[Choice] = if let Kind::Choice(choices) = field.kind { choices } else { &[] };
+            let choices = match field.kind {
+                Kind::Choice(choices) => choices.iter().map(choice_entry).collect(),
+                Kind::Code(codes) => codes.iter().map(code_entry).collect(),
+                _ => Vec::new(),
+            };
             FieldEntry {
                 key: field.key,
                 label: field.label,
                 help: field.help,
                 kind,
                 unit,
-                range: matches!(kind, "number" | "count" | "point").then_some([field.hard.min, field.hard.max]),
+                range: matches!(kind, "number" | "count" | "point" | "nominal" | "nominalPoint")
+                    .then_some([field.hard.min, field.hard.max]),
                 above: field.hard.above,
                 usual: field.usual.map(|(min, max)| [min, max]),
                 default: match field.default {
@@ -245,7 +289,7 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                     Default::Null => DefaultEntry::Null,
                 },
                 null: field.null,
-                choices: choices.iter().map(|c| ChoiceEntry { value: c.value, label: c.label }).collect(),
+                choices,
                 code: (!field.code.is_empty()).then_some(field.code),
                 group: field.group,
                 size: field.size,

@@ -16,7 +16,11 @@ const PLANES: &[Choice] = &[
     Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
     Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
 ];
-pub const POST_CHOICES: &[Choice] = &[Choice { value: "linuxcnc", label: "LinuxCNC" }, Choice { value: "grbl", label: "grbl" }];
+pub const POST_CHOICES: &[Choice] = &[
+    Choice { value: "linuxcnc", label: "LinuxCNC" },
+    Choice { value: "grbl", label: "grbl" },
+    Choice { value: "heidenhain", label: "HEIDENHAIN TNC7" },
+];
 const FORMS: &[Choice] =
     &[Choice { value: "moves", label: "Plain moves" }, Choice { value: "cycle", label: "The control's own cycle" }];
 
@@ -69,6 +73,8 @@ form! {
         form: String = Field::choice("form", "Program form", FORMS).group("Control"),
         /// The work offset that the program writes at its end: 1 is G54. Empty measures only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
+        /// Tool number of the probe, for controls whose programs call it.
+        tool: i32 = Field::count("tool", "Probe's tool number", 100, 0, 32_767).group("Control"),
     }
 }
 
@@ -112,6 +118,8 @@ pub struct Job {
     pub cycle: Box<dyn Cycle>,
     /// The control.
     pub post: &'static PostDef,
+    /// Tool number of the probe.
+    pub tool: i32,
     /// The work offset to write.
     pub work_offset: Option<i32>,
     /// How the real part lies.
@@ -150,7 +158,7 @@ impl Job {
             cycle.rules(&setup, checker);
         }
         let post = post::find(&control.post).expect("a checked choice is a post");
-        check_control(checker, post, &control);
+        check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
         check_name(checker, &general.name);
         let sizes = read_sizes(checker, value, cycle.as_ref());
 
@@ -175,6 +183,7 @@ impl Job {
             def,
             cycle,
             post,
+            tool: control.tool,
             work_offset: control.work_offset,
             lie: Lie {
                 rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
@@ -236,14 +245,21 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
         return None;
     };
     let mut section = Section::new(checker, Some(given), "cycle");
-    section.only(def.fields, &["type"]);
+    let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).collect();
+    section.only(def.fields, &others);
     let cycle = (def.read)(&mut section);
     Some((def, cycle))
 }
 
-fn check_control(checker: &mut Checker, post: &PostDef, control: &Control) {
-    if control.form == "cycle" {
-        let message = format!("{}. Use form \"moves\"", post.no_cycle_form);
+fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
+    if let Some(def) = def
+        && checker.sound(&["control.post", "control.form"])
+        && let Err(why) = (post.supports)(def.key, &control.form)
+    {
+        let other = if control.form == "cycle" { "moves" } else { "cycle" };
+        let advice =
+            if (post.supports)(def.key, other).is_ok() { format!(". Use the form \"{other}\"") } else { String::new() };
+        let message = format!("{} does not take this cycle in the form \"{}\": {why}{advice}", post.title, control.form);
         checker.error("form-unsupported", "control.form", message);
     }
     if let Some(n) = control.work_offset {
@@ -255,7 +271,6 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control) {
             checker.error("work-offset-unsupported", "control.workOffset", message);
         }
     }
-    (post.notes)(checker);
 }
 
 fn check_name(checker: &mut Checker, name: &str) {

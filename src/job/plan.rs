@@ -108,13 +108,15 @@ pub struct ParameterRow {
 }
 
 /// The value of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum ParameterValue {
     /// A whole number.
     Whole(i32),
     /// Any other number.
     Number(f64),
+    /// Text, as it was given.
+    Text(String),
 }
 
 /// One result.
@@ -159,9 +161,11 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
     let mut rows = part::evaluate(&path, &run.triggers, job.repeatability);
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.plan(&job.setup).formula);
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
+    job.cycle.judge(&job.setup, &path, &run.triggers, &mut rows);
     let results = result_rows(job, &path, rows);
     let feeds = path.feeds.unwrap_or(job.feeds);
-    let program = (job.post.emit)(&Request {
+    let request = Request {
+        tool: job.tool,
         name: &job.name,
         title: job.def.title,
         source: job.def.source,
@@ -171,7 +175,12 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
         feeds: &feeds,
         work_offset: job.work_offset,
         path: &path,
-    });
+    };
+    (job.post.check)(&request, &mut checker);
+    if checker.failed() {
+        return Err(JobError { findings: checker.findings });
+    }
+    let program = (job.post.emit)(&request);
     let (length, time) = length_and_time(job, &path, &feeds);
     Ok(Plan {
         touches: path
@@ -186,7 +195,7 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
             post: job.post.key,
             extension: job.post.extension,
             text: program.text,
-            move_lines: program.move_lines.iter().map(|&line| line as i32).collect(),
+            move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
         },
         table: path.parameters.iter().map(|p| parameter_row(job, p)).collect(),
         results,
@@ -223,7 +232,9 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     if checker.failed() {
         return Err(JobError { findings: checker.findings });
     }
-    Ok(result_rows(job, &path, part::evaluate(&path, &points, job.repeatability)))
+    let mut rows = part::evaluate(&path, &points, job.repeatability);
+    job.cycle.judge(&job.setup, &path, &points, &mut rows);
+    Ok(result_rows(job, &path, rows))
 }
 
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
@@ -274,7 +285,7 @@ fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>)
                 Unit::Angle => (1.0, "deg"),
                 Unit::None => (1.0, ""),
             };
-            let convert = |x: Option<f64>| x.map(|x| tidy(x / scale));
+            let convert = |x: Option<f64>| x.filter(|x| x.is_finite()).map(|x| tidy(x / scale));
             let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
             let note = off.and_then(|off| {
                 let reason = job.cycle.turned_error(&row.code).filter(|_| job.lie.turn != 0.0)?;
@@ -318,12 +329,16 @@ fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
 
 fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
     ParameterRow {
-        code: format!("CmdPrm.{}[{}]", parameter.accessor, parameter.code),
+        code: match parameter.accessor {
+            "Q" => format!("Q{}", parameter.code),
+            accessor => format!("CmdPrm.{accessor}[{}]", parameter.code),
+        },
         type_name: parameter.type_name,
-        value: match parameter.value {
+        value: match &parameter.value {
             path::ParameterValue::Length(mm) => ParameterValue::Number(tidy(mm / job.scale)),
-            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(x)),
-            path::ParameterValue::Whole(n) => ParameterValue::Whole(n),
+            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(*x)),
+            path::ParameterValue::Whole(n) => ParameterValue::Whole(*n),
+            path::ParameterValue::Text(text) => ParameterValue::Text(text.clone()),
         },
         meaning: parameter.meaning.clone(),
         field: parameter.field,

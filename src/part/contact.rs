@@ -27,6 +27,7 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
         let fraction = match surface {
             Surface::Flat(wall) => meet(wall, up, radius, from, to),
             Surface::Round(round) => meet_round(round, up, radius, from, to),
+            Surface::Unknown => None,
         };
         Some((fraction?, i))
     });
@@ -34,48 +35,50 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
     Some(Contact { fraction, center: from + (to - from) * fraction, surface })
 }
 
-/// The fraction of the way at which the ball meets a hole or a stud.
+/// The fraction of the way at which the ball meets a hole or a stud. Of a hole only the wall and its rim are known, not how
+/// far the material goes around it: a second hole lies there, or nothing.
 fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let flat = |v: Vec3| v - up * v.dot(up);
     let (start, way) = (flat(from - round.center), flat(to - from));
     let (h0, h1) = ((from - round.center).dot(up), (to - round.center).dot(up));
-    // Distance in front of the surface: to the axis in a hole, from it at a stud.
-    let front = |p: Vec3| if round.hole { round.radius - p.length() } else { p.length() - round.radius };
+    // Distance in front of the wall: from inside a hole, from outside otherwise.
+    let inside = round.hole && start.length() <= round.radius;
+    let front = if inside { round.radius - start.length() } else { start.length() - round.radius };
     // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
     let reach = |h: f64| {
         if h <= 0.0 {
             Some(radius)
-        } else if h < radius {
+        } else if h < radius - SKIN {
             Some((radius * radius - h * h).sqrt())
         } else {
             None
         }
     };
     if way.length() < 1e-12 {
-        let d = front(start);
-        if d >= radius - SKIN {
+        if front >= radius - SKIN {
             return None;
         }
-        let stop = if d > 0.0 { (radius * radius - d * d).sqrt() } else { radius };
+        // Over the free side the edge is met, over the material its top side.
+        let free = front > 0.0 && (inside || !round.hole);
+        let stop = if free { (radius * radius - front * front).sqrt() } else { radius };
         return if h0 < stop - SKIN { Some(0.0) } else { (h1 < stop).then(|| ((h0 - stop) / (h0 - h1)).clamp(0.0, 1.0)) };
     }
     let near = reach(h0.min(h1))?;
-    let gap = front(start) - near;
-    // The way is met where |start + t·way| is `limit`: going out of a hole's middle, or coming in to a stud.
-    let limit = if round.hole { round.radius - near } else { round.radius + near };
+    let gap = front - near;
+    // The way is met where |start + t·way| is `limit`: going out of a hole's middle, or coming in from outside.
+    let limit = if inside { round.radius - near } else { round.radius + near };
     let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
-    let closing = if round.hole { b > 0.0 } else { b < 0.0 };
-    if gap < -SKIN || (gap <= SKIN && closing && !round.hole) {
+    if gap < -SKIN || (gap <= SKIN && !inside && b < 0.0) {
         return Some(0.0);
     }
     let root = b * b - a * c;
-    if round.hole {
+    if inside {
         // From inside there is one way out. A ball that stands at the wall meets it only if it goes outwards.
         let t = (-b + root.max(0.0).sqrt()) / a;
-        return (t <= 1.0 && (gap > SKIN || t <= SKIN || closing)).then_some(t.max(0.0));
+        return (t <= 1.0 && (gap > SKIN || t <= SKIN || b > 0.0)).then_some(t.max(0.0));
     }
     let t = (-b - root.max(0.0).sqrt()) / a;
-    (closing && root > 2.0 * limit * SKIN * a && (0.0..=1.0).contains(&t)).then_some(t)
+    (b < 0.0 && root > 2.0 * limit * SKIN * a && (0.0..=1.0).contains(&t)).then_some(t)
 }
 
 /// The fraction of the way at which the ball meets one wall.
@@ -192,7 +195,9 @@ mod tests {
         assert_eq!(round(true, [7.0, 0.0, -5.0], [0.0, 0.0, -5.0]), None, "leaving the wall");
         assert_eq!(round(true, [0.0, 0.0, 3.0], [40.0, 0.0, 3.0]), None, "over the top");
         assert_eq!(round(true, [0.0, 0.0, 20.0], [0.0, 0.0, -20.0]), None, "down the middle");
-        assert_eq!(round(true, [12.0, 0.0, 20.0], [12.0, 0.0, -20.0]), Some(17.0), "down on the top side");
+        assert_eq!(round(true, [12.0, 0.0, 20.0], [12.0, 0.0, -20.0]), Some(17.0), "down on the top side at the rim");
+        assert_eq!(round(true, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0), "through the wall from outside");
+        assert_eq!(round(true, [30.0, 0.0, 20.0], [30.0, 0.0, -20.0]), None, "far outside nothing is known");
     }
 
     #[test]

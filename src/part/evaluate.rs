@@ -25,7 +25,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
                 unit: if def.role.is_angle() { Unit::Angle } else { Unit::Length },
                 nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
-                deviation: dual.map(|d| tidy(d.value - def.reference)),
+                deviation: dual.map(|d| tidy(d.value - def.reference)).filter(|d| d.is_finite()),
                 uncertainty: dual.map(|d| d.uncertainty(repeatability)),
                 verdict: None,
                 truth: None,
@@ -85,6 +85,10 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
 
 /// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
 pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
+    if formula.results.iter().filter(|r| r.role == Role::Abscissa).count() != 1 {
+        // A cycle with several points says itself what is written.
+        return;
+    }
     let [a, o, _] = plane.axes();
     let shifts: Vec<ResultRow> = rows
         .iter()

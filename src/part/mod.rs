@@ -45,6 +45,7 @@ pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
                 along: lie.rigid.direction(wall.along),
                 ..*wall
             }),
+            Surface::Unknown => Surface::Unknown,
             Surface::Round(round) => Surface::Round(Round { center: lie.rigid.point(round.center), ..*round }),
         })
         .collect()

@@ -6,7 +6,7 @@
 
 use crate::path::Purpose;
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request};
+use crate::post::{PostDef, Program, Request, refuse_operator};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -15,14 +15,15 @@ pub static DEF: PostDef = PostDef {
     extension: "nc",
     work_offsets: 0,
     no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
-    no_cycle_form: "grbl has no probing cycles of its own",
-    notes,
+    supports: |_, form| if form == "moves" { Ok(()) } else { Err("grbl has no probing cycles of its own") },
+    check,
     emit,
 };
 
 static DIALECT: Dialect = Dialect { decimals_mm: 4, decimals_inch: 5, probe: "G38.2" };
 
-fn notes(checker: &mut Checker) {
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    refuse_operator(request, checker);
     checker.info(
         "no-results-in-program",
         "control.post",

@@ -6,11 +6,12 @@
 //! M70 saves the modes that the program states and M72 gives them back, so that nothing leaks into the next program.
 
 use crate::formula::{Datum, Expr, Formula};
-use crate::geom::AXIS_NAMES;
+use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::Purpose;
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, expr, work_offset_word};
+use crate::post::{PostDef, Program, Request, expr, refuse_operator, work_offset_word};
+use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
     key: "linuxcnc",
@@ -18,8 +19,11 @@ pub static DEF: PostDef = PostDef {
     extension: "ngc",
     work_offsets: 9,
     no_work_offset: "",
-    no_cycle_form: "LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches",
-    notes: |_| {},
+    supports: |_, form| match form {
+        "moves" => Ok(()),
+        _ => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
+    },
+    check,
     emit,
 };
 
@@ -27,6 +31,27 @@ static DIALECT: Dialect = Dialect { decimals_mm: 4, decimals_inch: 5, probe: "G3
 
 /// A line of LinuxCNC may have 255 characters.
 const LINE_LIMIT: usize = 255;
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    refuse_operator(request, checker);
+    let Some(datum) = request.path.formula.datum.as_ref() else { return };
+    let rotary = request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn"));
+    if rotary {
+        let message =
+            "LinuxCNC has no rotary table that a program could know of: Q1121 = 2 and Q1126 are for the control's own cycle";
+        checker.error("rotary-unsupported", "cycle.confirmRotation", message);
+    }
+    if request.work_offset.is_some() {
+        if datum.rotation.is_some() && request.plane != Plane::G17 {
+            let message = "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane";
+            checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+        }
+        if datum.point.is_none() && datum.rotation.is_none() {
+            let message = "A work offset is chosen, but neither the transfer of a position (Q1120) nor a rotation (Q1121): nothing is written";
+            checker.warning("nothing-to-write", "control.workOffset", message);
+        }
+    }
+}
 
 fn emit(request: &Request<'_>) -> Program {
     let [a, o, _] = request.plane.axes();

@@ -5,6 +5,7 @@
 
 mod expr;
 mod grbl;
+mod heidenhain;
 mod linuxcnc;
 mod words;
 
@@ -13,7 +14,7 @@ use crate::path::{Feeds, Path, Setup};
 use crate::spec::Checker;
 
 /// Every control, in the order of the form.
-pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF];
+pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &heidenhain::DEF];
 
 /// What is known of a control.
 #[derive(Debug)]
@@ -28,10 +29,10 @@ pub struct PostDef {
     pub work_offsets: i32,
     /// Why no work offset can be written, where that is so.
     pub no_work_offset: &'static str,
-    /// Why the control's own cycles cannot be used (form `cycle`).
-    pub no_cycle_form: &'static str,
-    /// Notes on what the program cannot do, as findings.
-    pub notes: fn(&mut Checker),
+    /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
+    pub supports: fn(&str, &str) -> Result<(), &'static str>,
+    /// Reports what of this very program it cannot do, or what somebody should know of it.
+    pub check: fn(&Request<'_>, &mut Checker),
     /// Prints the program.
     pub emit: fn(&Request<'_>) -> Program,
 }
@@ -53,6 +54,8 @@ pub struct Request<'a> {
     pub setup: &'a Setup,
     /// Feeds in mm/min; none is rapid.
     pub feeds: &'a Feeds,
+    /// Tool number of the probe, for programs that call it.
+    pub tool: i32,
     /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
     /// What to print.
@@ -64,8 +67,8 @@ pub struct Request<'a> {
 pub struct Program {
     /// The text, lines ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it.
-    pub move_lines: Vec<usize>,
+    /// For each move the 0-based line that makes it; none where the control makes it by itself.
+    pub move_lines: Vec<Option<usize>>,
 }
 
 /// The control with this key.
@@ -84,6 +87,14 @@ pub fn comment_text(text: &str) -> String {
             _ => '_',
         })
         .collect()
+}
+
+/// Plain moves cannot wait for an operator who brings the probe to its place.
+fn refuse_operator(request: &Request<'_>, checker: &mut Checker) {
+    if request.path.surfaces.iter().any(|s| matches!(s, crate::path::Surface::Unknown)) {
+        let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
+        checker.error("semi-automatic-unsupported", "control.post", message);
+    }
 }
 
 /// How a work offset is called: G54 … G59, G59.1 ….

@@ -23,7 +23,7 @@ pub struct Writer<'a> {
     dialect: &'static Dialect,
     text: String,
     lines: usize,
-    move_lines: Vec<usize>,
+    move_lines: Vec<Option<usize>>,
     last: [String; 3],
     /// Where the ball stands at the end of the last move.
     at: Option<Vec3>,
@@ -106,7 +106,7 @@ impl<'a> Writer<'a> {
         if let Some(rate) = rate {
             block.push_str(&format!(" F{}", self.number(rate)));
         }
-        self.move_lines.push(self.lines);
+        self.move_lines.push(Some(self.lines));
         self.line(&block);
     }
 

@@ -3,7 +3,8 @@
 use crate::geom::Vec3;
 use crate::num::decimal;
 use crate::spec::field::Checked;
-use crate::spec::{Default, Field, Finding, Kind, Level, Value};
+use crate::spec::{Default, Field, Finding, Kind, Level, SubForm, Value};
+use crate::tolerance::{self, Nominal};
 
 /// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
 #[derive(Debug)]
@@ -93,6 +94,18 @@ impl<'a, 'c> Section<'a, 'c> {
         self.value.and_then(|v| v.get(key))
     }
 
+    /// Reads a form inside this one; none where it is null or absent and may be.
+    pub fn sub<T>(&mut self, form: &SubForm, read: fn(&mut Section<'_, '_>) -> T) -> Option<T> {
+        let value = self.get(form.key);
+        if form.optional && matches!(value, None | Some(Value::Null)) {
+            return None;
+        }
+        let path = self.at(form.key);
+        let mut section = Section::new(self.checker, value, &path);
+        section.only(form.fields, &[]);
+        Some(read(&mut section))
+    }
+
     /// The full path of a key of this object.
     pub fn at(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
@@ -129,10 +142,10 @@ impl<'a, 'c> Section<'a, 'c> {
             return None;
         }
         let scale = match field.kind {
-            Kind::Length | Kind::Feed | Kind::Point => self.checker.scale,
-            Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => 1.0,
+            Kind::Length | Kind::Feed | Kind::Point | Kind::Nominal | Kind::NominalPoint => self.checker.scale,
+            Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
         };
-        if matches!(field.kind, Kind::Count) && given.fract() != 0.0 {
+        if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
             self.checker.error("not-whole", path, format!("{} must be a whole number", field.label));
             return None;
         }
@@ -162,6 +175,25 @@ impl<'a, 'c> Section<'a, 'c> {
         Some(inner)
     }
 
+    /// The nominal value at `path`: a number, or text of one of the forms of [`crate::tolerance`]. In mm.
+    pub fn nominal(&mut self, value: &Value, field: &Field, path: &str) -> Option<Nominal> {
+        let Value::Text(text) = value else {
+            return self.number(value, field, path).map(Nominal::number);
+        };
+        let scale = self.checker.scale;
+        let parsed = match tolerance::parse(text, scale) {
+            Ok(parsed) => parsed,
+            Err(why) => {
+                self.checker.error("not-a-value", path, format!("{}: {why}", field.label));
+                return None;
+            }
+        };
+        for number in [parsed.nominal, parsed.actual].into_iter().flatten() {
+            self.number(&Value::Number(number), field, path)?;
+        }
+        Some(parsed.scaled(scale))
+    }
+
     /// The number under the field's key, or `None` where it is null, or what stands in for it.
     fn number_or_null(&mut self, field: &'static Field) -> Option<f64> {
         let stand_in = match field.default {
@@ -180,10 +212,10 @@ impl<'a, 'c> Section<'a, 'c> {
 
     fn unit(&self, kind: Kind) -> String {
         match kind {
-            Kind::Length | Kind::Point => format!(" {}", self.checker.unit),
+            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.checker.unit),
             Kind::Feed => format!(" {}/min", self.checker.unit),
             Kind::Angle => "°".to_owned(),
-            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
+            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
         }
     }
 }
@@ -197,6 +229,54 @@ impl Checked for Option<f64> {
 impl Checked for f64 {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).expect("a field that is a number has a number as default")
+    }
+}
+
+impl Checked for Nominal {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = match field.default {
+            Default::Number(x) => Nominal::number(x),
+            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => Nominal::default(),
+        };
+        match section.get(field.key) {
+            None => stand_in,
+            Some(value) => {
+                let path = section.at(field.key);
+                section.nominal(value, field, &path).unwrap_or(stand_in)
+            }
+        }
+    }
+}
+
+impl Checked for [Nominal; 3] {
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = default_point(field).map(Nominal::number);
+        let path = section.at(field.key);
+        match section.get(field.key) {
+            None => stand_in,
+            Some(Value::List(items)) if items.len() == 3 => {
+                let mut point = stand_in;
+                for (i, item) in items.iter().enumerate() {
+                    if let Some(value) = section.nominal(item, field, &format!("{path}[{i}]")) {
+                        point[i] = value;
+                    }
+                }
+                point
+            }
+            Some(other) => {
+                let message = format!("{} must be a list of three values, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in
+            }
+        }
+    }
+}
+
+/// The point that stands where the job says nothing.
+fn default_point(field: &Field) -> [f64; 3] {
+    match field.default {
+        Default::Point(point) => point,
+        Default::Number(_) | Default::Flag(_) | Default::Text(_) | Default::Null => [0.0; 3],
     }
 }
 
@@ -230,8 +310,9 @@ impl Checked for bool {
 
 impl Checked for Vec3 {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = Vec3::from_array(default_point(field));
         let Some(value) = section.get(field.key) else {
-            return Vec3::ZERO;
+            return stand_in;
         };
         let path = section.at(field.key);
         match value {
@@ -249,7 +330,7 @@ impl Checked for Vec3 {
                 };
                 let message = format!("{} must be a list of three numbers [X, Y, Z], not {what}", field.label);
                 section.checker.error("wrong-type", path, message);
-                Vec3::ZERO
+                stand_in
             }
         }
     }

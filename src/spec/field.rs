@@ -50,6 +50,32 @@ pub enum Kind {
     Text(usize),
     /// Three lengths X, Y, Z.
     Point,
+    /// One of a fixed set of whole numbers.
+    Code(&'static [Code]),
+    /// A length, or text with a tolerance, an unknown or a given place: see [`crate::tolerance`].
+    Nominal,
+    /// Three of those.
+    NominalPoint,
+}
+
+/// One number of a [`Kind::Code`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Code {
+    /// The number in the job.
+    pub value: i32,
+    /// What it means.
+    pub label: &'static str,
+}
+
+/// A form inside a form.
+#[derive(Clone, Copy, Debug)]
+pub struct SubForm {
+    /// Its key.
+    pub key: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+    /// Whether it may be `null`, and is where the job says nothing.
+    pub optional: bool,
 }
 
 /// One word of a [`Kind::Choice`].
@@ -153,6 +179,24 @@ impl Field {
         Field::new(key, label, Kind::Text(most), Default::Text(default), hard)
     }
 
+    /// One of some whole numbers.
+    pub const fn code_of(key: &'static str, label: &'static str, default: i32, codes: &'static [Code]) -> Self {
+        let hard = Range { min: codes[0].value as f64, max: codes[codes.len() - 1].value as f64, above: false };
+        Field::new(key, label, Kind::Code(codes), Default::Number(default as f64), hard)
+    }
+
+    /// A length or text with a tolerance.
+    pub const fn nominal(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
+        Field::new(key, label, Kind::Nominal, Default::Number(default), hard)
+    }
+
+    /// Three of those.
+    pub const fn nominal_point(key: &'static str, label: &'static str, default: [f64; 3]) -> Self {
+        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
+        Field::new(key, label, Kind::NominalPoint, Default::Point(default), hard)
+    }
+
     /// Three lengths.
     pub const fn point(key: &'static str, label: &'static str) -> Self {
         let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
@@ -192,6 +236,12 @@ impl Field {
     /// `null` is allowed and means this.
     pub const fn null_means(mut self, meaning: &'static str) -> Self {
         self.null = Some(meaning);
+        self
+    }
+
+    /// Another point where the job says nothing.
+    pub const fn at(mut self, default: [f64; 3]) -> Self {
+        self.default = Default::Point(default);
         self
     }
 

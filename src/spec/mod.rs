@@ -9,7 +9,7 @@ mod finding;
 mod value;
 
 pub use checker::{Checker, Section};
-pub use field::{Choice, Default, Field, Kind, Range};
+pub use field::{Choice, Code, Default, Field, Kind, Range, SubForm};
 pub use finding::{Finding, Level};
 pub use value::Value;
 

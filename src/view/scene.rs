@@ -141,6 +141,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     let spot = |p: Vec3| view.spot(setup.plane, p);
     let shape = |surface: &Surface, actual: bool| match surface {
         Surface::Flat(wall) => vec![wall_shape(wall, path.frame.w, &spot, actual)],
+        Surface::Unknown => Vec::new(),
         Surface::Round(round) => {
             strips(round, path.frame.w, path.frame.u).iter().map(|w| wall_shape(w, path.frame.w, &spot, actual)).collect()
         }

@@ -1,0 +1,521 @@
+//! Probing two circles: HEIDENHAIN cycle 1411, with 1493 extrusion probing in front of it.
+//!
+//! Parameters, meanings and results are those of the control's manual. What the manual does not say, and we chose, is in one
+//! place each: [`Object::points`] (where the touches lie), [`Planner`] (how the ball gets from touch to touch) and
+//! [`judge`] (which value is good, rework or scrap).
+
+mod formula;
+mod judge;
+mod planner;
+
+use crate::cycle::{Cycle, CycleDef};
+use crate::formula::ResultRow;
+use crate::geom::{Frame, Vec3};
+use crate::path::{Feeds, Parameter, ParameterValue, Path, Round, Setup, Surface};
+use crate::spec::{Checker, Code, Field, SubForm, form};
+use crate::tolerance::Nominal;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "probing-two-circles",
+    title: "Probing two circles",
+    source: "HEIDENHAIN cycle 1411",
+    doc: "docs/cycles/probing-two-circles.md",
+    fields: Form::FIELDS,
+    sections: &[PROBE, EXTRUSION],
+    home: ("heidenhain", "cycle"),
+    steps: &[
+        "At rapid, with positioning logic, to centre 1",
+        "Positioning logic: from below the clearance height first up to it, then in the plane; from above in the plane, then down",
+        "At rapid to the set-up clearance before the first touch: Q320, SET_UP and the ball radius together",
+        "At the probing feed down to the measuring height, and touch the first hole or stud",
+        "Where the clearance height mode says so, back to the clearance height",
+        "To centre 2",
+        "At the probing feed down to the measuring height, and touch the second hole or stud",
+        "Where the clearance height mode says so, back to the clearance height; the results are stored",
+    ],
+    readings: &[
+        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3 and the parameters of 1493 are recalled from \
+         the control's manuals and not seen in print; they are not verified on a control.",
+        "Heights are of the ball centre. Touch points lie at Q325 + k·Q1119/Q423 for a full circle, else at Q325 + \
+         k·Q1119/(Q423 - 1); a negative Q1119 runs clockwise.",
+        "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
+         stand-off radius at measuring height. Between the objects it goes over the clearance height with Q1125 of 1 or 2, else \
+         straight at measuring height to the second object's first touch, without going to its centre.",
+        "With Q1125 = -1 the ball never goes to the clearance height; the measuring height takes its place in the positioning \
+         logic, and the cycle ends where its last touch began.",
+        "DIST is the longest way of a touch, counted from where it begins.",
+        "A hole too small for the set-up clearance is touched from its centre; the reachable clearance is D/2 less the ball radius.",
+        "Material is taken to reach up to a ball radius below the clearance height, since nothing else is known of it.",
+        "Three points give the exact circle, more the one of geometric least squares.",
+        "Deviations are measured from the middle of the tolerance zone. Q183: in the zone, limits included, is good; a hole too \
+         small or a stud too big is rework; a hole too big, a stud too small or a position out of its zone is scrap; the worst \
+         counts.",
+        "No basic rotation is taken to be active, so Q994 = Q964; the table has to turn the other way, so Q965 = -Q964.",
+        "With 1493 each touch is repeated along the extrusion and the mean goes into the fit; Q970, Q971, Q973, Q974 are the \
+         largest deviations of the circles fitted at the single places.",
+    ],
+    read: |section| {
+        let form = Form::read(section);
+        let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
+        let extrusion = section.sub(&EXTRUSION, Extrusion::read);
+        Box::new(TwoCircles { form, probe, extrusion })
+    },
+};
+
+const GEOMETRY: &[Code] = &[
+    Code { value: 0, label: "hole and hole" },
+    Code { value: 1, label: "stud and stud" },
+    Code { value: 2, label: "hole and stud" },
+    Code { value: 3, label: "stud and hole" },
+];
+const HEIGHT_MODE: &[Code] = &[
+    Code { value: -1, label: "never to the clearance height" },
+    Code { value: 0, label: "before and after the cycle" },
+    Code { value: 1, label: "before and after each object" },
+    Code { value: 2, label: "before and after each touch" },
+];
+const REACTION: &[Code] = &[
+    Code { value: 0, label: "never stop" },
+    Code { value: 1, label: "stop and show when out of tolerance" },
+    Code { value: 2, label: "stop and show only for scrap" },
+];
+const ALIGN: &[Code] = &[
+    Code { value: 0, label: "no" },
+    Code { value: 1, label: "yes, the tip follows (MOVE)" },
+    Code { value: 2, label: "yes, the tip stays (TURN)" },
+];
+const TRANSFER: &[Code] = &[
+    Code { value: 0, label: "no correction" },
+    Code { value: 1, label: "by circle 1" },
+    Code { value: 2, label: "by circle 2" },
+    Code { value: 3, label: "by the mean of both" },
+];
+const CONFIRM: &[Code] = &[
+    Code { value: 0, label: "no basic rotation" },
+    Code { value: 1, label: "set as basic rotation" },
+    Code { value: 2, label: "set as offset of the rotary table" },
+];
+const DIRECTION: &[Code] =
+    &[Code { value: 1, label: "main axis" }, Code { value: 2, label: "minor axis" }, Code { value: 3, label: "tool axis" }];
+const MODAL: &[Code] = &[Code { value: 0, label: "for the next cycle" }, Code { value: 1, label: "to the end of the program" }];
+
+const PROBE: SubForm = SubForm { key: "probe", fields: Probe::FIELDS, optional: false };
+const EXTRUSION: SubForm = SubForm { key: "extrusion", fields: Extrusion::FIELDS, optional: true };
+
+form! {
+    /// The form of 1411, in the order of its block.
+    pub struct Form {
+        /// 1st noml. position of ref. axis? … of minor axis? … in tool axis? A number, or text with a tolerance, ? or @.
+        point1: [Nominal; 3] = Field::nominal_point("point1", "1st point", [-30.0, 0.0, -10.0]).code("Q1100").group("Circle 1"),
+        /// Diameter of 1st position? A number, or text with a tolerance.
+        diameter1: Nominal = Field::nominal("diameter1", "Diameter 1", 20.0).range(0.0, 9999.9999).code("Q1116").group("Circle 1").size(),
+        /// 2nd noml. position of ref. axis? … of minor axis? … in tool axis? As for the first point.
+        point2: [Nominal; 3] = Field::nominal_point("point2", "2nd point", [30.0, 0.0, -10.0]).code("Q1103").group("Circle 2"),
+        /// Diameter of 2nd position? A number, or text with a tolerance.
+        diameter2: Nominal = Field::nominal("diameter2", "Diameter 2", 20.0).range(0.0, 9999.9999).code("Q1117").group("Circle 2").size(),
+        /// Geometry type (0-3)? What lies at each position.
+        geometry_type: i32 = Field::code_of("geometryType", "Geometry type", 0, GEOMETRY).code("Q1115").group("Probing"),
+        /// Number of probe points? On each circle.
+        probe_points: i32 = Field::count("probePoints", "No. of probe points", 4, 3, 8).code("Q423").group("Probing"),
+        /// Starting angle? From the main axis to the first touch.
+        starting_angle: f64 = Field::angle("startingAngle", "Starting angle", 0.0).code("Q325").group("Probing"),
+        /// Arc angular length? Over which the touches are spread; negative is clockwise.
+        angular_length: f64 = Field::angle("angularLength", "Angular length", 360.0).range(-359.999, 360.0).code("Q1119").group("Probing"),
+        /// Set-up clearance? Added to SET_UP and the ball radius.
+        set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).range(0.0, 99_999.9999).usual(0.0, 50.0).code("Q320").group("Heights"),
+        /// Clearance height? Where nothing can be met.
+        clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).range(-99_999.9999, 99_999.9999).code("Q260").group("Heights"),
+        /// Traverse to clearance height? When the ball goes there.
+        clearance_height_mode: i32 = Field::code_of("clearanceHeightMode", "Clear. height mode", 2, HEIGHT_MODE).code("Q1125").group("Heights"),
+        /// Reaction to tolerance error?
+        error_reaction: i32 = Field::code_of("errorReaction", "Error reaction", 0, REACTION).code("Q309").group("After probing"),
+        /// Align rotary axis? Only together with confirm rotation.
+        align_rotary_axis: i32 = Field::code_of("alignRotaryAxis", "Align rotary axis", 0, ALIGN).code("Q1126").group("After probing"),
+        /// Transfer position? Which point corrects the active preset.
+        transfer_position: i32 = Field::code_of("transferPosition", "Transfer position", 0, TRANSFER).code("Q1120").group("After probing"),
+        /// Confirm rotation? What becomes of the measured misalignment.
+        confirm_rotation: i32 = Field::code_of("confirmRotation", "Confirm rotation", 0, CONFIRM).code("Q1121").group("After probing"),
+        /// Where the stylus is before the cycle.
+        start: Vec3 = Field::point("start", "Stylus before the cycle").at([0.0, 0.0, 100.0]).group("Heights"),
+    }
+}
+
+form! {
+    /// The row of the control's touch probe table.
+    pub struct Probe {
+        /// SET_UP of the touch probe table: added to the set-up clearance.
+        set_up: f64 = Field::length("setUp", "SET_UP", 2.0).range(0.0, 1000.0).usual(0.0, 50.0).group("Touch probe table"),
+        /// DIST of the touch probe table: the longest way of a touch.
+        dist: f64 = Field::length("dist", "DIST", 10.0).above(0.0, 1000.0).usual(0.5, 100.0).group("Touch probe table"),
+        /// F of the touch probe table: the probing feed.
+        feed: f64 = Field::feed("feed", "F", 300.0).usual(5.0, 1000.0).group("Touch probe table"),
+        /// FMAX of the touch probe table: the rapid for positioning.
+        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).null_by_default().null_means("control's own").group("Touch probe table"),
+    }
+}
+
+form! {
+    /// Cycle 1493.
+    pub struct Extrusion {
+        /// Extrusion direction? Along which the touches are repeated.
+        direction: i32 = Field::code_of("direction", "Extrusion direction", 3, DIRECTION).code("Q1140").group("Extrusion probing (1493)"),
+        /// Number of extrusion points? Touches for each touch of 1411.
+        points: i32 = Field::count("points", "Extrusion points", 1, 1, 99).code("Q1145").group("Extrusion probing (1493)"),
+        /// Length of extrusion? From the first to the last of them.
+        length: f64 = Field::length("length", "Extrusion length", 0.0).range(-99.0, 99.0).code("Q1146").group("Extrusion probing (1493)"),
+        /// Extrusion probing: modal?
+        modal: i32 = Field::code_of("modal", "Extrusion modal", 0, MODAL).code("Q1149").group("Extrusion probing (1493)"),
+    }
+}
+
+/// The checked cycle.
+#[derive(Clone, Debug)]
+pub struct TwoCircles {
+    form: Form,
+    probe: Probe,
+    extrusion: Option<Extrusion>,
+}
+
+/// Whether an object is probed by the cycle itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// Probed.
+    Probed,
+    /// Its place is not known: the operator moves the probe there.
+    Semi,
+    /// Its place is given: not probed.
+    Given,
+}
+
+/// One hole or stud.
+#[derive(Clone, Debug)]
+struct Object {
+    /// 1 or 2.
+    number: usize,
+    /// Main, minor, tool axis.
+    point: [Nominal; 3],
+    diameter: Nominal,
+    hole: bool,
+    state: State,
+}
+
+impl Object {
+    /// The nominal place, where it is known, as (main, minor, tool axis).
+    fn place(&self) -> Option<[f64; 3]> {
+        let [a, o, w] = &self.point;
+        Some([a.nominal?, o.nominal?, w.nominal?])
+    }
+
+    fn nominal_diameter(&self) -> f64 {
+        self.diameter.nominal.unwrap_or(0.0)
+    }
+
+    /// +1 outwards for a hole, −1 for a stud: the way the ball goes to touch, and the sign of its radius in the diameter.
+    fn outward(&self) -> f64 {
+        if self.hole { 1.0 } else { -1.0 }
+    }
+}
+
+impl TwoCircles {
+    fn objects(&self) -> [Object; 2] {
+        let form = &self.form;
+        let holes = [matches!(form.geometry_type, 0 | 2), matches!(form.geometry_type, 0 | 3)];
+        let object = |number: usize, point: &[Nominal; 3], diameter: &Nominal| {
+            let state = if point.iter().any(|v| v.unknown) {
+                State::Semi
+            } else if point.iter().any(|v| v.actual.is_some()) {
+                State::Given
+            } else {
+                State::Probed
+            };
+            Object { number, point: point.clone(), diameter: diameter.clone(), hole: holes[number - 1], state }
+        };
+        [object(1, &form.point1, &form.diameter1), object(2, &form.point2, &form.diameter2)]
+    }
+
+    /// The stand-off in every probing direction, mm, from surface to ball centre.
+    fn stand_off(&self, setup: &Setup) -> f64 {
+        self.form.set_up_clearance + self.probe.set_up + setup.radius
+    }
+
+    fn frame(setup: &Setup) -> Frame {
+        Frame::new(setup.plane, Vec3::ZERO, 0.0)
+    }
+
+    /// The angles of the touches of one circle, radians.
+    fn angles(&self) -> Vec<f64> {
+        let form = &self.form;
+        let count = form.probe_points;
+        let full = form.angular_length.abs() >= 360.0;
+        let step = form.angular_length / f64::from(if full { count } else { count - 1 });
+        (0..count).map(|k| (form.starting_angle + step * f64::from(k)).to_radians()).collect()
+    }
+
+    /// Where the touches of one place are repeated, as shifts along the extrusion, in (main, minor, tool axis).
+    fn repeats(&self) -> Vec<[f64; 3]> {
+        let Some(extrusion) = &self.extrusion else { return vec![[0.0; 3]] };
+        let n = extrusion.points;
+        (0..n)
+            .map(|j| {
+                let mut shift = [0.0; 3];
+                if n > 1 {
+                    shift[(extrusion.direction - 1) as usize] = extrusion.length * f64::from(j) / f64::from(n - 1);
+                }
+                shift
+            })
+            .collect()
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let form = &self.form;
+        let mut rows = Vec::new();
+        let mut push = |code: i32, meaning: &str, value: ParameterValue, field: &'static str| {
+            rows.push(Parameter {
+                code,
+                accessor: "Q",
+                type_name: "",
+                value,
+                meaning: meaning.to_owned(),
+                field: Some(field),
+                touch: None,
+            });
+        };
+        let nominal = |v: &Nominal| match &v.text {
+            Some(text) => ParameterValue::Text(text.clone()),
+            None => ParameterValue::Length(v.nominal.unwrap_or(0.0)),
+        };
+        let code = |n: i32| ParameterValue::Whole(n);
+        if let Some(extrusion) = &self.extrusion {
+            push(1140, "EXTRUSION DIRECTION", code(extrusion.direction), "cycle.extrusion.direction");
+            push(1145, "EXTRUSION POINTS", code(extrusion.points), "cycle.extrusion.points");
+            push(1146, "EXTRUSION LENGTH", ParameterValue::Length(extrusion.length), "cycle.extrusion.length");
+            push(1149, "EXTRUSION MODAL", code(extrusion.modal), "cycle.extrusion.modal");
+        }
+        let axes = ["REF AXIS", "MINOR AXIS", "TOOL AXIS"];
+        let fields1 = ["cycle.point1[0]", "cycle.point1[1]", "cycle.point1[2]"];
+        let fields2 = ["cycle.point2[0]", "cycle.point2[1]", "cycle.point2[2]"];
+        for i in 0..3 {
+            push(1100 + i as i32, &format!("1ST POINT {}", axes[i]), nominal(&form.point1[i]), fields1[i]);
+        }
+        push(1116, "DIAMETER 1", nominal(&form.diameter1), "cycle.diameter1");
+        for i in 0..3 {
+            push(1103 + i as i32, &format!("2ND POINT {}", axes[i]), nominal(&form.point2[i]), fields2[i]);
+        }
+        push(1117, "DIAMETER 2", nominal(&form.diameter2), "cycle.diameter2");
+        push(1115, "GEOMETRY TYPE", code(form.geometry_type), "cycle.geometryType");
+        push(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints");
+        push(325, "STARTING ANGLE", ParameterValue::Number(form.starting_angle), "cycle.startingAngle");
+        push(1119, "ANGULAR LENGTH", ParameterValue::Number(form.angular_length), "cycle.angularLength");
+        push(320, "SET-UP CLEARANCE", ParameterValue::Length(form.set_up_clearance), "cycle.setUpClearance");
+        push(260, "CLEARANCE HEIGHT", ParameterValue::Length(form.clearance_height), "cycle.clearanceHeight");
+        push(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode");
+        push(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction");
+        push(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis");
+        // The control's own spelling.
+        push(1120, "TRANSER POSITION", code(form.transfer_position), "cycle.transferPosition");
+        push(1121, "CONFIRM ROTATION", code(form.confirm_rotation), "cycle.confirmRotation");
+        rows
+    }
+}
+
+impl Cycle for TwoCircles {
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        let form = &self.form;
+        let diameters = ["cycle.diameter1", "cycle.diameter2"];
+        let points = ["cycle.point1", "cycle.point2"];
+        for object in &self.objects() {
+            let (point, diameter) = (points[object.number - 1], diameters[object.number - 1]);
+            object_rules(object, point, diameter, checker);
+            if object.state == State::Probed
+                && checker.sound(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
+            {
+                self.room_rules(object, diameter, setup, checker);
+            }
+        }
+        if form.angular_length == 0.0 {
+            checker.error("no-arc", "cycle.angularLength", "An angular length of 0° puts every touch on one spot");
+        }
+        if form.align_rotary_axis != 0 && form.confirm_rotation == 0 {
+            let message =
+                "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise";
+            checker.error("align-needs-confirm", "cycle.alignRotaryAxis", message);
+        }
+        let [one, two] = self.objects();
+        if let (Some(p), Some(q)) = (one.place(), two.place())
+            && checker.sound(&points)
+            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
+        {
+            let message = "Both circles are in one place: the line through their centres has no direction";
+            checker.error("no-direction", "cycle.point2", message);
+        }
+        if let Some(extrusion) = &self.extrusion
+            && extrusion.points > 1
+            && extrusion.length == 0.0
+        {
+            let message = "An extrusion of length 0 repeats every touch on the same spot";
+            checker.warning("no-extrusion", "cycle.extrusion.length", message);
+        }
+        self.height_rules(checker);
+    }
+
+    fn plan(&self, setup: &Setup) -> Path {
+        let (touches, moves) = planner::Planner::new(self, setup).run();
+        Path {
+            touches,
+            moves,
+            surfaces: self.surfaces(setup),
+            feeds: Some(Feeds {
+                approach: None,
+                long_link: None,
+                work: self.probe.feed,
+                retract: None,
+                return_: None,
+                rapid: self.probe.rapid,
+            }),
+            frame: Self::frame(setup),
+            formula: self.formula(setup),
+            parameters: self.parameters(),
+        }
+    }
+
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
+        let frame = Self::frame(setup);
+        let top = self.form.clearance_height - setup.radius;
+        self.objects()
+            .iter()
+            .map(|object| {
+                let Some([a, o, w]) = object.place().filter(|_| object.state != State::Semi) else { return Surface::Unknown };
+                Surface::Round(Round {
+                    center: frame.point(a, o, top.max(w)),
+                    radius: object.nominal_diameter() / 2.0,
+                    hole: object.hole,
+                    drawn_depth: top.max(w) - w + setup.radius,
+                })
+            })
+            .collect()
+    }
+
+    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+        let mut resized = self.clone();
+        let size = match key {
+            "diameter1" => &mut resized.form.diameter1,
+            "diameter2" => &mut resized.form.diameter2,
+            _ => return None,
+        };
+        let diameter = size.nominal? + delta;
+        size.nominal = Some(diameter);
+        (diameter > 0.0).then(|| Box::new(resized) as Box<dyn Cycle>)
+    }
+
+    fn judge(&self, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+        judge::judge(self, setup, path, triggers, rows);
+    }
+
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
+}
+
+/// What must hold of one object's values.
+fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Checker) {
+    if !checker.sound(&[point, diameter]) {
+        return;
+    }
+    let number = object.number;
+    let given = object.point.iter().filter(|v| v.actual.is_some()).count();
+    if given > 0 && given < 3 {
+        let message = format!("Point {number}: a given position (@) needs all three axes; {given} of 3 are given");
+        checker.error("given-incomplete", point, message);
+    }
+    if object.diameter.unknown || object.diameter.actual.is_some() {
+        let message = format!("Diameter {number} takes a number or a tolerance, not ? or @");
+        checker.error("not-a-value", diameter, message);
+    }
+    match object.state {
+        State::Semi => {
+            let message = format!(
+                "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it; no path can \
+                 be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it"
+            );
+            checker.info("semi-automatic", point, message);
+        }
+        State::Given => {
+            let message =
+                format!("The position of object {number} is given: it is not probed, and its diameter is not measured");
+            checker.info("given-position", point, message);
+        }
+        State::Probed => {}
+    }
+}
+
+impl TwoCircles {
+    /// Whether the ball fits, and whether a touch reaches the wall.
+    fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
+        let (number, diameter) = (object.number, object.nominal_diameter());
+        if object.hole && diameter <= 2.0 * setup.radius {
+            let message = format!(
+                "Hole {number} ({}) must be larger than the ball ({})",
+                checker.length(diameter),
+                checker.length(2.0 * setup.radius)
+            );
+            checker.error("ball-too-wide", diameter_path, message);
+            return;
+        }
+        if !object.hole && diameter <= 0.0 {
+            checker.error("out-of-range", diameter_path, format!("Stud {number} must have a diameter above 0"));
+            return;
+        }
+        let reachable = diameter / 2.0 - setup.radius;
+        let small = object.hole && diameter / 2.0 < self.stand_off(setup);
+        if small {
+            let message = format!(
+                "Hole {number} is too small for the set-up clearance: the control asks, and goes on from the centre with the \
+                 reachable clearance of {}",
+                checker.length(reachable)
+            );
+            checker.warning("small-hole", diameter_path, message);
+        }
+        let way = if small { reachable } else { self.stand_off(setup) - setup.radius };
+        if way >= self.probe.dist {
+            let message = format!(
+                "DIST ({}) must be longer than the way from the start of a touch to object {number} ({}), or no touch reaches it",
+                checker.length(self.probe.dist),
+                checker.length(way)
+            );
+            checker.error("dist-too-short", "cycle.probe.dist", message);
+        }
+        if way <= 0.0 {
+            let message = "Q320 and SET_UP are both 0: the ball would stand at the wall before the touch begins";
+            checker.error("clearance-too-small", "cycle.setUpClearance", message);
+        }
+    }
+
+    /// The clearance height against the measuring heights, and the notice of the manual.
+    fn height_rules(&self, checker: &mut Checker) {
+        let mode = self.form.clearance_height_mode;
+        let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        for (object, path) in self.objects().iter().zip(["cycle.point1", "cycle.point2"]) {
+            let Some([_, _, height]) = object.place() else { continue };
+            if mode >= 0 && object.state == State::Probed && checker.sound(&[path, "cycle.clearanceHeight"]) {
+                let highest = height + extrusion;
+                if highest >= self.form.clearance_height {
+                    let message = format!(
+                        "The clearance height ({}) must lie above the measuring height of object {} ({})",
+                        checker.length(self.form.clearance_height),
+                        object.number,
+                        checker.length(highest)
+                    );
+                    checker.error("clearance-height-too-low", "cycle.clearanceHeight", message);
+                }
+            }
+        }
+        if mode < 2 {
+            let what = if mode == 1 { "the touch points of an object" } else { "the objects and their touch points" };
+            let message = format!(
+                "Danger of collision: between {what} the probe is not retracted to the clearance height; the manual says always \
+                 to do so"
+            );
+            checker.warning("no-retract", "cycle.clearanceHeightMode", message);
+        }
+    }
+}
