@@ -51,6 +51,27 @@ pub fn evaluate(job: &JsValue, measured: &JsValue) -> Result<JsValue, JsValue> {
     to_js(&job::evaluate(&from_js(job), &from_js(measured)).map_err(refused)?)
 }
 
+/// A job from text: job JSON or a program. Gives `{ job, findings }`; throws where no job can be made of it.
+#[wasm_bindgen(js_name = importJob)]
+pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
+    let text = text.as_string().unwrap_or_default();
+    let (job, findings) = match js_sys::JSON::parse(&text) {
+        // What JSON says is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
+        Ok(job) if job.is_object() => {
+            let findings = job::check(&from_js(&job));
+            (job, findings)
+        }
+        _ => {
+            let imported = job::import(&text).map_err(refused)?;
+            (value_to_js(&imported.job), imported.findings)
+        }
+    };
+    let result = Object::new();
+    set(&result, "job", &job);
+    set(&result, "findings", &to_js(&findings)?);
+    Ok(result.into())
+}
+
 /// The moves as columns: `to` (three numbers a move), `step`, `touch` (−1 is none), and `feed` and `kind` as indices into
 /// `feeds` and `kinds`.
 #[wasm_bindgen(js_name = moveColumns)]

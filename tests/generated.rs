@@ -24,24 +24,25 @@ fn value(field: &Field) -> String {
         Default::Number(x) => decimal(x, 4),
         Default::Flag(b) => b.to_string(),
         Default::Text(t) => format!("`{t}`"),
-        Default::Point(_) => "0, 0, 0".to_owned(),
+        Default::Point(p) => p.map(|x| decimal(x, 4)).join(", "),
         Default::Null => "null".to_owned(),
     }
 }
 
 fn unit(field: &Field) -> &'static str {
     match field.kind {
-        Kind::Length | Kind::Point => "mm",
+        Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => "mm",
         Kind::Feed => "mm/min",
         Kind::Angle => "°",
-        Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => "",
+        Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => "",
     }
 }
 
 fn range(field: &Field) -> String {
     match field.kind {
         Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
-        Kind::Length | Kind::Feed | Kind::Angle | Kind::Count | Kind::Point => {
+        Kind::Code(codes) => codes.iter().map(|c| format!("{} {}", c.value, c.label)).collect::<Vec<_>>().join("; "),
+        Kind::Length | Kind::Feed | Kind::Angle | Kind::Count | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
             let from = if field.hard.above { "above" } else { "from" };
             format!("{from} {} to {}", decimal(field.hard.min, 4), decimal(field.hard.max, 4))
         }
@@ -56,12 +57,12 @@ fn manual(def: &CycleDef) -> String {
     }
     page.push_str("\n## Fields\n\nLengths are in the job's units; ranges and defaults are given in mm.\n\n");
     page.push_str("| key | name | unit | range | default | code | what it does |\n|---|---|---|---|---|---|---|\n");
-    for field in def.fields {
+    let sections = def.sections.iter().flat_map(|s| s.fields.iter().map(move |f| (format!("{}.{}", s.key, f.key), f)));
+    for (key, field) in def.fields.iter().map(|f| (f.key.to_owned(), f)).chain(sections) {
         let code = if field.code.is_empty() { String::new() } else { format!("`{}`", field.code) };
         writeln!(
             page,
-            "| `{}` | {} | {} | {} | {} | {code} | {} |",
-            field.key,
+            "| `{key}` | {} | {} | {} | {} | {code} | {} |",
             field.label,
             unit(field),
             range(field),
@@ -72,7 +73,17 @@ fn manual(def: &CycleDef) -> String {
     }
     page.push_str("\n## Results\n\n| code | unit | what it is |\n|---|---|---|\n");
     for row in &plan(&default_job(def.key).unwrap()).unwrap().results {
-        writeln!(page, "| `{}` | {} | {} |", row.code, if row.unit == "deg" { "°" } else { "mm" }, row.meaning).unwrap();
+        writeln!(
+            page,
+            "| `{}` | {} | {} |",
+            row.code,
+            match row.unit {
+                "deg" => "°",
+                unit => unit,
+            },
+            row.meaning
+        )
+        .unwrap();
     }
     page.push_str("\n## Our reading\n\nThe source does not say these; they are ours.\n\n");
     for reading in def.readings {

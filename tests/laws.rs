@@ -27,6 +27,13 @@ fn field_value(field: &Field) -> BoxedStrategy<Value> {
         Kind::Flag => any::<bool>().prop_map(Value::Flag).boxed(),
         Kind::Choice(choices) => (0..choices.len()).prop_map(move |i| Value::Text(choices[i].value.to_owned())).boxed(),
         Kind::Text(_) => "\\PC{0,30}".prop_map(Value::Text).boxed(),
+        Kind::Code(codes) => (0..codes.len()).prop_map(move |i| Value::Number(f64::from(codes[i].value))).boxed(),
+        Kind::Nominal => prop_oneof![(8.0..60.0f64).prop_map(Value::Number), Just(Value::Text("12H7".to_owned()))].boxed(),
+        Kind::NominalPoint => {
+            let sign = if field.key == "point2" { 1.0 } else { -1.0 };
+            let place = (30.0..120.0f64, -50.0..50.0f64, -30.0..0.0f64);
+            place.prop_map(move |(a, o, w)| Value::List([a * sign, o, w].map(Value::Number).to_vec())).boxed()
+        }
         Kind::Point => proptest::array::uniform3(-200.0..200.0).prop_map(point).boxed(),
     }
 }
@@ -40,8 +47,13 @@ fn form(fields: &'static [Field]) -> BoxedStrategy<Vec<(String, Value)>> {
 fn whole_job() -> impl Strategy<Value = Value> {
     (0..CYCLES.len()).prop_flat_map(|i| {
         let def: &'static CycleDef = CYCLES[i];
-        let cycle = form(def.fields).prop_map(move |mut fields| {
+        let inner: Vec<_> = def.sections.iter().map(|s| (Just(s), form(s.fields), any::<bool>())).collect();
+        let cycle = (form(def.fields), inner).prop_map(move |(mut fields, inner)| {
             fields.push(("type".to_owned(), Value::Text(def.key.to_owned())));
+            for (section, values, there) in inner {
+                let value = if there || !section.optional { Value::Map(values) } else { Value::Null };
+                fields.push((section.key.to_owned(), value));
+            }
             Value::Map(fields)
         });
         let sections: Vec<_> = touchpath::job::SECTIONS.iter().map(|(path, fields)| (Just(*path), form(fields))).collect();
@@ -63,7 +75,15 @@ fn whole_job() -> impl Strategy<Value = Value> {
                     _ => job.push((path.to_owned(), Value::Map(fields))),
                 }
             }
-            with(&Value::Map(job), "control.form", Value::Text("moves".to_owned()))
+            let mut job = Value::Map(job);
+            let heidenhain = Value::Text("heidenhain".to_owned());
+            let klartext = job.get("control").and_then(|c| c.get("post")) == Some(&heidenhain);
+            if klartext && def.home.0 != "heidenhain" {
+                job = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
+            }
+            let form = if klartext && def.home.0 == "heidenhain" { "cycle" } else { "moves" };
+            job = with(&job, "control.form", Value::Text(form.to_owned()));
+            if form == "cycle" { with(&job, "control.workOffset", Value::Null) } else { job }
         })
     })
 }
@@ -113,13 +133,16 @@ fn sane(plan: &Plan) -> Result<(), TestCaseError> {
             let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
             prop_assert!((towards - distance(before.to, step.to)).abs() < 1e-6, "a touch runs along its inverted vector");
             prop_assert_eq!(step.feed, "work");
-        } else {
+        } else if !circles(plan) {
             prop_assert_ne!(step.feed, "work");
         }
     }
     prop_assert_eq!(touched, (0..plan.touches.len()).collect::<Vec<_>>(), "each touch once, in order");
     for touch in &plan.touches {
         prop_assert!((distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
+    }
+    if circles(plan) {
+        return program_is_sane(plan);
     }
     // It ends where it began, above the touches.
     let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
@@ -128,20 +151,44 @@ fn sane(plan: &Plan) -> Result<(), TestCaseError> {
     program_is_sane(plan)
 }
 
+/// Whether it is the control's own two-circle cycle, which goes down at the probing feed and ends elsewhere than it began.
+fn circles(plan: &Plan) -> bool {
+    plan.results.iter().any(|r| r.code == "Q950")
+}
+
 fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
+    if plan.program.extension == "h" {
+        prop_assert!(plan.program.move_lines.iter().all(|l| *l == -1));
+        prop_assert!(plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
+        return Ok(());
+    }
     let lines: Vec<&str> = plan.program.text.lines().collect();
     prop_assert_eq!(plan.program.move_lines.len(), plan.moves.len());
     prop_assert!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
     for (&line, step) in plan.program.move_lines.iter().zip(&plan.moves) {
         let word = lines[line as usize].split(' ').next().unwrap();
-        let wanted = match (step.kind, step.feed) {
-            ("touch", _) => "G38.2",
-            (_, "rapid") => "G0",
-            _ => "G1",
+        let wanted: &[&str] = match (step.kind, step.feed, &step.arc) {
+            ("touch", ..) => &["G38.2"],
+            (.., Some(arc)) => {
+                if arc.sweep > 0.0 {
+                    &["G3"]
+                } else {
+                    &["G2"]
+                }
+            }
+            // A rapid with a rate of its own is a feed move.
+            (_, "rapid", None) if circles(plan) => &["G0", "G1"],
+            (_, "rapid", None) => &["G0"],
+            (.., None) => &["G1"],
         };
-        prop_assert_eq!(word, wanted);
+        prop_assert!(wanted.contains(&word), "{} for {:?}", word, step);
     }
-    let motions = lines.iter().filter(|l| l.starts_with("G0 ") || l.starts_with("G1 ") || l.starts_with("G38")).count();
+    let motions = lines
+        .iter()
+        .filter(|l| {
+            l.starts_with("G0 ") || l.starts_with("G1 ") || l.starts_with("G2 ") || l.starts_with("G3 ") || l.starts_with("G38")
+        })
+        .count();
     prop_assert_eq!(motions, plan.moves.len(), "no block moves but those of the path");
     for line in &lines {
         prop_assert!(line.is_ascii() && line.len() <= 255, "{}", line);
@@ -169,7 +216,7 @@ fn many_forms_have_a_plan_and_many_have_not() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
     let jobs: Vec<Value> = (0..400).map(|_| whole_job().new_tree(&mut runner).unwrap().current()).collect();
     let good = jobs.iter().filter(|job| plan(job).is_ok()).count();
-    assert!((80..360).contains(&good), "{good} of 400");
+    assert!((60..360).contains(&good), "{good} of 400");
 }
 
 proptest! {
@@ -244,6 +291,10 @@ proptest! {
             q
         };
         let cycle = job.get("cycle").unwrap();
+        if circles(&straight) {
+            // It has neither origin nor rotation; `circles.rs` turns its points.
+            return Ok(());
+        }
         let Some(Value::List(origin)) = cycle.get("origin") else { panic!("an origin") };
         let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
         let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
@@ -262,6 +313,10 @@ proptest! {
     fn results_follow_the_part(job in whole_job(), dx in -0.4..0.4f64, dy in -0.4..0.4f64, turn in -0.2..0.2f64) {
         let job = with(&with(&job, "overtravel", number(20.0)), "units", Value::Text("mm".to_owned()));
         let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+        if circles(&nominal) {
+            // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
+            return Ok(());
+        }
         for row in &nominal.results {
             if let Some(deviation) = row.deviation {
                 prop_assert!(deviation.abs() < 1e-7, "{}: {}", row.code, deviation);
@@ -329,8 +384,9 @@ fn in_inch(job: &Value) -> Value {
                 at = at.and_then(|v| v.get(key));
             }
             let value = match (at, field.kind, field.default) {
-                (Some(Value::Number(x)), Kind::Length | Kind::Feed, _) => number(x / 25.4),
-                (Some(Value::List(items)), Kind::Point, _) => Value::List(
+                (Some(Value::Number(x)), Kind::Length | Kind::Feed | Kind::Nominal, _) => number(x / 25.4),
+                (Some(Value::Text(_)), Kind::Nominal, _) => Value::Text(format!("{:.15}H7", 12.0 / 25.4)),
+                (Some(Value::List(items)), Kind::Point | Kind::NominalPoint, _) => Value::List(
                     items.iter().map(|v| if let Value::Number(x) = v { number(x / 25.4) } else { v.clone() }).collect(),
                 ),
                 (_, _, Default::Number(_) | Default::Flag(_) | Default::Text(_) | Default::Point(_) | Default::Null) => {
@@ -344,6 +400,12 @@ fn in_inch(job: &Value) -> Value {
         convert(path, fields);
     }
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { panic!("a type") };
-    convert("cycle", touchpath::cycle::find(key).unwrap().fields);
+    let def = touchpath::cycle::find(key).unwrap();
+    convert("cycle", def.fields);
+    for section in def.sections {
+        if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
+            convert(&format!("cycle.{}", section.key), section.fields);
+        }
+    }
     inch
 }

@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+use touchpath::job::DefaultEntry;
+
 /// Layers from the bottom up; modules of one layer do not import each other, except where listed.
 const LAYERS: &[&[&str]] = &[
     &["num"],
@@ -90,6 +92,14 @@ fn the_forms_choices_are_the_registered_posts() {
     let keys: Vec<&str> = touchpath::post::POSTS.iter().map(|p| p.key).collect();
     let catalog = touchpath::job::catalog();
     let control = catalog.sections.iter().find(|s| s.path == "control").unwrap();
-    let choices: Vec<&str> = control.fields.iter().find(|f| f.key == "post").unwrap().choices.iter().map(|c| c.value).collect();
+    let post = control.fields.iter().find(|f| f.key == "post").unwrap();
+    let choices: Vec<&str> = post
+        .choices
+        .iter()
+        .map(|c| match c.value {
+            DefaultEntry::Text(word) => word,
+            _ => panic!("a control's name"),
+        })
+        .collect();
     assert_eq!(choices, keys);
 }

@@ -12,9 +12,10 @@ fn codes(plan: &Plan) -> Vec<String> {
 }
 
 fn at(plan: &Plan, code: &str) -> f64 {
-    match plan.table.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}")).value {
+    match plan.table.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}")).value.clone() {
         ParameterValue::Number(x) => x,
         ParameterValue::Whole(n) => f64::from(n),
+        ParameterValue::Text(text) => panic!("{text} is no number"),
     }
 }
 

@@ -8,6 +8,7 @@ import {
   defaultJob,
   type FieldEntry,
   type Finding,
+  importJob,
   type Job,
   JobError,
   type Plan,
@@ -71,6 +72,13 @@ export class Store extends EventTarget {
       place[key] ??= {};
       place = place[key] as Draft;
     }
+    // A choice of another control takes the form with it that the control has for this cycle.
+    if (path === "control.post") {
+      const support = this.catalog.posts
+        .find((p) => p.id === value)
+        ?.cycles.filter((c) => c.type === this.cycle.type && c.supported);
+      if (support?.length && !support.some((s) => s.form === place.form)) place.form = support[0]?.form;
+    }
     place[last] = value;
     this.changed();
   }
@@ -81,6 +89,20 @@ export class Store extends EventTarget {
     this.left.set(`${old.type} ${this.units}`, old);
     const kept = this.left.get(`${type} ${this.units}`);
     const fresh = defaultJob(type) as unknown as Draft;
+    const home = (fresh.control as Draft).post;
+    const control = this.draft.control as Draft;
+    const support = this.catalog.posts
+      .find((p) => p.id === control.post)
+      ?.cycles.filter((c) => c.type === type && c.supported);
+    // The control stays if it takes the new cycle; its form follows.
+    this.draft.control = support?.length
+      ? { ...control, form: support.some((s) => s.form === control.form) ? control.form : support[0]?.form }
+      : {
+          ...control,
+          post: home,
+          form: (fresh.control as Draft).form,
+          workOffset: home === "heidenhain" ? null : control.workOffset,
+        };
     this.draft.cycle = kept ?? (this.units === "inch" ? this.converted(fresh, 1 / 25.4).cycle : fresh.cycle);
     (this.draft.part as Draft).sizes = {};
     this.forget("cycle");
@@ -106,6 +128,15 @@ export class Store extends EventTarget {
     this.changed();
   }
 
+  /** Takes a job from text: a job file or a program. Throws `JobError` where no job can be made of it. */
+  open(text: string): Finding[] {
+    const { job, findings } = importJob(text);
+    if (!this.catalog.cycles.some((c) => c.type === job.cycle?.type))
+      throw new JobError("This file has no cycle that is known here", findings);
+    this.load(job as unknown as Draft);
+    return findings;
+  }
+
   /** Back to the defaults of the present cycle. */
   reset(): void {
     this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
@@ -115,6 +146,14 @@ export class Store extends EventTarget {
     if (index === this.highlight) return;
     this.highlight = index;
     this.dispatchEvent(new Event("highlight"));
+  }
+
+  /** What a field holds where the job says nothing, in the job's units. */
+  standIn(field: FieldEntry): unknown {
+    const metric = field.unit === "length" || field.unit === "feed";
+    const scaled = (x: number) => (metric && this.units === "inch" ? Number((x / 25.4).toFixed(6)) : x);
+    if (typeof field.default === "number") return scaled(field.default);
+    return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
   }
 
   /** Findings at a path, or at something inside it. */
@@ -180,8 +219,11 @@ export class Store extends EventTarget {
       each(section.path ? (copy[section.path] as Draft) : copy, section.fields);
     }
     const type = (copy.cycle as Draft).type;
-    const fields = this.catalog.cycles.find((c) => c.type === type)?.fields ?? [];
+    const entry = this.catalog.cycles.find((c) => c.type === type);
+    const fields = entry?.fields ?? [];
     each(copy.cycle as Draft, fields);
+    for (const section of entry?.sections ?? [])
+      each((copy.cycle as Draft)[section.key] as Draft | undefined, section.fields);
     each((copy.part as Draft | undefined)?.sizes as Draft | undefined, fields);
     return copy;
   }

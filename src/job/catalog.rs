@@ -185,7 +185,13 @@ pub fn catalog() -> Catalog {
 
 /// A complete, valid job of a type, in mm; none for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
+    default_job_in(key, 1.0)
+}
+
+/// The same with lengths and feeds told in units of `scale` mm; the units themselves stay to be set.
+pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
     let def = cycle::find(key)?;
+    let default_values = |fields: &[Field]| default_values(fields, scale);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
     for (path, fields) in SECTIONS {
         if path.is_empty() {
@@ -214,12 +220,17 @@ pub fn default_job(key: &str) -> Option<Value> {
     Some(Value::Map(job))
 }
 
-fn default_values(fields: &[Field]) -> Vec<(String, Value)> {
+fn default_values(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
+    let rounded = |x: f64| if scale == 1.0 { x } else { (x / scale * 1e6).round() / 1e6 };
     let value = |field: &Field| match field.default {
-        Default::Number(x) => Value::Number(x),
+        Default::Number(x) => match field.kind {
+            Kind::Length | Kind::Feed | Kind::Nominal => Value::Number(rounded(x)),
+            Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => Value::Number(x),
+            Kind::Point | Kind::NominalPoint => Value::Number(x),
+        },
         Default::Flag(b) => Value::Flag(b),
         Default::Text(text) => Value::Text(text.to_owned()),
-        Default::Point(p) => Value::List(p.map(Value::Number).to_vec()),
+        Default::Point(p) => Value::List(p.map(|x| Value::Number(rounded(x))).to_vec()),
         Default::Null => Value::Null,
     };
     fields.iter().map(|field| (field.key.to_owned(), value(field))).collect()

@@ -9,10 +9,12 @@
 
 mod catalog;
 mod form;
+mod import;
 mod plan;
 
-pub use catalog::{Catalog, catalog, default_job};
+pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use form::{Job, SECTIONS};
+pub use import::{Imported, import};
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
 
 use crate::spec::{Checker, Finding, Value};

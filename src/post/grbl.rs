@@ -41,9 +41,7 @@ fn emit(request: &Request<'_>) -> Program {
     let mut w = Writer::new(request, &DIALECT);
     w.header("Measures only: each touch is reported as PRB in machine coordinates");
     w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
-    w.line(if request.scale == 1.0 { "G21" } else { "G20" });
-    w.line(&format!("{} G40 G61 G80 G90 G94", request.plane.word()));
-    w.line("M5 M9");
+    w.modes();
     for step in &request.path.moves {
         match step.purpose {
             Purpose::Position | Purpose::Touch(_) | Purpose::Back(_) => w.motion(step),

@@ -70,9 +70,7 @@ fn emit(request: &Request<'_>) -> Program {
     w.header(&offset);
     w.comment("A contact in a move other than G38.2 stops LinuxCNC by itself");
     w.line("M70");
-    w.line(if request.scale == 1.0 { "G21" } else { "G20" });
-    w.line(&format!("{} G40 G61 G80 G90 G94", request.plane.word()));
-    w.line("M5 M9");
+    w.modes();
     if let Some(n) = request.work_offset {
         w.line(&work_offset_word(n));
     }

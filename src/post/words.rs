@@ -75,6 +75,15 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Units and modes: stated, never inherited. The spindle and the coolant are off.
+    pub fn modes(&mut self) {
+        let request = self.request;
+        self.line(if request.scale == 1.0 { "G21" } else { "G20" });
+        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { " G91.1" } else { "" };
+        self.line(&format!("{} G40 G61 G80 G90{arcs} G94", request.plane.word()));
+        self.line("M5 M9");
+    }
+
     /// One move as one block. A touch runs on past its contact by the overtravel; the search past it is along the inverted
     /// target vector.
     pub fn motion(&mut self, step: &Move) {

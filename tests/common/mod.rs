@@ -74,6 +74,8 @@ pub struct Canon {
     pub kind: &'static str,
     pub to: [f64; 3],
     pub feed: f64,
+    /// Centre, and whether it runs counter-clockwise.
+    pub arc: Option<([f64; 3], bool)>,
 }
 
 /// What the interpreter made of a program.
@@ -85,6 +87,10 @@ pub struct Interpreted {
     pub written: Option<(usize, [f64; 3])>,
     /// The rotation that goes with it.
     pub rotation: Option<f64>,
+    /// Every offset set after the last move and before the modes are given back.
+    pub offsets_after_moves: Vec<[f64; 3]>,
+    /// Every rotation, likewise.
+    pub rotations_after_moves: Vec<f64>,
     pub inch: bool,
 }
 
@@ -125,6 +131,8 @@ pub fn interpret(program: &str) -> Result<Interpreted, String> {
 fn read(text: &str) -> Interpreted {
     let mut found = Interpreted::default();
     let mut feed = 0.0;
+    let mut plane = [0, 1, 2];
+    let mut given_back = false;
     for line in text.lines() {
         if let Some((name, value)) = line.split_once('=').filter(|_| !line.contains("N.....")) {
             found.prints.push((name.to_owned(), value.parse().expect("a printed number")));
@@ -138,32 +146,67 @@ fn read(text: &str) -> Interpreted {
             "STRAIGHT_TRAVERSE" => "rapid",
             "STRAIGHT_FEED" => "feed",
             "STRAIGHT_PROBE" => "probe",
+            "SELECT_PLANE" => {
+                plane = match rest.trim_end_matches(')') {
+                    "CANON_PLANE_XZ" => [2, 0, 1],
+                    "CANON_PLANE_YZ" => [1, 2, 0],
+                    _ => [0, 1, 2],
+                };
+                continue;
+            }
+            "ARC_FEED" => "arc",
             "SET_FEED_RATE" => {
                 feed = numbers[0];
                 continue;
             }
             "SET_G5X_OFFSET" => {
+                if !given_back {
+                    found.offsets_after_moves.push([numbers[1], numbers[2], numbers[3]]);
+                }
                 found.written.get_or_insert((numbers[0] as usize, [numbers[1], numbers[2], numbers[3]]));
                 continue;
             }
             "SET_XY_ROTATION" => {
+                if !given_back {
+                    found.rotations_after_moves.push(numbers[0]);
+                }
                 found.rotation.get_or_insert(numbers[0]);
                 continue;
             }
+            // M72 gives the system back that was active before, by naming its units or its path control first.
+            "SET_MOTION_CONTROL_MODE" | "SET_FEED_MODE" => {
+                given_back = !found.moves.is_empty();
+                continue;
+            }
             "USE_LENGTH_UNITS" => {
+                given_back = !found.moves.is_empty();
                 found.inch |= rest.contains("INCHES");
                 continue;
             }
             _ => continue,
         };
         (found.written, found.rotation) = (None, None);
-        found.moves.push(Canon { kind, to: [numbers[0], numbers[1], numbers[2]], feed });
+        found.offsets_after_moves.clear();
+        found.rotations_after_moves.clear();
+        given_back = false;
+        if kind == "arc" {
+            // First and second end, first and second axis of the centre, turn, end along the tool axis.
+            let place = |first: f64, second: f64| {
+                let mut p = [0.0; 3];
+                (p[plane[0]], p[plane[1]], p[plane[2]]) = (first, second, numbers[5]);
+                p
+            };
+            let arc = Some((place(numbers[2], numbers[3]), numbers[4] > 0.0));
+            found.moves.push(Canon { kind, to: place(numbers[0], numbers[1]), feed, arc });
+            continue;
+        }
+        found.moves.push(Canon { kind, to: [numbers[0], numbers[1], numbers[2]], feed, arc: None });
     }
     found
 }
 
 /// Compares the interpreter's moves with the plan's: units, places within half a last digit of its print, kinds, feeds, count.
-pub fn compare_moves(plan: &Plan, overtravel: f64, ran: &Interpreted) -> Result<(), String> {
+pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpreted) -> Result<(), String> {
     if ran.moves.len() != plan.moves.len() {
         return Err(format!("{} moves run, {} planned", ran.moves.len(), plan.moves.len()));
     }
@@ -173,15 +216,24 @@ pub fn compare_moves(plan: &Plan, overtravel: f64, ran: &Interpreted) -> Result<
     for (i, (canon, step)) in ran.moves.iter().zip(&plan.moves).enumerate() {
         let mut to = step.to;
         if step.kind == "touch" {
-            let vector = plan.touches[step.touch.expect("a touch")].vector;
-            to = [0, 1, 2].map(|axis| to[axis] - overtravel * vector[axis]);
+            let k = step.touch.expect("a touch");
+            let vector = plan.touches[k].vector;
+            to = [0, 1, 2].map(|axis| to[axis] - search(k) * vector[axis]);
         }
-        let kind = match (step.kind, step.feed) {
-            ("touch", _) => "probe",
-            (_, "rapid") => "rapid",
-            _ => "feed",
+        let kind = match (step.kind, step.feed, &step.arc) {
+            ("touch", ..) => "probe",
+            (.., Some(_)) => "arc",
+            (_, "rapid", None) => "rapid",
+            (.., None) => "feed",
         };
-        if canon.kind != kind {
+        // A rapid with a rate of its own runs as a feed move.
+        let stated_rapid = kind == "rapid" && canon.kind == "feed" && plan.results.iter().any(|r| r.code == "Q950");
+        if let (Some(arc), Some((center, counter_clockwise))) = (&step.arc, canon.arc) {
+            if (0..3).any(|axis| (center[axis] - arc.center[axis]).abs() > 2.1e-4) || counter_clockwise != (arc.sweep > 0.0) {
+                return Err(format!("move {i} runs about {center:?}, planned {arc:?}"));
+            }
+        }
+        if canon.kind != kind && !stated_rapid {
             return Err(format!("move {i} runs as {}, planned as {kind}", canon.kind));
         }
         for axis in 0..3 {

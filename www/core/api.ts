@@ -1,4 +1,4 @@
-import type { Catalog, Cycle, Finding, Job, Measured, MoveColumns, Plan, ResultRow } from "./types.js";
+import type { Catalog, Cycle, Finding, Imported, Job, Measured, MoveColumns, Plan, ResultRow } from "./types.js";
 
 export type * from "./types.js";
 
@@ -21,6 +21,7 @@ export interface Raw {
   plan(job: unknown): unknown;
   evaluate(job: unknown, measured: unknown): unknown;
   moveColumns(job: unknown): unknown;
+  importJob(text: unknown): unknown;
   version(): string;
 }
 
@@ -38,6 +39,8 @@ export interface Api {
   evaluate(job: Job, measured: Measured): ResultRow[];
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
+  /** A job from text: job JSON, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
+  importJob(text: string): Imported;
   /** The crate's version. */
   version(): string;
 }
@@ -66,6 +69,7 @@ export function dress(raw: Raw): Api {
     plan: (job) => orJobError(() => raw.plan(job)),
     evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
     moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
+    importJob: (text) => orJobError(() => raw.importJob(text)),
     version: () => raw.version(),
   };
 }

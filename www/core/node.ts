@@ -6,4 +6,4 @@ export * from "./api.js";
 
 raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
 
-export const { catalog, defaultJob, check, plan, evaluate, moveColumns, version } = dress(raw);
+export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, version } = dress(raw);

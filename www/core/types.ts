@@ -53,7 +53,36 @@ export interface DoubleWallInternalCorner {
   subCode?: number;
 }
 
-export type Cycle = InternalRectangleProtected | DoubleWallInternalCorner;
+/** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
+export type Nominal = number | string;
+
+/** HEIDENHAIN 1411; points are (main, minor, tool axis) of the plane. */
+export interface ProbingTwoCircles {
+  type: "probing-two-circles";
+  point1?: [Nominal, Nominal, Nominal];
+  diameter1?: Nominal;
+  point2?: [Nominal, Nominal, Nominal];
+  diameter2?: Nominal;
+  geometryType?: 0 | 1 | 2 | 3;
+  probePoints?: number;
+  startingAngle?: number;
+  angularLength?: number;
+  setUpClearance?: number;
+  clearanceHeight?: number;
+  clearanceHeightMode?: -1 | 0 | 1 | 2;
+  errorReaction?: 0 | 1 | 2;
+  alignRotaryAxis?: 0 | 1 | 2;
+  transferPosition?: 0 | 1 | 2 | 3;
+  confirmRotation?: 0 | 1 | 2;
+  /** The touch probe table; `rapid: null` is the control's own. */
+  probe?: { setUp?: number; dist?: number; feed?: number; rapid?: FeedRate };
+  /** Where the stylus is before the cycle. */
+  start?: Vec3;
+  /** Cycle 1493 in front of it. */
+  extrusion?: { direction?: 1 | 2 | 3; points?: number; length?: number; modal?: 0 | 1 } | null;
+}
+
+export type Cycle = InternalRectangleProtected | DoubleWallInternalCorner | ProbingTwoCircles;
 
 /** A probing job. What is left out takes the catalog's default. */
 export interface Job {
@@ -65,7 +94,12 @@ export interface Job {
   feeds?: { approach?: FeedRate; longLink?: FeedRate; work?: number; retract?: FeedRate; return?: FeedRate };
   overtravel?: number;
   cycle: Cycle;
-  control?: { post?: "linuxcnc" | "grbl"; form?: "moves" | "cycle"; workOffset?: number | null };
+  control?: {
+    post?: "linuxcnc" | "grbl" | "heidenhain";
+    form?: "moves" | "cycle";
+    workOffset?: number | null;
+    tool?: number;
+  };
   part?: { offset?: Vec3; rotation?: number; sizes?: Record<string, number> };
 }
 
@@ -151,7 +185,7 @@ export interface FieldEntry {
   key: string;
   label: string;
   help: string;
-  kind: "number" | "count" | "flag" | "choice" | "text" | "point";
+  kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
   unit: "length" | "feed" | "angle" | "none";
   range: [number, number] | null;
   /** Whether the smallest number itself is excluded. */
@@ -160,7 +194,7 @@ export interface FieldEntry {
   default: number | boolean | string | Vec3 | null;
   /** What `null` means, where it is allowed. */
   null: string | null;
-  choices: { value: string; label: string }[];
+  choices: { value: string | number; label: string }[];
   /** Parameter code of the source. */
   code: string | null;
   /** The heading it stands under. */
@@ -175,6 +209,8 @@ export interface CycleEntry {
   source: string;
   doc: string;
   fields: FieldEntry[];
+  /** Forms inside its form. */
+  sections: { key: string; optional: boolean; fields: FieldEntry[] }[];
   /** The documented steps, in our words; index 0 is step 1. */
   steps: string[];
 }
@@ -196,6 +232,12 @@ export interface Catalog {
   posts: PostEntry[];
   rapidRate: number;
   maxTouches: number;
+}
+
+/** A job made of text. */
+export interface Imported {
+  job: Job;
+  findings: Finding[];
 }
 
 /** Points that a machine measured: ball centres, one a touch, in order; or text, one point a line (CSV or LinuxCNC's PROBEOPEN log). */

@@ -1,6 +1,6 @@
-import { css, html, LitElement, type TemplateResult, unsafeCSS } from "lit";
-import { version } from "../core/browser.js";
-import { type Draft, Store } from "../store.js";
+import { css, html, LitElement, nothing, type TemplateResult, unsafeCSS } from "lit";
+import { JobError, version } from "../core/browser.js";
+import { Store } from "../store.js";
 import styles from "../style.css?inline";
 import "./findings.js";
 import "./form.js";
@@ -17,6 +17,7 @@ class App extends LitElement {
   static override styles = css`${unsafeCSS(styles)}`;
   private readonly store = new Store();
   private tab: Tab = "setup";
+  private told = "";
   private readonly wide = matchMedia("(min-width: 900px)");
   private readonly relayout = () => this.requestUpdate();
 
@@ -42,9 +43,10 @@ class App extends LitElement {
         <span class="gap"></span>
         <button type="button" @click=${() => this.store.reset()}>Reset</button>
         <button type="button" @click=${this.saveJob}>Save job</button>
-        <label class="button">Open job<input type="file" accept=".json,application/json" @change=${this.openJob} /></label>
+        <label class="button">Open job<input type="file" accept=".json,.h,.H,.txt,.nc,.i,application/json,text/plain" @change=${this.openJob} /></label>
         <small>${version()}</small>
       </header>
+      ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${this.hush}>OK</button></p>` : nothing}
       <main @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
         <section class="picture" aria-label="Picture">
           <tp-picture .store=${this.store}></tp-picture>
@@ -89,6 +91,11 @@ class App extends LitElement {
     field?.focus();
   }
 
+  private hush(): void {
+    this.told = "";
+    this.requestUpdate();
+  }
+
   private saveJob(): void {
     const link = document.createElement("a");
     const text = `${JSON.stringify(this.store.draft, null, 2)}\n`;
@@ -103,12 +110,12 @@ class App extends LitElement {
     const text = await input.files?.[0]?.text();
     input.value = "";
     try {
-      const job = JSON.parse(text ?? "") as Draft;
-      if (typeof job?.cycle !== "object") throw new SyntaxError("no cycle");
-      this.store.load(job);
-    } catch {
-      alert("This file is not a Touchpath job (JSON with a cycle).");
+      const notes = this.store.open(text ?? "").filter((f) => f.level !== "error");
+      this.told = notes.map((f) => f.message).join(" ");
+    } catch (thrown) {
+      this.told = thrown instanceof JobError ? thrown.message : "This file cannot be read";
     }
+    this.requestUpdate();
   }
 }
 

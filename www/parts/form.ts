@@ -11,6 +11,8 @@ interface Placed {
 
 /** The form, drawn from the catalog. */
 class FormPart extends Part {
+  /** Forms inside the form that may be left out, by heading. */
+  private readonly optional = new Map<string, { path: string; fields: FieldEntry[] }>();
   protected override follows = ["change"];
 
   override render(): TemplateResult {
@@ -37,6 +39,8 @@ class FormPart extends Part {
 
   /** Fields under their headings: the cycle's own first, then what stands around it, the virtual part last. */
   private groups(): [string, Placed[]][] {
+    this.optional.clear();
+    const own = this.store.cycle.sections.some((s) => s.key === "probe");
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       const list = groups.get(group) ?? [];
@@ -45,8 +49,17 @@ class FormPart extends Part {
     };
     const { sections } = this.store.catalog;
     for (const field of this.store.cycle.fields) add(`cycle.${field.key}`, field);
+    for (const { key, optional, fields } of this.store.cycle.sections) {
+      if (optional) this.optional.set(fields[0]?.group ?? key, { path: `cycle.${key}`, fields });
+      if (optional && this.store.get(`cycle.${key}`) === null) groups.set(fields[0]?.group ?? key, []);
+      else for (const field of fields) add(`cycle.${key}.${field.key}`, field);
+    }
     for (const { path, fields } of sections) {
-      for (const field of fields) add(path ? `${path}.${field.key}` : field.key, field);
+      // A cycle with a touch probe table of its own has its own feeds and search length.
+      if (own && path === "feeds") continue;
+      for (const field of fields) {
+        if (!(own && field.key === "overtravel")) add(path ? `${path}.${field.key}` : field.key, field);
+      }
     }
     for (const field of this.store.cycle.fields.filter((f) => f.size)) {
       const label = `${field.label} differs by`;
@@ -56,6 +69,15 @@ class FormPart extends Part {
     // The postprocessor's own fields are rarely touched.
     const order = (name: string) => (name === "Postprocessor" ? 1 : name === "Virtual part" ? 2 : 0);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
+  }
+
+  /** The box that puts a form inside the form in or out. */
+  private switch(group: string): TemplateResult | typeof nothing {
+    const section = this.optional.get(group);
+    if (!section) return nothing;
+    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f)]));
+    return html`<div class="field wide"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
+      @change=${(e: Event) => this.store.set(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
   }
 
   private field(placed: Placed): TemplateResult {
@@ -76,6 +98,14 @@ class FormPart extends Part {
           </select>
           ${this.foot(placed)}
         </div>`;
+      case "code":
+        return html`<div class="field">
+          <label for=${`f-${path}`}>${field.label}</label>
+          <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.store.set(path, Number((e.target as HTMLSelectElement).value))}>
+            ${field.choices.map((c) => html`<option value=${c.value} ?selected=${(this.store.get(path) ?? field.default) === c.value}>${c.value}: ${c.label}</option>`)}
+          </select>
+          ${this.foot(placed)}
+        </div>`;
       case "text":
         return html`<div class="field">
           <label for=${`f-${path}`}>${field.label}</label>
@@ -83,6 +113,7 @@ class FormPart extends Part {
             @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} />
           ${this.foot(placed)}
         </div>`;
+      case "nominalPoint":
       case "point":
         return html`<div class="field wide" role="group" aria-label=${field.label}>
           <span class="label">${field.label}</span>
@@ -91,6 +122,7 @@ class FormPart extends Part {
           </div>
           ${[0, 1, 2].map((i) => this.problems(`${path}[${i}]`))} ${this.foot(placed)}
         </div>`;
+      case "nominal":
       case "number":
       case "count":
         return html`<div class="field">
@@ -103,9 +135,14 @@ class FormPart extends Part {
 
   private number(field: FieldEntry, path: string, name?: string): TemplateResult {
     const value = this.store.get(path);
-    const text = this.store.typed.get(path) ?? String(value ?? (field.default as number | null) ?? "");
+    const stand = this.store.standIn(field);
+    const index = /\[(\d)\]$/.exec(path)?.[1];
+    const text =
+      this.store.typed.get(path) ??
+      String(value ?? (Array.isArray(stand) && index ? stand[Number(index)] : stand) ?? "");
+    const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const bad = this.store.at(path).some((f) => f.level === "error");
-    return html`<span class="number"><input id=${`f-${path}`} type="text" inputmode=${field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
+    return html`<span class="number"><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
         aria-describedby=${`h-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${bad ? "true" : "false"} .value=${text}
         @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
         @input=${(e: Event) => {
@@ -117,10 +154,15 @@ class FormPart extends Part {
   /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
   private nullable({ field, path }: Placed): TemplateResult {
     const off = this.store.get(path) === null;
-    const scale = this.store.units === "inch" ? 1 / 25.4 : 1;
     return html`${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
       <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`}
-        @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked ? null : Number(((field.default as number) * scale).toFixed(3)))} /> ${field.null}</label>`;
+        @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>`;
+  }
+
+  /** A rate to start from where one was not wanted before. */
+  private rate(field: FieldEntry): number {
+    const stand = this.store.standIn(field);
+    return typeof stand === "number" ? stand : this.store.units === "inch" ? 80 : 2000;
   }
 
   private workOffset(placed: Placed): TemplateResult {

@@ -62,14 +62,14 @@ class ResultsPart extends Part {
     return html`
       <table>
         <caption>${caption}</caption>
-        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
+        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ, verdict</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
         <tbody>
           ${rows.map(
             (
               r,
             ) => html`<tr><td class="name" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
               <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
-              <td class="n">${number(r.uncertainty)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
+              <td class="n">${r.verdict ? html`<b class=${/^good/.test(r.verdict) ? "" : "bad"}>${r.verdict}</b>` : number(r.uncertainty, 5)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
           )}
         </tbody>
       </table>

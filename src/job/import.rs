@@ -1,0 +1,230 @@
+//! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
+
+use crate::cycle;
+use crate::job::JobError;
+use crate::job::catalog::default_job_in;
+use crate::spec::{Checker, Value};
+
+/// A job made of a program, and what had to be said about it.
+#[derive(Debug)]
+pub struct Imported {
+    /// The job.
+    pub job: Value,
+    /// Notes: what was passed over, what could not be known.
+    pub findings: Vec<crate::spec::Finding>,
+}
+
+/// Longest text that is read.
+const LONGEST: usize = 4_000_000;
+
+/// Which parameter is which key of the cycle, and its default on the control.
+const PARAMETERS: &[(u32, &str, f64)] = &[
+    (1100, "point1[0]", 0.0),
+    (1101, "point1[1]", 0.0),
+    (1102, "point1[2]", 0.0),
+    (1116, "diameter1", 0.0),
+    (1103, "point2[0]", 0.0),
+    (1104, "point2[1]", 0.0),
+    (1105, "point2[2]", 0.0),
+    (1117, "diameter2", 0.0),
+    (1115, "geometryType", 0.0),
+    (423, "probePoints", 4.0),
+    (325, "startingAngle", 0.0),
+    (1119, "angularLength", 360.0),
+    (320, "setUpClearance", 0.0),
+    (260, "clearanceHeight", 100.0),
+    (1125, "clearanceHeightMode", 2.0),
+    (309, "errorReaction", 0.0),
+    (1126, "alignRotaryAxis", 0.0),
+    (1120, "transferPosition", 0.0),
+    (1121, "confirmRotation", 0.0),
+];
+const EXTRUSION: &[(u32, &str, f64)] =
+    &[(1140, "direction", 3.0), (1145, "points", 1.0), (1146, "length", 0.0), (1149, "modal", 0.0)];
+
+/// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
+/// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
+pub fn import(text: &str) -> Result<Imported, JobError> {
+    let mut checker = Checker::default();
+    let blocks = blocks(&text[..text.floor_char_boundary(LONGEST)]);
+    let inch = blocks.iter().any(|b| {
+        let upper = b.to_uppercase();
+        upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
+    });
+    let scale = if inch { 25.4 } else { 1.0 };
+    let mut job = default_job_in("probing-two-circles", scale).expect("the cycle is registered");
+    set(&mut job, "units", Value::Text(if inch { "inch" } else { "mm" }.to_owned()));
+    let mut extrusion = Value::Null;
+    let (mut found, mut passed_over) = (0, 0);
+    for block in &blocks {
+        let upper = block.to_uppercase();
+        let words: Vec<&str> = upper.split_whitespace().collect();
+        match words.as_slice() {
+            ["BEGIN", "PGM", rest @ ..] => {
+                let original: Vec<&str> = block.split_whitespace().collect();
+                if rest.len() > 1 {
+                    set(&mut job, "name", Value::Text(original[2].to_owned()));
+                }
+            }
+            ["END", "PGM", ..] | [] => {}
+            ["TOOL", "CALL", rest @ ..] => {
+                if let Some(Ok(number)) = rest.first().map(|t| t.parse::<i32>()) {
+                    set(&mut job, "control.tool", Value::Number(f64::from(number)));
+                }
+                let plane = match rest.get(1) {
+                    Some(&"Y") => "G18",
+                    Some(&"X") => "G19",
+                    _ => "G17",
+                };
+                set(&mut job, "plane", Value::Text(plane.to_owned()));
+            }
+            ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => {
+                found += 1;
+                if found > 1 {
+                    checker.warning(
+                        "several-cycles",
+                        "",
+                        "The program holds cycle 1411 more than once: the first one is taken",
+                    );
+                } else {
+                    for (key, value) in values(block, PARAMETERS, "1411", &mut checker) {
+                        set(&mut job, &format!("cycle.{key}"), value);
+                    }
+                }
+            }
+            ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => {
+                // It acts on the cycle that follows it.
+                if found == 0 {
+                    extrusion = Value::Map(Vec::new());
+                    for (key, value) in values(block, EXTRUSION, "1493", &mut checker) {
+                        set(&mut extrusion, key, value);
+                    }
+                }
+            }
+            _ => passed_over += 1,
+        }
+    }
+    if found == 0 {
+        let known = cycle::CYCLES.len();
+        let message = format!(
+            "No job can be made of this text: it is neither a job (JSON) nor a program with cycle 1411. {known} cycles are known"
+        );
+        checker.error("nothing-to-import", "", message);
+        return Err(JobError { findings: checker.findings });
+    }
+    set(&mut job, "cycle.extrusion", extrusion);
+    if passed_over > 0 {
+        let blocks = if passed_over == 1 { "1 other block is".to_owned() } else { format!("{passed_over} other blocks are") };
+        checker.info("passed-over", "", format!("{blocks} passed over"));
+    }
+    let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
+                   the defaults are taken";
+    checker.info("not-in-program", "stylus", unknown);
+    Ok(Imported { job, findings: checker.findings })
+}
+
+/// The logical blocks of a program: comments, block numbers and continuation signs taken off.
+fn blocks(text: &str) -> Vec<String> {
+    let mut blocks: Vec<String> = Vec::new();
+    let mut goes_on = false;
+    for line in text.lines() {
+        let line = line.trim();
+        let continued = line.ends_with('~');
+        let line = line.trim_end_matches('~');
+        let line = line.split_once(';').map_or(line, |(code, _)| code).trim();
+        if goes_on {
+            let block = blocks.last_mut().expect("a block goes on");
+            block.push(' ');
+            block.push_str(line);
+        } else {
+            blocks.push(without_number(line).to_owned());
+        }
+        goes_on = continued;
+    }
+    blocks
+}
+
+/// A line without its block number: `12 TCH PROBE`, `N12 G1411`.
+fn without_number(line: &str) -> &str {
+    let digits = line.strip_prefix(['N', 'n']).unwrap_or(line);
+    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
+    if rest.len() < digits.len() && (rest.is_empty() || rest.starts_with(char::is_whitespace)) {
+        rest.trim_start()
+    } else {
+        line
+    }
+}
+
+/// The parameters of a block as keys and values, those it does not name with the control's default.
+fn values<'a>(block: &str, known: &'a [(u32, &'a str, f64)], cycle: &str, checker: &mut Checker) -> Vec<(&'a str, Value)> {
+    let given = assignments(block, cycle, checker);
+    for (number, _) in &given {
+        if !known.iter().any(|(n, ..)| n == number) {
+            let message = format!("Cycle {cycle} has no Q{number}: it is passed over");
+            checker.warning("unknown-parameter", "", message);
+        }
+    }
+    known
+        .iter()
+        .map(|(number, key, default)| {
+            let value = given.iter().rev().find(|(n, _)| n == number).map(|(_, value)| value.clone());
+            if value.is_none() {
+                let message = format!("Q{number} is not given: the control's default is taken");
+                checker.warning("missing-parameter", format!("cycle.{key}"), message);
+            }
+            (*key, value.unwrap_or(Value::Number(*default)))
+        })
+        .collect()
+}
+
+/// Every `Q1116=+10` and `QS1116="10H7"` of a block.
+fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Value)> {
+    let mut found = Vec::new();
+    let mut rest = block;
+    while let Some(at) = rest.find(['Q', 'q']) {
+        rest = &rest[at + 1..];
+        let name = rest.strip_prefix(['S', 's']).unwrap_or(rest);
+        let digits = name.len() - name.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let Ok(number) = name[..digits].parse::<u32>() else { continue };
+        let Some(value) = name[digits..].trim_start().strip_prefix('=') else { continue };
+        let value = value.trim_start();
+        let (text, quoted) = match value.strip_prefix('"') {
+            Some(inside) => (inside.split('"').next().unwrap_or_default(), true),
+            None => (value.split_whitespace().next().unwrap_or_default(), false),
+        };
+        rest = &value[(text.len() + 2 * usize::from(quoted)).min(value.len())..];
+        let plain = text.replace(',', ".");
+        match plain.parse::<f64>() {
+            Ok(x) if !quoted && x.is_finite() => found.push((number, Value::Number(x))),
+            _ if quoted => found.push((number, Value::Text(plain))),
+            _ => {
+                let message = format!("Q{number} of cycle {cycle} is not a number: the control's default is taken");
+                checker.warning("not-a-number", "", message);
+            }
+        }
+    }
+    found
+}
+
+/// Sets a value at a path such as `cycle.point1[2]`.
+fn set(job: &mut Value, path: &str, value: Value) {
+    let (key, rest) = path.split_once('.').map_or((path, None), |(k, r)| (k, Some(r)));
+    let (name, index) = match key.split_once('[') {
+        Some((name, index)) => (name, index.trim_end_matches(']').parse::<usize>().ok()),
+        None => (key, None),
+    };
+    let Value::Map(entries) = job else { return };
+    let place = match entries.iter().position(|(k, _)| k == name) {
+        Some(place) => place,
+        None => {
+            entries.push((name.to_owned(), Value::Map(Vec::new())));
+            entries.len() - 1
+        }
+    };
+    let target = &mut entries[place].1;
+    match (rest, index, target) {
+        (Some(rest), _, target) => set(target, rest, value),
+        (None, Some(i), Value::List(items)) if i < items.len() => items[i] = value,
+        (None, _, target) => *target = value,
+    }
+}

@@ -1,0 +1,665 @@
+//! HEIDENHAIN 1411: motion, results, tolerances, Klartext in and out, and the same cycle on LinuxCNC.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{compare_moves, interpret, job, number, number_at, planned, point, with};
+use proptest::prelude::*;
+use touchpath::formula::fit_circle;
+use touchpath::job::{Plan, ResultRow, check, evaluate, import, plan};
+use touchpath::spec::{Level, Value};
+
+fn text(t: &str) -> Value {
+    Value::Text(t.to_owned())
+}
+
+/// Two holes of 20 at ±30, measuring height −10, ball 6, SET_UP 2, DIST 10, clearance height 50, stylus at Z 80.
+fn holes() -> Value {
+    job(r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "probing-two-circles",
+        "point1": [-30, 0, -10], "point2": [30, 0, -10], "diameter1": 20, "diameter2": 20, "clearanceHeight": 50,
+        "start": [5, 7, 80] } }"#)
+}
+
+fn on_linuxcnc(job: &Value) -> Value {
+    with(&with(job, "control.post", text("linuxcnc")), "control.form", text("moves"))
+}
+
+fn row<'a>(rows: &'a [ResultRow], code: &str) -> &'a ResultRow {
+    rows.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}"))
+}
+
+fn value(plan: &Plan, code: &str) -> f64 {
+    row(&plan.results, code).value.unwrap_or_else(|| panic!("{code} has a value"))
+}
+
+fn near(a: f64, b: f64) {
+    assert!((a - b).abs() < 1e-9, "{a} is not {b}");
+}
+
+fn errors(job: &Value) -> Vec<String> {
+    check(job).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+}
+
+fn warnings(job: &Value) -> Vec<String> {
+    check(job).iter().filter(|f| f.level == Level::Warning).map(|f| f.code.clone()).collect()
+}
+
+/// The example of the manual, block by block.
+const SEED: &str = "11 TCH PROBE 1411 PROBING TWO CIRCLES ~
+Q1100=+0 ;1ST POINT REF AXIS ~
+Q1101=+0 ;1ST POINT MINOR AXIS ~
+Q1102=+0 ;1ST POINT TOOL AXIS ~
+Q1116=+0 ;DIAMETER 1 ~
+Q1103=+0 ;2ND POINT REF AXIS ~
+Q1104=+0 ;2ND POINT MINOR AXIS ~
+Q1105=+0 ;2ND POINT TOOL AXIS ~
+Q1117=+0 ;DIAMETER 2 ~
+Q1115=+0 ;GEOMETRY TYPE ~
+Q423=+4 ;NO. OF PROBE POINTS ~
+Q325=+0 ;STARTING ANGLE ~
+Q1119=+360 ;ANGULAR LENGTH ~
+Q320=+0 ;SET-UP CLEARANCE ~
+Q260=+100 ;CLEARANCE HEIGHT ~
+Q1125=+2 ;CLEAR. HEIGHT MODE ~
+Q309=+0 ;ERROR REACTION ~
+Q1126=+0 ;ALIGN ROTARY AXIS ~
+Q1120=+0 ;TRANSER POSITION ~
+Q1121=+0 ;CONFIRM ROTATION";
+
+fn block_lines(program: &str) -> Vec<String> {
+    let lines = program.lines().skip_while(|l| !l.contains("TCH PROBE 1411"));
+    lines.take(20).map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+}
+
+/// The manual's own example is read as it stands, and written again letter by letter. Its diameters of 0 cannot be probed, so
+/// they are made 10 and the points put apart before it is planned; the other lines must be the manual's.
+#[test]
+fn the_manuals_example_is_read_and_written() {
+    let imported = import(SEED).unwrap();
+    assert_eq!(imported.job.get("cycle").unwrap().get("diameter1"), Some(&number(0.0)));
+    let mut job = with(&imported.job, "cycle.diameter1", number(10.0));
+    job = with(&job, "cycle.diameter2", number(10.0));
+    job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
+    let program = planned(&job).program.text;
+    let expected = SEED
+        .replacen("11 TCH", "2 TCH", 1)
+        .replacen("Q1116=+0", "Q1116=+10", 1)
+        .replacen("Q1117=+0", "Q1117=+10", 1)
+        .replacen("Q1103=+0", "Q1103=+50", 1);
+    assert_eq!(block_lines(&program), expected.lines().map(str::to_owned).collect::<Vec<_>>());
+    assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 TOOL CALL 100 Z S50\n"));
+    assert!(program.ends_with("\n3 END PGM PROBE MM\n"));
+}
+
+#[test]
+fn other_ways_to_write_the_block_are_read() {
+    let iso = "N10 G1411 Q1100=-30 Q1101=+0,5 Q1102=-10 QS1116=\"10H7\" Q1103=+30 Q1104=+0 Q1105=-10 Q1117=+12.5 Q1115=+2 Q423=+3 \
+               Q325=+0 Q1119=+360 Q320=+1 Q260=+80 Q1125=+1 Q309=+0 Q1126=+0 Q1120=+1 Q1121=+1";
+    let cycle = import(iso).unwrap().job.get("cycle").unwrap().clone();
+    assert_eq!(cycle.get("point1"), Some(&point([-30.0, 0.5, -10.0])));
+    assert_eq!(cycle.get("diameter1"), Some(&text("10H7")));
+    assert_eq!((cycle.get("geometryType"), cycle.get("transferPosition")), (Some(&number(2.0)), Some(&number(1.0))));
+    let messy = "0 BEGIN PGM A_B INCH\r\n1 L Z+100 R0 FMAX M91\r\n2 TOOL CALL 7 Y S50\r\n3 TCH PROBE 1493 EXTRUSION PROBING ~\r\n\
+                 Q1140=+1 ;anything at all ~\r\n Q1145=+4 ~\r\nQ1146=-2,5;x ~\r\nQ1149=+0\r\n4 TCH PROBE 1411 ~\r\n  Q1100=+1 ;x ~\r\n Q9999=+1\r\n\
+                 5 END PGM A_B INCH\r\n";
+    let imported = import(messy).unwrap();
+    let at = |path: &str| number_at(&imported.job, path, f64::NAN);
+    assert_eq!(imported.job.get("units"), Some(&text("inch")));
+    assert_eq!((imported.job.get("plane"), at("control.tool")), (Some(&text("G18")), 7.0));
+    assert_eq!((at("cycle.extrusion.points"), at("cycle.extrusion.length")), (4.0, -2.5));
+    let codes: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
+    assert!(codes.contains(&"unknown-parameter") && codes.contains(&"missing-parameter") && codes.contains(&"passed-over"));
+    assert!(import("G1 X0").is_err() && import("").is_err() && import("{").is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Emit, import, emit: the same bytes.
+    #[test]
+    fn a_program_is_read_back_as_it_was_written(
+        places in proptest::array::uniform4(-400.0..400.0f64), height in -50.0..0.0f64, diameters in (10.0..80.0f64, 0usize..6),
+        geometry in 0..4i32, points in 3..9i32, angles in (-360.0..360.0f64, 30.0..360.0f64), modes in (2..3i32, 0..3i32, 0..4i32, 0..2i32),
+        extruded in any::<bool>(), inch in any::<bool>(), name in "[A-Za-z ]{0,12}",
+    ) {
+        let forms = ["15H7", "22m", "30+0.01-0.015", "18-0.2", "25h6", "16+1-1"];
+        let scale = if inch { 25.4 } else { 1.0 };
+        let second = if inch { number(diameters.0 / scale) } else { text(forms[diameters.1]) };
+        let mut job = with(&holes(), "units", text(if inch { "inch" } else { "mm" }));
+        job = with(&job, "name", text(&name));
+        job = with(&job, "cycle.point1", point([places[0] / scale, places[1] / scale, height / scale]));
+        job = with(&job, "cycle.point2", point([places[2] / scale, places[3] / scale, height / scale]));
+        job = with(&job, "cycle.diameter1", number(diameters.0 / scale));
+        job = with(&job, "cycle.diameter2", second);
+        for (key, value) in [("geometryType", geometry), ("probePoints", points), ("clearanceHeightMode", modes.0), ("errorReaction", modes.1),
+            ("transferPosition", modes.2), ("confirmRotation", modes.3)] {
+            job = with(&job, &format!("cycle.{key}"), number(f64::from(value)));
+        }
+        job = with(&job, "cycle.startingAngle", number(angles.0));
+        job = with(&job, "cycle.angularLength", number(angles.1));
+        job = with(&job, "stylus.diameter", number(1.0 / scale));
+        job = with(&job, "cycle.start", point([0.0, 0.0, 100.0]));
+        if extruded {
+            job = with(&job, "cycle.extrusion", Value::Map(vec![("points".into(), number(2.0)), ("length".into(), number(-1.0 / scale))]));
+        }
+        let Ok(first) = plan(&job) else { return Ok(()) };
+        let imported = import(&first.program.text).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        let again = with(&imported.job, "stylus.diameter", number(1.0 / scale));
+        let again = with(&again, "cycle.start", point([0.0, 0.0, 100.0]));
+        let second = plan(&again).map_err(|e| TestCaseError::fail(format!("{e}: {:?}", e.findings)))?;
+        prop_assert_eq!(first.program.text, second.program.text);
+    }
+}
+
+/// Clearance 2 + ball 3 = 5 off a wall of radius 10: the touches of a hole start 5 from its centre and end at 7.
+#[test]
+fn the_way_of_two_holes_by_hand() {
+    let plan = planned(&holes());
+    let ways: Vec<([f64; 3], &str, &str, u8)> = plan.moves.iter().take(12).map(|m| (m.to, m.kind, m.feed, m.step)).collect();
+    let expected = [
+        // From above: first in the plane, then down to the clearance height.
+        ([5.0, 7.0, 80.0], "position", "rapid", 1),
+        ([-30.0, 0.0, 80.0], "position", "rapid", 1),
+        ([-30.0, 0.0, 50.0], "position", "rapid", 1),
+        ([-25.0, 0.0, 50.0], "position", "rapid", 3),
+        ([-25.0, 0.0, -10.0], "position", "work", 4),
+        ([-23.0, 0.0, -10.0], "touch", "work", 4),
+        ([-25.0, 0.0, -10.0], "back", "rapid", 4),
+        // Q1125 = 2: over the clearance height to the next point, a quarter turn counter-clockwise.
+        ([-25.0, 0.0, 50.0], "position", "rapid", 4),
+        ([-30.0, 5.0, 50.0], "position", "rapid", 4),
+        ([-30.0, 5.0, -10.0], "position", "work", 4),
+        ([-30.0, 7.0, -10.0], "touch", "work", 4),
+        ([-30.0, 5.0, -10.0], "back", "rapid", 4),
+    ];
+    assert_eq!(ways, expected);
+    let last = plan.moves.last().unwrap();
+    assert_eq!((last.to, last.step), ([30.0, -5.0, 50.0], 8));
+    assert_eq!(plan.touches[0].point, [-20.0, 0.0, -10.0]);
+    assert_eq!(plan.touches[0].vector, [-1.0, 0.0, 0.0], "from the material into the hole");
+    assert_eq!(plan.touches.iter().map(|t| t.group).collect::<Vec<_>>(), [0, 0, 0, 0, 1, 1, 1, 1]);
+    // From below: first up to the clearance height.
+    let below = planned(&with(&holes(), "cycle.start", point([5.0, 7.0, 20.0])));
+    assert_eq!(below.moves[1].to, [5.0, 7.0, 50.0]);
+    assert_eq!(below.moves[2].to, [-30.0, 0.0, 50.0]);
+}
+
+/// Studs are touched inwards: they start 10 + 5 from the centre and end at 13. With Q1125 = 1 the ball goes from point to
+/// point along the arc of 15, and over the clearance height to the other stud.
+#[test]
+fn the_way_of_two_studs_by_hand() {
+    let mut job = with(&with(&holes(), "cycle.geometryType", number(1.0)), "cycle.clearanceHeightMode", number(1.0));
+    job = with(&job, "cycle.startingAngle", number(90.0));
+    job = with(&job, "cycle.angularLength", number(-180.0));
+    job = with(&job, "cycle.probePoints", number(3.0));
+    let plan = planned(&job);
+    // Three points over −180°: at 90°, 0°, −90°.
+    assert_eq!(plan.touches[0].vector, [0.0, 1.0, 0.0]);
+    assert_eq!(plan.touches[1].vector, [1.0, 0.0, 0.0]);
+    assert_eq!(plan.touches[2].vector, [0.0, -1.0, 0.0]);
+    let touch = plan.moves.iter().position(|m| m.kind == "touch").unwrap();
+    assert_eq!(plan.moves[touch - 1].to, [-30.0, 15.0, -10.0]);
+    assert_eq!(plan.moves[touch].to, [-30.0, 13.0, -10.0]);
+    let around = &plan.moves[touch + 2];
+    let arc = around.arc.as_ref().expect("an arc, not a chord");
+    assert_eq!((around.to, arc.center, arc.sweep), ([-15.0, 0.0, -10.0], [-30.0, 0.0, -10.0], -90.0));
+    assert!(warnings(&job).contains(&"no-retract".to_owned()));
+    // The way of an arc is its own length: 15·π/2 each.
+    let bows: f64 = plan.moves.iter().filter_map(|m| m.arc.as_ref()).map(|a| 15.0 * a.sweep.abs().to_radians()).sum();
+    assert!((bows - 4.0 * 15.0 * std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+}
+
+#[test]
+fn without_a_retract_between_objects_studs_may_be_free_and_holes_are_not() {
+    let studs = with(&with(&holes(), "cycle.geometryType", number(1.0)), "cycle.clearanceHeightMode", number(0.0));
+    // From stud 1's last touch at −90° straight to stud 2's first at 0°: (−30, −15) to (45, 0) passes stud 2 at (30, 0) in
+    // 2.9 of its middle: that cuts it.
+    assert_eq!(errors(&studs), ["collision cycle"]);
+    // Starting at 180° the second stud's near side comes first, and the way is free.
+    let facing = with(&studs, "cycle.startingAngle", number(180.0));
+    assert_eq!(errors(&facing), [""; 0]);
+    let plan = planned(&facing);
+    assert_eq!(
+        plan.moves.iter().filter(|m| m.to[2] == 50.0).count(),
+        3,
+        "down to it and across before, up to it after the cycle"
+    );
+    // A hole is left through its wall.
+    assert_eq!(errors(&with(&holes(), "cycle.clearanceHeightMode", number(0.0))), ["collision cycle"]);
+    assert_eq!(errors(&with(&holes(), "cycle.clearanceHeightMode", number(-1.0))), ["collision cycle"]);
+}
+
+#[test]
+fn small_holes() {
+    // 8 wide: 4 less 5 of stand-off is none; from the centre 4 − 3 = 1 is reachable.
+    let job = with(&holes(), "cycle.diameter1", number(8.0));
+    let finding = check(&job).into_iter().find(|f| f.code == "small-hole").expect("a notice");
+    assert!(finding.message.contains("clearance of 1 mm"), "{}", finding.message);
+    let plan = planned(&job);
+    let touch = plan.moves.iter().position(|m| m.kind == "touch").unwrap();
+    assert_eq!(plan.moves[touch - 1].to, [-30.0, 0.0, -10.0]);
+    assert_eq!(plan.moves[touch].to, [-29.0, 0.0, -10.0]);
+    assert_eq!(errors(&with(&holes(), "cycle.diameter1", number(6.0))), ["ball-too-wide cycle.diameter1"]);
+}
+
+/// Part shifted by (0.2, −0.1) and turned by 0.5° about the work origin; hole 1 is 0.04 wider.
+#[test]
+fn results_by_hand() {
+    let mut job = with(&holes(), "part.offset", point([0.2, -0.1, 0.0]));
+    job = with(&job, "part.rotation", number(0.5));
+    job = with(&job, "part.sizes.diameter1", number(0.04));
+    job = with(&job, "cycle.transferPosition", number(3.0));
+    job = with(&job, "cycle.confirmRotation", number(1.0));
+    let plan = planned(&job);
+    let (sin, cos) = (0.008_726_535_498, 0.999_961_923_064);
+    for (code, wanted) in [
+        ("Q950", 0.2 - 30.0 * cos),
+        ("Q951", -0.1 - 30.0 * sin),
+        ("Q952", -10.0),
+        ("Q953", 0.2 + 30.0 * cos),
+        ("Q954", -0.1 + 30.0 * sin),
+        ("Q964", 0.5),
+        ("Q965", -0.5),
+        ("Q966", 20.04),
+        ("Q967", 20.0),
+        ("Q980", 30.2 - 30.0 * cos),
+        ("Q984", -0.1 + 30.0 * sin),
+        ("Q994", 0.5),
+        ("Q995", -0.5),
+        ("Q996", 0.04),
+        ("Q997", 0.0),
+        ("preset.x", 0.2),
+        ("preset.y", -0.1),
+        ("preset.rotation", 0.5),
+        ("Q183", -1.0),
+        ("form1", 0.0),
+    ] {
+        assert!((value(&plan, code) - wanted).abs() < 1e-8, "{code}: {} for {wanted}", value(&plan, code));
+    }
+    assert!(plan.results.iter().all(|r| r.code != "Q970"), "only with an extrusion");
+    near(row(&plan.results, "Q964").truth.unwrap(), 0.5);
+}
+
+/// Angles wrap: a line that points along −X nominally, turned either way.
+#[test]
+fn the_rotation_wraps() {
+    for turn in [0.4, -0.4] {
+        let mut job = with(&holes(), "cycle.point1", point([30.0, 0.0, -10.0]));
+        job = with(&job, "cycle.point2", point([-30.0, 0.0, -10.0]));
+        near(value(&planned(&with(&job, "part.rotation", number(turn))), "Q964"), turn);
+    }
+}
+
+#[test]
+fn tolerances_and_verdicts() {
+    let toleranced = |diameter: &str, delta: f64, geometry: f64| {
+        let mut job = with(&holes(), "cycle.diameter1", text(diameter));
+        job = with(&job, "cycle.geometryType", number(geometry));
+        with(&job, "part.sizes.diameter1", number(delta))
+    };
+    for (diameter, delta, geometry, status, verdict) in [
+        // 20H7 is 20 … 20.021.
+        ("20H7", 0.010, 0.0, 0.0, "good"),
+        ("20H7", 0.021, 0.0, 0.0, "good"),
+        ("20H7", 0.0, 0.0, 0.0, "good"),
+        ("20H7", -0.005, 0.0, 1.0, "rework"),
+        ("20H7", 0.022, 0.0, 2.0, "scrap"),
+        // A stud: too big can be worked off, too small cannot be put on.
+        ("20h6", 0.005, 1.0, 1.0, "rework"),
+        ("20h6", -0.014, 1.0, 2.0, "scrap"),
+        ("20m", 0.2, 0.0, 0.0, "good"),
+        ("20+0.01-0.015", 0.0101, 0.0, 2.0, "scrap"),
+    ] {
+        let plan = planned(&toleranced(diameter, delta, geometry));
+        assert_eq!(value(&plan, "Q183"), status, "{diameter} {delta}");
+        assert_eq!(row(&plan.results, "Q966").verdict.as_deref(), Some(verdict), "{diameter} {delta}");
+    }
+    // Deviations are from the middle: 20H7 is 20.0105.
+    let plan = planned(&toleranced("20H7", 0.0, 0.0));
+    near(value(&plan, "Q996"), -0.0105);
+    near(row(&plan.results, "Q966").deviation.unwrap(), -0.0105);
+    // A position out of its zone is scrap; the worst counts.
+    let job = with(
+        &toleranced("20H7", -0.005, 0.0),
+        "cycle.point1",
+        Value::List(vec![text("-30+0.1-0.1"), number(0.0), number(-10.0)]),
+    );
+    let moved = planned(&with(&job, "part.offset", point([0.15, 0.0, 0.0])));
+    assert_eq!((value(&moved, "Q183"), row(&moved.results, "Q950").verdict.as_deref()), (2.0, Some("scrap")));
+    // What Q309 does with it.
+    let says = |reaction: f64, delta: f64| {
+        let plan = planned(&with(&toleranced("20H7", delta, 0.0), "cycle.errorReaction", number(reaction)));
+        row(&plan.results, "Q183").verdict.clone().unwrap()
+    };
+    assert_eq!(says(0.0, 0.05), "scrap: the program goes on");
+    assert_eq!(says(1.0, -0.01), "rework: the control stops and shows the results");
+    assert_eq!(says(2.0, -0.01), "rework: the program goes on");
+    assert_eq!(says(2.0, 0.05), "scrap: the control stops and shows the results");
+}
+
+#[test]
+fn semi_automatic_and_given_objects() {
+    let semi = with(&holes(), "cycle.point1", Value::List(vec![text("?-30"), text("?"), number(-10.0)]));
+    let plan = planned(&semi);
+    assert_eq!(plan.touches.len(), 4, "only the second object is probed");
+    assert_eq!(row(&plan.results, "Q950").value, None);
+    assert_eq!(row(&plan.results, "Q964").value, None);
+    near(value(&plan, "Q953"), 30.0);
+    assert!(plan.findings.iter().any(|f| f.code == "semi-automatic" && f.message.contains("operator")));
+    assert!(plan.program.text.contains("QS1100=\"?-30\" ;1ST POINT REF AXIS ~\n    QS1101=\"?\" ;"));
+    assert_eq!(errors(&on_linuxcnc(&semi)), ["semi-automatic-unsupported control.post"]);
+    // Given: not probed, but its place counts. 60 along and 0.6 across is 0.57294°.
+    let given = with(&holes(), "cycle.point1", Value::List(vec![text("-30@-30"), text("0@-0.6"), text("-10@-10")]));
+    let plan = planned(&given);
+    assert_eq!(plan.touches.len(), 4);
+    near(value(&plan, "Q951"), -0.6);
+    assert!((value(&plan, "Q964") - 0.01f64.atan().to_degrees()).abs() < 1e-9);
+    assert_eq!(row(&plan.results, "Q966").value, None, "its diameter is not measured");
+    let partly = with(&holes(), "cycle.point1", Value::List(vec![text("-30@-30"), number(0.0), number(-10.0)]));
+    assert_eq!(errors(&partly), ["given-incomplete cycle.point1"]);
+    // Both given or unknown: nothing is probed, and there is still a program.
+    let neither = with(&semi, "cycle.point2", Value::List(vec![text("?"), text("?"), text("?")]));
+    let plan = planned(&neither);
+    assert_eq!((plan.moves.len(), plan.length), (0, 0.0));
+}
+
+/// Three touches along the tool axis for each: the circle is that of the means, and its uncertainty shrinks by √3.
+#[test]
+fn extrusion_repeats_touches() {
+    let extruded = with(&holes(), "cycle.extrusion", job(r#"{ "direction": 3, "points": 3, "length": -6 }"#));
+    let (once, thrice) = (planned(&holes()), planned(&extruded));
+    assert_eq!(thrice.touches.len(), 24);
+    assert_eq!(thrice.touches[1].point, [-20.0, 0.0, -13.0]);
+    let ratio = row(&once.results, "Q950").uncertainty.unwrap() / row(&thrice.results, "Q950").uncertainty.unwrap();
+    assert!((ratio - 3f64.sqrt()).abs() < 1e-8, "{ratio}");
+    // Single deviations: hole 1 is 0.05 wider and 0.3 off everywhere.
+    let off = planned(&with(&with(&extruded, "part.offset", point([0.3, 0.0, 0.0])), "part.sizes.diameter1", number(0.05)));
+    near(value(&off, "Q970"), 0.3);
+    near(value(&off, "Q973"), 0.05);
+    near(value(&off, "Q974"), 0.0);
+    let block = &off.program.text;
+    assert!(block.contains("2 TCH PROBE 1493 EXTRUSION PROBING ~\n    Q1140=+3 ;EXTRUSION DIRECTION ~\n    Q1145=+3 ;EXTRUSION POINTS ~\n    Q1146=-6 ;EXTRUSION LENGTH ~\n    Q1149=+0 ;EXTRUSION MODAL\n3 TCH PROBE 1411"));
+}
+
+#[test]
+fn every_enumeration_value_is_taken_and_the_next_one_is_not() {
+    for (key, low, high) in [
+        ("geometryType", 0, 3),
+        ("probePoints", 3, 8),
+        ("errorReaction", 0, 2),
+        ("transferPosition", 0, 3),
+        ("confirmRotation", 0, 2),
+        ("clearanceHeightMode", -1, 2),
+        ("alignRotaryAxis", 0, 2),
+    ] {
+        let base = with(&with(&holes(), "cycle.confirmRotation", number(1.0)), "cycle.startingAngle", number(180.0));
+        for n in low..=high {
+            let job = with(&base, &format!("cycle.{key}"), number(f64::from(n)));
+            let found = errors(&job);
+            assert!(found.iter().all(|e| e == "collision cycle"), "{key} {n}: {found:?}");
+            if found.is_empty() {
+                let q = planned(&job).table.iter().find(|r| r.field == Some(&format!("cycle.{key}"))).unwrap().code.clone();
+                assert!(
+                    planned(&job).program.text.contains(&format!("{q}={}{n} ;", if n < 0 { "" } else { "+" })),
+                    "{key} {n}"
+                );
+            }
+        }
+        for n in [low - 1, high + 1] {
+            let found = errors(&with(&base, &format!("cycle.{key}"), number(f64::from(n))));
+            assert!(found.contains(&format!("out-of-range cycle.{key}")), "{key} {n}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_named() {
+    let bad = |path: &str, value: Value| errors(&with(&holes(), path, value));
+    assert_eq!(bad("cycle.probePoints", number(2.0)), ["out-of-range cycle.probePoints"]);
+    assert_eq!(bad("cycle.probePoints", number(9.0)), ["out-of-range cycle.probePoints"]);
+    assert_eq!(bad("cycle.angularLength", number(0.0)), ["no-arc cycle.angularLength"]);
+    for wrong in ["10H", "10H99", "?x", "10@"] {
+        assert_eq!(bad("cycle.diameter1", text(wrong)), ["not-a-value cycle.diameter1"], "{wrong}");
+    }
+    assert_eq!(bad("cycle.diameter1", text("?10")), ["not-a-value cycle.diameter1"]);
+    assert_eq!(bad("cycle.point2", point([-30.0, 0.0, -10.0])), ["no-direction cycle.point2"]);
+    assert_eq!(bad("cycle.alignRotaryAxis", number(1.0)), ["align-needs-confirm cycle.alignRotaryAxis"]);
+    assert_eq!(bad("cycle.clearanceHeight", number(-10.0)), ["clearance-height-too-low cycle.clearanceHeight"]);
+    assert_eq!(bad("cycle.probe.dist", number(2.0)), ["dist-too-short cycle.probe.dist"]);
+    assert_eq!(bad("cycle.probe.bogus", number(2.0)), ["unknown-key cycle.probe.bogus"]);
+    assert_eq!(bad("cycle.extrusion", number(2.0)), ["wrong-type cycle.extrusion"]);
+    assert_eq!(bad("control.form", text("moves")), ["form-unsupported control.form"]);
+    let refused = check(&with(&holes(), "control.form", text("moves")));
+    assert!(refused[0].message.contains("documented"), "{}", refused[0].message);
+    let rectangle = job(
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "internal-rectangle-protected" } }"#,
+    );
+    assert_eq!(errors(&rectangle), ["form-unsupported control.form"]);
+}
+
+/// The circle through three points has closed forms; and three points within 10° still give it.
+#[test]
+fn circle_fits_against_closed_forms() {
+    let at = |degrees: f64| (12.0 + 7.0 * degrees.to_radians().cos(), -5.0 + 7.0 * degrees.to_radians().sin());
+    for angles in [
+        vec![0.0, 90.0, 180.0],
+        vec![10.0, 15.0, 20.0],
+        vec![0.0, 120.0, 240.0, 300.0],
+        (0..8).map(|k| 20.0 * f64::from(k)).collect(),
+    ] {
+        let points: Vec<(f64, f64)> = angles.iter().map(|a| at(*a)).collect();
+        let fit = fit_circle(&points).unwrap();
+        assert!(
+            (fit.center.0 - 12.0).abs() < 1e-9 && (fit.center.1 + 5.0).abs() < 1e-9 && (fit.radius - 7.0).abs() < 1e-9,
+            "{fit:?}"
+        );
+    }
+    // A triangle with sides 3, 4, 5 has its circle about the middle of the longest, radius 2.5.
+    let fit = fit_circle(&[(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]).unwrap();
+    assert!((fit.center.0 - 2.0).abs() < 1e-12 && (fit.center.1 - 1.5).abs() < 1e-12 && (fit.radius - 2.5).abs() < 1e-12);
+    // Four points of a cross, one arm 0.4 longer: by symmetry the centre shifts along it. Geometric least squares is the
+    // minimum of Σ(|p − c| − R)²: compared with a search over c, R being the mean distance.
+    let cross = [(10.4, 0.0), (0.0, 10.0), (-10.0, 0.0), (0.0, -10.0)];
+    let cost = |x: f64| {
+        let far: Vec<f64> = cross.iter().map(|p: &(f64, f64)| (p.0 - x).hypot(p.1)).collect();
+        let mean = far.iter().sum::<f64>() / 4.0;
+        far.iter().map(|f| (f - mean).powi(2)).sum::<f64>()
+    };
+    let (mut low, mut high) = (-1.0f64, 1.0f64);
+    for _ in 0..200 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if cost(a) < cost(b) { high = b } else { low = a }
+    }
+    let fit = fit_circle(&cross).unwrap();
+    assert!((fit.center.0 - low).abs() < 1e-7 && fit.center.1.abs() < 1e-12, "{} {low}", fit.center.0);
+    assert!(fit_circle(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)]).is_none(), "a line is no circle");
+    assert!(fit_circle(&[(1.0, 1.0), (1.0, 1.0), (1.0, 1.0)]).is_none());
+}
+
+/// A short angular length shows its price: the same touches over 40° instead of 360°.
+#[test]
+fn a_short_arc_costs_certainty() {
+    let wide = planned(&holes());
+    let short = planned(&with(&holes(), "cycle.angularLength", number(40.0)));
+    let of = |plan: &Plan| row(&plan.results, "Q950").uncertainty.unwrap();
+    // Four touches at 0°, 90° …: two of them see the main axis, σ/√2.
+    near(of(&wide), 0.001 / 2f64.sqrt());
+    assert!(of(&short) > 10.0 * of(&wide), "{} {}", of(&short), of(&wide));
+}
+
+/// Touches scattered along their probing directions, 100,000 times: the spread of each result is its stated uncertainty.
+#[test]
+fn uncertainties_agree_with_draws() {
+    let mut job = with(&holes(), "cycle.probePoints", number(5.0));
+    job = with(&job, "cycle.angularLength", number(200.0));
+    job = with(&job, "cycle.startingAngle", number(25.0));
+    job = with(&job, "part.rotation", number(0.3));
+    let plan = planned(&job);
+    let (_, path, _, _) = touchpath::job::scene_parts(&job).unwrap();
+    let mut state = 0x9e37_79b9_7f4a_7c15u64;
+    let mut uniform = move || {
+        state ^= state >> 12;
+        state ^= state << 25;
+        state ^= state >> 27;
+        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut normal = move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos();
+    let codes = ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"];
+    let mut sums = [(0.0, 0.0); 6];
+    let count = 100_000;
+    for _ in 0..count {
+        let scattered: Vec<_> = plan
+            .triggers
+            .iter()
+            .zip(&path.touches)
+            .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
+            .collect();
+        let rows = touchpath::part::evaluate(&path, &scattered, 0.001);
+        for (sum, code) in sums.iter_mut().zip(codes) {
+            let off = rows.iter().find(|r| r.code == code).unwrap().value.unwrap() - value(&plan, code);
+            *sum = (sum.0 + off, sum.1 + off * off);
+        }
+    }
+    for ((sum, squares), code) in sums.iter().zip(codes) {
+        let n = f64::from(count);
+        let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
+        let stated = row(&plan.results, code).uncertainty.unwrap();
+        assert!((spread / stated - 1.0).abs() < 0.02, "{code}: drawn {spread}, stated {stated}");
+    }
+}
+
+fn circle_jobs() -> Vec<(String, Value, Plan)> {
+    let jobs = common::jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
+    jobs.map(|(name, job)| (name, planned(&job), job)).map(|(name, plan, job)| (name, job, plan)).collect()
+}
+
+/// How far past its contact a touch searches: DIST less the set-up clearance.
+fn search(job: &Value) -> f64 {
+    let unit = if job.get("units") == Some(&text("inch")) { 25.4 } else { 1.0 };
+    number_at(job, "cycle.probe.dist", 10.0 / unit)
+        - number_at(job, "cycle.probe.setUp", 2.0 / unit)
+        - number_at(job, "cycle.setUpClearance", 0.0)
+}
+
+/// LinuxCNC's interpreter runs the cycle: moves and arcs are the path, and the printed Q results are those of the points the
+/// probe ended at, by the crate's own evaluation (geometric) and by an independent circle.
+#[test]
+fn linuxcnc_runs_the_cycle() {
+    let jobs = circle_jobs();
+    assert!(jobs.len() >= 4);
+    let mut arcs = 0;
+    for (name, job, plan) in jobs {
+        let ran = interpret(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}: {e}"));
+        arcs += ran.moves.iter().filter(|m| m.kind == "arc").count();
+        let ends: Vec<[f64; 3]> = ran.moves.iter().filter(|m| m.kind == "probe").map(|m| m.to).collect();
+        let repeats = ends.len() / (2 * number_at(&job, "cycle.probePoints", 4.0) as usize);
+        // Evaluated by the crate: the points the probe ended at, straight from the interpreter.
+        let (checked, path, _, _) = touchpath::job::scene_parts(&job).unwrap();
+        let scale = checked.scale;
+        let triggers: Vec<_> = ends.iter().map(|p| Some(touchpath::geom::Vec3::from_array(*p) * scale)).collect();
+        let rows = touchpath::part::evaluate(&path, &triggers, 0.001);
+        for (code, printed) in &ran.prints {
+            let row = rows.iter().find(|r| r.code == *code).unwrap_or_else(|| panic!("{name}: {code}"));
+            let unit = if row.unit == touchpath::formula::Unit::Length { scale } else { 1.0 };
+            let wanted = row.value.unwrap() / unit;
+            // The interpreter prints its places with four decimals.
+            let tolerance = if unit == scale && row.unit == touchpath::formula::Unit::Length { 2e-4 } else { 1e-3 };
+            assert!((wanted - printed).abs() < tolerance, "{name}: {code} printed {printed}, evaluated {wanted}");
+        }
+        // And by hand: the circle through the first, the third … point is the same circle, from perpendicular bisectors.
+        let [a, o] = if job.get("plane") == Some(&text("G18")) { [2, 0] } else { [0, 1] };
+        let mean = |k: usize| {
+            let own = &ends[k * repeats..(k + 1) * repeats];
+            let n = repeats as f64;
+            (own.iter().map(|p| p[a]).sum::<f64>() / n, own.iter().map(|p| p[o]).sum::<f64>() / n)
+        };
+        let (p, q, s) = (mean(0), mean(1), mean(2));
+        let (d1, d2) = ((q.0 - p.0, q.1 - p.1), (s.0 - p.0, s.1 - p.1));
+        let det = 2.0 * (d1.0 * d2.1 - d1.1 * d2.0);
+        let (l1, l2) = (d1.0 * d1.0 + d1.1 * d1.1, d2.0 * d2.0 + d2.1 * d2.1);
+        let center = (p.0 + (d2.1 * l1 - d1.1 * l2) / det, p.1 + (d1.0 * l2 - d2.0 * l1) / det);
+        let printed = |code: &str| ran.prints.iter().find(|(c, _)| c == code).unwrap().1;
+        assert!((printed("Q950") - center.0).abs() < 1e-3 && (printed("Q951") - center.1).abs() < 1e-3, "{name}: {center:?}");
+    }
+    assert!(arcs > 4, "arcs are run as arcs");
+}
+
+/// On the virtual part: the probe's targets are replaced by the triggers, and the program prints the results that are shown.
+#[test]
+fn linuxcnc_computes_what_is_shown() {
+    for (name, _, plan) in circle_jobs() {
+        let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+        for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+            let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap().map(|v| format!("{v:.9}"));
+            let line = &mut lines[plan.program.move_lines[index] as usize];
+            let feed = line.split(' ').next_back().unwrap().to_owned();
+            *line = format!("G38.2 X{x} Y{y} Z{z} {feed}");
+        }
+        let ran = interpret(&(lines.join("\n") + "\n")).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(ran.prints.len() > 18, "{name}");
+        for (code, printed) in &ran.prints {
+            let shown = value(&plan, code);
+            assert!((shown - printed).abs() < 2e-6, "{name}: {code} printed {printed}, shown {shown}");
+        }
+    }
+}
+
+/// The write under a rotation that was active before: what is at the measured point in the old system is at its nominal
+/// place in the new one, and the measured line has its nominal direction there.
+#[test]
+fn linuxcnc_writes_offset_and_rotation() {
+    for before in [0.0, 25.0] {
+        let (_, job, plan) = circle_jobs().into_iter().find(|(name, ..)| name == "circles-linuxcnc").unwrap();
+        let program = format!("G21\nG10 L2 P1 X7 Y-3 Z2 R{before}\n{}", plan.program.text);
+        // A lying part: the second circle's touches end 0.6 higher.
+        let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
+        let moved: Vec<usize> =
+            lines.iter().enumerate().filter(|(_, l)| l.starts_with("G38.2")).map(|(i, _)| i).skip(4).collect();
+        for i in moved {
+            let step = plan.moves[plan.program.move_lines.iter().position(|l| *l == i as i32 - 2).unwrap()].clone();
+            let vector = plan.touches[step.touch.unwrap()].vector;
+            let target: Vec<f64> =
+                (0..3).map(|axis| step.to[axis] - search(&job) * vector[axis] + if axis == 1 { 0.6 } else { 0.0 }).collect();
+            lines[i] = format!("G38.2 X{:.6} Y{:.6} Z{:.6} F300", target[0], target[1], target[2]);
+        }
+        let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+        let printed = |code: &str| ran.prints.iter().find(|(c, _)| c == code).unwrap().1;
+        assert!((printed("Q964") - 0.01f64.atan().to_degrees()).abs() < 1e-4, "60 along, 0.6 across");
+        let turned = before + printed("Q964");
+        let writes: Vec<&String> = lines.iter().filter(|l| l.starts_with("G10")).collect();
+        assert_eq!(writes.len(), 3, "the test's own, the rotation, the offset: {writes:?}");
+        // After the rotation's write the offset's: the last SET_G5X_OFFSET before the modes are given back.
+        let output = ran.offsets_after_moves.last().copied().expect("a write");
+        let machine = |offset: [f64; 3], degrees: f64, p: [f64; 2]| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            [offset[0] + p[0] * cos - p[1] * sin, offset[1] + p[0] * sin + p[1] * cos]
+        };
+        // Q1120 = 3: the mean of both centres, nominally (0, 0), measured (0, 0.3).
+        let old = machine(
+            [7.0, -3.0, 2.0],
+            before,
+            [(printed("Q950") + printed("Q953")) / 2.0, (printed("Q951") + printed("Q954")) / 2.0],
+        );
+        let new = machine(output, turned, [0.0, 0.0]);
+        assert!((old[0] - new[0]).abs() < 2e-4 && (old[1] - new[1]).abs() < 2e-4, "{before}: {old:?} {new:?}");
+        assert!((ran.rotations_after_moves.last().unwrap() - turned).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn measured_points_of_circles() {
+    // Hole 1 about (−29.9, 0.1), radius of the ball centres 7.02; hole 2 nominal.
+    let mut points = Vec::new();
+    for (x, y, r) in [(-29.9, 0.1, 7.02), (30.0, 0.0, 7.0)] {
+        for k in 0..4 {
+            let a = f64::from(k) * std::f64::consts::FRAC_PI_2;
+            points.push(point([x + r * a.cos(), y + r * a.sin(), -10.0]));
+        }
+    }
+    let rows = evaluate(&holes(), &Value::List(points)).unwrap();
+    near(row(&rows, "Q950").value.unwrap(), -29.9);
+    near(row(&rows, "Q951").value.unwrap(), 0.1);
+    near(row(&rows, "Q966").value.unwrap(), 20.04);
+    near(row(&rows, "Q964").value.unwrap(), (-0.1f64 / 59.9).atan().to_degrees());
+}
