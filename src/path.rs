@@ -224,6 +224,19 @@ pub enum ParameterValue {
     Text(String),
 }
 
+/// How touches are spread over a circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Centre of the circle.
+    pub center: Vec3,
+    /// Its radius, mm.
+    pub radius: f64,
+    /// Angle of the first touch from the abscissa, radians.
+    pub start: f64,
+    /// Over which angle the touches are spread, counter-clockwise positive, radians.
+    pub sweep: f64,
+}
+
 /// Everything a cycle says about itself.
 #[derive(Clone, Debug)]
 pub struct Path {
@@ -237,6 +250,11 @@ pub struct Path {
     pub feeds: Option<Feeds>,
     /// The frame the feature's dimensions are given in.
     pub frame: Frame,
+    /// A line that the cycle is about, between two nominal centres.
+    pub line: Option<[Vec3; 2]>,
+    /// How the touches are spread over a circle: its centre, its radius, and the angles (radians) of the first touch and of the
+    /// whole spread. For handles in the picture.
+    pub spread: Option<Spread>,
     /// What the control computes from the touches.
     pub formula: Formula,
     /// The source's parameter table.

@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 use crate::job::{self, JobError, Move};
 use crate::spec::{Finding, Level, Value};
 use crate::view::camera::Camera;
-use crate::view::canvas::{ARM, Painter, Theme};
+use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
 use crate::view::scene::{self, Actual, Projection, Scene, Spot};
 
 /// The most values a job may hold, and how deep they may lie. A job has about a hundred.
@@ -220,17 +220,44 @@ impl View {
         }
     }
 
-    /// The handle of the virtual part at a pixel: `shift`, `turn` or nothing.
+    /// The handle at a pixel: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64) -> Option<String> {
-        let (origin, direction) = self.shown.as_ref()?.scene.handle?;
+        let scene = &self.shown.as_ref()?.scene;
         let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= 14.0;
+        if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
+            if near(sweep) {
+                return Some("sweep".to_owned());
+            }
+            if near(start) {
+                return Some("start".to_owned());
+            }
+        }
+        let (origin, direction) = scene.handle?;
         let at = self.camera.pixel(origin);
         if near(at) {
             Some("shift".to_owned())
         } else {
             near([at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]).then(|| "turn".to_owned())
         }
+    }
+
+    /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
+    #[wasm_bindgen(js_name = dragAngle)]
+    pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
+        let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
+        let spot = self.camera.spot([x, y]);
+        let angle = (spot[1] - center[1]).atan2(spot[0] - center[0]).to_degrees();
+        if handle == "start" {
+            return Some(crate::num::wrap_degrees(angle.round()));
+        }
+        let turn = (angle - start.to_degrees()).round().rem_euclid(360.0);
+        Some(match (sweep > 0.0, turn == 0.0) {
+            (true, true) => 360.0,
+            (true, false) => turn,
+            (false, true) => -359.0,
+            (false, false) => turn - 360.0,
+        })
     }
 
     /// Where the virtual part lies if a handle is dragged to a pixel: `{ offset, rotation }` in the job's units. Turning
@@ -272,6 +299,7 @@ impl View {
             run: &run,
             origin: job.lie.rigid.point(path.frame.origin),
             direction: job.lie.rigid.direction(path.frame.u),
+            line: path.line.map(|line| line.map(|p| job.lie.rigid.point(p))),
         };
         let feeds = path.feeds.unwrap_or(job.feeds);
         let scene = scene::build(&path, &job.setup, &feeds, &actual, self.projection);

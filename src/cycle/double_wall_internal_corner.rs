@@ -342,6 +342,8 @@ impl Cycle for Form {
             moves: tracer.moves(),
             surfaces: self.surfaces(setup),
             feeds: None,
+            line: None,
+            spread: None,
             frame,
             formula: self.formula(setup),
             parameters,

@@ -207,6 +207,8 @@ impl Cycle for Form {
             moves: tracer.moves(),
             surfaces: self.surfaces(setup),
             feeds: None,
+            line: None,
+            spread: None,
             frame,
             formula: self.formula(setup),
             parameters: self.parameters(setup, &touches).rows(),

@@ -11,7 +11,7 @@ mod planner;
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::ResultRow;
 use crate::geom::{Frame, Vec3};
-use crate::path::{Feeds, Parameter, ParameterValue, Path, Round, Setup, Surface};
+use crate::path::{Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
 use crate::spec::{Checker, Code, Field, SubForm, form};
 use crate::tolerance::Nominal;
 
@@ -266,6 +266,27 @@ impl TwoCircles {
             .collect()
     }
 
+    /// From nominal centre to nominal centre.
+    fn line(&self, setup: &Setup) -> Option<[Vec3; 2]> {
+        let frame = Self::frame(setup);
+        let [one, two] = self.objects();
+        let ([a1, o1, w1], [a2, o2, w2]) = (one.place()?, two.place()?);
+        Some([frame.point(a1, o1, w1), frame.point(a2, o2, w2)])
+    }
+
+    /// The angles as the first probed circle shows them.
+    fn spread(&self, setup: &Setup) -> Option<Spread> {
+        let objects = self.objects();
+        let object = objects.iter().find(|o| o.state == State::Probed)?;
+        let [a, o, w] = object.place()?;
+        Some(Spread {
+            center: Self::frame(setup).point(a, o, w),
+            radius: object.nominal_diameter() / 2.0,
+            start: self.form.starting_angle.to_radians(),
+            sweep: self.form.angular_length.to_radians(),
+        })
+    }
+
     fn parameters(&self) -> Vec<Parameter> {
         let form = &self.form;
         let mut rows = Vec::new();
@@ -372,6 +393,8 @@ impl Cycle for TwoCircles {
                 return_: None,
                 rapid: self.probe.rapid,
             }),
+            line: self.line(setup),
+            spread: self.spread(setup),
             frame: Self::frame(setup),
             formula: self.formula(setup),
             parameters: self.parameters(),

@@ -14,7 +14,7 @@ pub struct Camera {
 }
 
 /// Room around a fitted scene, pixels.
-const MARGIN: f64 = 28.0;
+const MARGIN: f64 = 36.0;
 
 impl Camera {
     /// A window that shows `bounds` with some room around.

@@ -46,6 +46,18 @@ const HANDLE: f64 = 6.0;
 /// How far the turning handle stands from the shifting one, pixels.
 pub const ARM: f64 = 64.0;
 
+/// Where the handles of the first touch's angle and of the spread's end stand: outside the circle, one further out than the
+/// other, so that a whole turn shows both.
+pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
+    let (center, radius, start, sweep) = scene.spread?;
+    let center = camera.pixel(center);
+    let at = |angle: f64, out: f64| {
+        let far = radius * camera.scale + out;
+        [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
+    };
+    Some([at(start, 18.0), at(start + sweep, 32.0)])
+}
+
 /// A canvas and what is drawn on it.
 #[derive(Debug)]
 pub struct Painter {
@@ -95,6 +107,20 @@ impl Painter {
             self.disc(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight);
             c.set_global_alpha(1.0);
             self.circle(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight, 2.0);
+        }
+        if let Some([nominal, real]) = scene.centre_lines {
+            self.segment(camera.pixel(nominal[0]), camera.pixel(nominal[1]), &self.theme.wall, 1.0, &[10.0, 4.0, 2.0, 4.0]);
+            if deviates {
+                self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
+            }
+        }
+        if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
+            let center = camera.pixel(center);
+            for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
+                self.segment(center, handle, &self.theme.ball, 1.0, &[2.0, 4.0]);
+                self.disc(handle, HANDLE, &self.theme.background);
+                self.circle(handle, HANDLE, &self.theme.ball, width);
+            }
         }
         if let Some((origin, direction)) = scene.handle {
             self.handle(camera.pixel(origin), direction);

@@ -119,6 +119,11 @@ pub struct Scene {
     pub origin: Spot,
     /// Names of the axes and where they point in the picture.
     pub axes: [(&'static str, Spot); 3],
+    /// The line the cycle is about: nominal, and as it really lies.
+    pub centre_lines: Option<[[Spot; 2]; 2]>,
+    /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
+    /// Only seen from the top.
+    pub spread: Option<(Spot, f64, f64, f64)>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
     pub handle: Option<(Spot, Spot)>,
 }
@@ -134,6 +139,8 @@ pub struct Actual<'a> {
     pub origin: Vec3,
     /// Where its first direction really points.
     pub direction: Vec3,
+    /// Where the path's line really lies.
+    pub line: Option<[Vec3; 2]>,
 }
 
 /// The scene of a path.
@@ -185,6 +192,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
+        centre_lines: path.line.zip(actual.line).map(|(nominal, real)| [nominal.map(spot), real.map(spot)]),
+        spread: path.spread.filter(|_| view == Projection::Top).map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
 }
@@ -238,10 +247,12 @@ impl Scene {
         });
         let walls = self.walls.iter().flat_map(|w| w.corners);
         let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        balls
+        let bounds = balls
             .chain(ends)
             .chain(walls)
-            .fold(start, |[low, high], p| [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]])
+            .fold(start, |[low, high], p| [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]);
+        // A cycle without a path has nothing to show but its origin.
+        if bounds[0][0].is_finite() { bounds } else { [[-50.0, -50.0], [50.0, 50.0]] }
     }
 
     /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch

@@ -31,7 +31,7 @@ class FormPart extends Part {
         </fieldset>
         ${this.groups().map(
           ([name, fields]) =>
-            html`<fieldset><legend>${name}</legend>${fields.map((placed) => this.field(placed))}</fieldset>`,
+            html`<fieldset><legend>${name}</legend>${this.switch(name)}${fields.map((placed) => this.field(placed))}</fieldset>`,
         )}
       </form>
     `;

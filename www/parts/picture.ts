@@ -151,19 +151,28 @@ class PicturePart extends Part {
         view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
       }
     } else if (this.handle) {
-      const lie = view.dragPart(this.handle, at.x, at.y) as { offset: Vec3; rotation: number } | null;
-      if (lie) {
-        const part = { ...(this.store.get("part") as object), ...lie };
-        for (const i of [0, 1, 2]) this.store.typed.delete(`part.offset[${i}]`);
-        this.store.typed.delete("part.rotation");
-        this.store.set("part", part);
-      }
+      this.drag(this.handle, at);
     } else if (this.dragged) {
       view.pan(at.x - before.x, at.y - before.y);
     } else {
       return;
     }
     this.pointers.set(event.pointerId, at);
+  }
+
+  /** A handle is dragged: the form follows. */
+  private drag(handle: string, at: { x: number; y: number }): void {
+    const { store, view } = this;
+    if (handle === "start" || handle === "sweep") {
+      const degrees = view?.dragAngle(handle, at.x, at.y);
+      if (degrees !== undefined) store.set(handle === "start" ? "cycle.startingAngle" : "cycle.angularLength", degrees);
+      return;
+    }
+    const lie = view?.dragPart(handle, at.x, at.y) as { offset: Vec3; rotation: number } | null;
+    if (!lie) return;
+    for (const i of [0, 1, 2]) store.typed.delete(`part.offset[${i}]`);
+    store.typed.delete("part.rotation");
+    store.set("part", { ...(store.get("part") as object), ...lie });
   }
 
   private up(event: PointerEvent): void {

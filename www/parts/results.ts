@@ -57,20 +57,28 @@ class ResultsPart extends Part {
     this.requestUpdate();
   }
 
+  private row(r: ResultRow, truth: boolean): TemplateResult {
+    const name = html`<td class="name" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    const verdict = (text: string) => html`<span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>`;
+    if (r.unit === "") {
+      return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan=${truth ? 3 : 2}>${verdict(r.verdict ?? "")}</td></tr>`;
+    }
+    return html`<tr>${name}
+      <td class="n">${number(r.nominal)}</td>
+      <td class="n"><b>${number(r.value)}</b></td>
+      <td class="n">${signed(r.deviation)}${r.verdict ? html` ${verdict(r.verdict)}` : nothing}</td>
+      <td class="n">${number(r.uncertainty, 5)}</td>
+      ${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`;
+  }
+
   private table(rows: ResultRow[], caption: string, truth: boolean): TemplateResult {
     const notes = rows.filter((r) => r.note);
     return html`
       <table>
         <caption>${caption}</caption>
-        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ, verdict</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
+        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
         <tbody>
-          ${rows.map(
-            (
-              r,
-            ) => html`<tr><td class="name" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>
-              <td class="n">${number(r.nominal)}</td><td class="n"><b>${number(r.value)}</b></td><td class="n">${signed(r.deviation)}</td>
-              <td class="n">${r.verdict ? html`<b class=${/^good/.test(r.verdict) ? "" : "bad"}>${r.verdict}</b>` : number(r.uncertainty, 5)}</td>${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`,
-          )}
+          ${rows.map((r) => this.row(r, truth))}
         </tbody>
       </table>
       ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.note}</li>`)}</ul>` : nothing}
