@@ -17,7 +17,7 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 test("by its own name from the repository", async () => {
   const touchpath = await import("touchpath");
-  for (const name of ["catalog", "defaultJob", "check", "plan", "evaluate", "moveColumns", "version"]) {
+  for (const name of ["catalog", "defaultJob", "check", "plan", "evaluate", "moveColumns", "importJob", "version"]) {
     assert.equal(typeof touchpath[name], "function", name);
   }
   const { defaultJob, check, plan, moveColumns, JobError, version } = touchpath;
@@ -57,6 +57,20 @@ test("every job of the repository plans as the crate plans it", async () => {
   assert.ok(snapshot.endsWith(plan(job).program.text), "the program in wasm is the native one, byte for byte");
 });
 
+test("jobs and programs are imported", async () => {
+  const { defaultJob, importJob, plan, JobError } = await import("touchpath");
+  const job = defaultJob("internal-rectangle-protected");
+  assert.deepEqual(importJob(JSON.stringify(job)).job, job);
+  const broken = { ...job, overtravel: -1, mine: "kept" };
+  const back = importJob(JSON.stringify(broken));
+  assert.deepEqual(back.job, broken, "nothing of a user's work is dropped");
+  assert.deepEqual(back.findings.map((f) => f.code).sort(), ["out-of-range", "unknown-key"]);
+  const circles = defaultJob("probing-two-circles");
+  const text = plan(circles).program.text;
+  assert.equal(plan(importJob(text).job).program.text, text);
+  for (const nothing of ["", "G1 X0", "{", "7", undefined]) assert.throws(() => importJob(nothing), JobError);
+});
+
 test("installed from its tarball, in JavaScript and in strict TypeScript", () => {
   const [packed] = JSON.parse(
     execFileSync("npm", ["pack", "--json", "--pack-destination", folder], { cwd: root, encoding: "utf8" }),
@@ -84,7 +98,7 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
 
   writeFileSync(
     join(user, "use.ts"),
-    `import { catalog, check, defaultJob, evaluate, JobError, moveColumns, plan, version } from "touchpath";
+    `import { catalog, check, defaultJob, evaluate, importJob, JobError, moveColumns, plan, version } from "touchpath";
 import type { Catalog, Finding, Job, Move, MoveColumns, ParameterRow, Plan, ResultRow, Vec3 } from "touchpath";
 const job: Job = defaultJob("internal-rectangle-protected");
 const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
@@ -96,8 +110,10 @@ const rows: ParameterRow[] = made.table;
 const results: ResultRow[] = evaluate(job, "1,2,3");
 const columns: MoveColumns = moveColumns(job);
 const all: Catalog = catalog();
+const circles: Job = { format: 1, cycle: { type: "probing-two-circles", point1: ["10@10.02", 0, "?"], diameter1: "10H7", extrusion: null } };
+const read: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
-console.log(found, to, rows, results, columns, all, version());
+console.log(circles, read, found, to, rows, results, columns, all, version());
 // @ts-expect-error a feed is a number or null
 const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
 // @ts-expect-error there is no such cycle

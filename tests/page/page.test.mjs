@@ -267,6 +267,67 @@ test("measured points give the same results, and bad ones a plain answer", async
   assert.match((await table.locator("tr", { hasText: "width1" }).textContent()) ?? "", /80\.0000/);
 });
 
+test("two circles: tolerances, verdicts, handles, Klartext out and in", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("control.post").selectOption("heidenhain");
+  assert.match(
+    await program(),
+    /^0 BEGIN PGM PROBE MM\n1 TOOL CALL 100 Z S50\n2 TCH PROBE 1411 PROBING TWO CIRCLES ~\n/,
+  );
+  await field("cycle.diameter1").fill("20H7");
+  assert.match(await program(), /QS1116="20H7" ;DIAMETER 1 ~/);
+  await field("part.sizes.diameter1").fill("0.05");
+  const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
+  assert.match((await status.textContent()) ?? "", /2.*scrap: the program goes on/);
+  await field("cycle.diameter1").fill("20H99");
+  assert.match((await page.locator(`[id="e-cycle.diameter1"]`).textContent()) ?? "", /ISO 286 has no H99/);
+  await field("cycle.diameter1").fill("20H7");
+  // The handle of the first touch stands to the right of circle 1; dragged up, the start angle becomes 90°.
+  const box = await page.locator("canvas").boundingBox();
+  let from = null;
+  const cursor = () => page.locator("canvas").evaluate((c) => c.style.cursor);
+  for (let x = 0; x < box.width / 2 && !from; x += 4) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+    if ((await cursor()) === "grab") from = { x: box.x + x + 4, y: box.y + box.height / 2 };
+  }
+  assert.ok(from, "a handle is found");
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x - 60, from.y - 90, { steps: 5 });
+  await page.mouse.up();
+  const angle = Number(await field("cycle.startingAngle").inputValue());
+  const length = Number(await field("cycle.angularLength").inputValue());
+  assert.ok(angle !== 0 || length !== 360, "the form follows the handle");
+  // Extrusion in and out.
+  await page.getByLabel("Use it").check();
+  await field("cycle.extrusion.points").fill("3");
+  assert.match(await program(), /2 TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /);
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save .h" }).click();
+  const path = await (await download).path();
+  const text = readFileSync(path, "utf8");
+  await page.getByRole("button", { name: "Reset" }).click();
+  assert.doesNotMatch(await program(), /1493/);
+  await page
+    .locator("input[type=file]")
+    .setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.waitForFunction(
+    () => document.querySelector("touchpath-app").shadowRoot.getElementById("f-cycle.diameter1").value === "20H7",
+  );
+  assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
+  assert.match((await page.locator(".note").textContent()) ?? "", /defaults are taken/);
+  assert.deepEqual(problems, []);
+});
+
+test("a file that is nothing is refused and the form stays", async () => {
+  await field("cycle.width1").fill("71");
+  await page
+    .locator("input[type=file]")
+    .setInputFiles({ name: "x.txt", mimeType: "text/plain", buffer: Buffer.from("G1 X0") });
+  assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
+  assert.equal(await field("cycle.width1").inputValue(), "71");
+});
+
 for (const colorScheme of ["light", "dark"]) {
   for (const [width, height] of [
     [1280, 800],
@@ -286,6 +347,8 @@ for (const colorScheme of ["light", "dark"]) {
       await field("feeds.work").fill("4000");
       assert.deepEqual(await violations(), []);
       await field("cycle.depth").fill("10");
+      await field("cycle.type").selectOption("probing-two-circles");
+      assert.deepEqual(await violations(), []);
       if (width < 900) {
         for (const name of ["Program", "Parameters", "Results"]) {
           await page.getByRole("tab", { name }).click();
