@@ -21,6 +21,7 @@ pub mod path;
 pub mod post;
 pub mod spec;
 pub mod tolerance;
+pub mod tool_length;
 pub mod view;
 
 #[cfg(target_arch = "wasm32")]

@@ -9,6 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::job::{self, JobError, Move};
 use crate::spec::{Finding, Level, Value};
+use crate::tool_length;
 use crate::view::camera::Camera;
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
 use crate::view::scene::{self, Actual, Projection, Scene, Spot};
@@ -94,6 +95,31 @@ pub fn move_columns(job: &JsValue) -> Result<JsValue, JsValue> {
     Ok(columns.into())
 }
 
+/// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.
+#[wasm_bindgen]
+pub fn lentoax(query: &JsValue) -> Result<JsValue, JsValue> {
+    let query = job::lentoax_query(&from_js(query)).map_err(refused)?;
+    let answer = tool_length::lentoax(&query);
+    let result = Object::new();
+    set(&result, "status", &JsValue::from(answer.status));
+    let list = |row: &[f64; 3]| row.iter().map(|x| JsValue::from_f64(*x)).collect::<Array>();
+    set(&result, "axind", &answer.axind.iter().map(|i| JsValue::from(*i)).collect::<Array>());
+    set(&result, "matrix", &answer.matrix.iter().map(list).collect::<Array>());
+    Ok(result.into())
+}
+
+/// The same in words: `{ meaning, sentence, program }`, the last being NC lines that ask the control itself.
+#[wasm_bindgen(js_name = lentoaxWords)]
+pub fn lentoax_words(query: &JsValue) -> Result<JsValue, JsValue> {
+    let query = job::lentoax_query(&from_js(query)).map_err(refused)?;
+    let answer = tool_length::lentoax(&query);
+    let result = Object::new();
+    set(&result, "meaning", &JsValue::from_str(tool_length::meaning(answer.status)));
+    set(&result, "sentence", &JsValue::from_str(&tool_length::sentence(query.plane, &answer)));
+    set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query.coord)));
+    Ok(result.into())
+}
+
 /// The crate's version.
 #[wasm_bindgen]
 pub fn version() -> String {
@@ -165,6 +191,18 @@ impl View {
             self.fit();
         }
         self.draw();
+        true
+    }
+
+    /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
+    /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
+    #[wasm_bindgen(js_name = showLentoax)]
+    pub fn show_lentoax(&mut self, query: &JsValue) -> bool {
+        let Ok(query) = job::lentoax_query(&from_js(query)) else { return false };
+        let arrows = scene::lengths(&query);
+        self.shown = None;
+        let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]]);
+        self.painter.draw_arrows(&arrows, &camera);
         true
     }
 

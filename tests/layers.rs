@@ -11,13 +11,13 @@ const LAYERS: &[&[&str]] = &[
     &["geom"],
     &["tolerance"],
     &["formula", "path", "spec"],
-    &["cycle", "post", "part", "view"],
+    &["cycle", "post", "part", "view", "tool_length"],
     &["job"],
     &["wasm"],
 ];
 
 /// `formula` and `path` hold the two halves of one vocabulary; a picture shows what happens on the part.
-const ALLOWED: &[(&str, &str)] = &[("formula", "path"), ("path", "formula"), ("view", "part")];
+const ALLOWED: &[(&str, &str)] = &[("formula", "path"), ("path", "formula"), ("view", "part"), ("view", "tool_length")];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

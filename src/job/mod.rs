@@ -10,11 +10,13 @@
 mod catalog;
 mod form;
 mod import;
+mod lentoax;
 mod plan;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use form::{Job, SECTIONS};
 pub use import::{Imported, import};
+pub use lentoax::lentoax_query;
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
 
 use crate::spec::{Checker, Finding, Value};

@@ -3,7 +3,7 @@
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::Camera;
-use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
+use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// The colours of a picture, as CSS colours.
 #[derive(Clone, Debug, serde::Deserialize)]
@@ -127,6 +127,38 @@ impl Painter {
         }
         self.axes(scene, camera);
         self.scale_bar(camera);
+    }
+
+    /// Draws arrows from one origin.
+    pub fn draw_arrows(&self, arrows: &[(Arrow, String, Spot)], camera: &Camera) {
+        let c = &self.context;
+        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        c.set_font("600 13px system-ui, sans-serif");
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
+        let origin = camera.pixel([0.0, 0.0]);
+        for (kind, name, tip) in arrows {
+            let (colour, width, dash): (&str, f64, &[f64]) = match kind {
+                Arrow::Axis => (&self.theme.text, 1.5, &[]),
+                Arrow::Base => (&self.theme.link, 1.0, &[5.0, 4.0]),
+                Arrow::Length => (&self.theme.touch, 4.0, &[]),
+            };
+            let end = camera.pixel(*tip);
+            let (dx, dy) = (end[0] - origin[0], end[1] - origin[1]);
+            let far = dx.hypot(dy).max(1e-9);
+            let (ux, uy) = (dx / far, dy / far);
+            self.segment(origin, end, colour, width, dash);
+            for side in [-0.5, 0.5] {
+                let back = [end[0] - 10.0 * (ux + side * uy), end[1] - 10.0 * (uy - side * ux)];
+                self.segment(end, back, colour, width.min(2.5), &[]);
+            }
+            // Names stand beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
+            let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
+            let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
+            self.label(name, [end[0] + beyond * ux - aside * uy, end[1] + beyond * uy + aside * ux]);
+        }
     }
 
     fn wall(&self, wall: &WallShape, camera: &Camera) {

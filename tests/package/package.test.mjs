@@ -71,6 +71,41 @@ test("jobs and programs are imported", async () => {
   for (const nothing of ["", "G1 X0", "{", "7", undefined]) assert.throws(() => importJob(nothing), JobError);
 });
 
+test("LENTOAX answers, and refuses what is no question", async () => {
+  const { lentoax, lentoaxWords, JobError } = await import("touchpath");
+  assert.deepEqual(lentoax(), {
+    status: 0,
+    axind: [3, 2, 1],
+    matrix: [
+      [0, 0, 1],
+      [0, 1, 0],
+      [1, 0, 0],
+    ],
+  });
+  assert.deepEqual(lentoax({ frame: [{ rot: "Z", angle: 90 }] }).axind, [2, -3, 1]);
+  assert.deepEqual(lentoax({ coord: "nowhere", toolActive: false }), {
+    status: -1,
+    axind: [0, 0, 0],
+    matrix: [
+      [0, 0, 0],
+      [0, 0, 0],
+      [0, 0, 0],
+    ],
+  });
+  assert.match(lentoaxWords({ toolType: 500 }).sentence, /L1 acts along \+Y/);
+  for (const wrong of [
+    7,
+    { plane: "G20" },
+    { frame: [{ rot: "W", angle: 1 }] },
+    { frame: [{ rot: "X", angle: Number.NaN }] },
+    { frame: {} },
+    { tool: 1 },
+    { sd42950: 3 },
+  ]) {
+    assert.throws(() => lentoax(wrong), JobError, JSON.stringify(wrong));
+  }
+});
+
 test("installed from its tarball, in JavaScript and in strict TypeScript", () => {
   const [packed] = JSON.parse(
     execFileSync("npm", ["pack", "--json", "--pack-destination", folder], { cwd: root, encoding: "utf8" }),

@@ -51,7 +51,7 @@ const selected = () => page.locator("tp-program [aria-selected=true] .text").all
 
 /** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
 const pixels = () =>
-  page.locator("canvas").evaluate((canvas) => {
+  page.locator("canvas:visible").evaluate((canvas) => {
     const data = new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer);
     let count = 0;
     let sum = 0;
@@ -316,6 +316,48 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   );
   assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
   assert.match((await page.locator(".note").textContent()) ?? "", /defaults are taken/);
+  assert.deepEqual(problems, []);
+});
+
+test("tool lengths: the manual's examples, a frame by steps, what the control is asked", async () => {
+  await page.getByRole("button", { name: "Tool lengths" }).click();
+  const answer = page.locator("tp-lentoax .answer");
+  const axind = async () =>
+    (await answer.locator("tbody td:nth-child(2)").allTextContents()).map((t) => t.trim()).join(" ");
+  assert.equal(await axind(), "3 2 1");
+  assert.match((await answer.textContent()) ?? "", /L1 acts along \+Z, L2 acts along \+Y, L3 acts along \+X/);
+  const before = await pixels();
+  assert.ok(before.count > 300, "arrows are drawn");
+  await page.getByRole("button", { name: "Add ROT" }).click();
+  await page.getByLabel("Step 1: angle").fill("60");
+  assert.equal(await axind(), "2 -3 1");
+  assert.match((await answer.textContent()) ?? "", /Status 1/);
+  assert.match((await answer.textContent()) ?? "", /0\.8660254/);
+  assert.notEqual((await pixels()).sum, before.sum);
+  await page.getByRole("button", { name: "Add MIRROR" }).click();
+  await page.getByRole("button", { name: "Step 2: up" }).click();
+  await page.getByRole("button", { name: "Step 2: remove" }).click();
+  assert.equal(await axind(), "-3 2 1");
+  await page.locator("#l-42900").check();
+  assert.equal(await axind(), "3 2 1");
+  await page.locator("#l-coord").selectOption("TCS");
+  assert.equal(await axind(), "-3 2 1");
+  await page.locator("#l-type").fill("x");
+  assert.match((await answer.textContent()) ?? "", /Tool type must be a number/);
+  await page.locator("#l-group").selectOption({ label: "Turning tools (500 to 599)" });
+  await page.locator("#l-42900").uncheck();
+  await page.locator("#l-coord").selectOption("BCS");
+  assert.equal(await axind(), "2 1 3");
+  await page.getByRole("button", { name: "Copy" }).click();
+  await page.getByText("Copied").waitFor();
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /_STAT=LENTOAX\(_AXIND,_MATRIX,"BCS"\)/);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  assert.deepEqual(
+    violations.filter((v) => v.impact === "serious" || v.impact === "critical").map((v) => v.id),
+    [],
+  );
+  await page.getByRole("button", { name: "Cycles", exact: true }).click();
+  assert.match(await program(), /G38\.2/);
   assert.deepEqual(problems, []);
 });
 

@@ -1,4 +1,16 @@
-import type { Catalog, Cycle, Finding, Imported, Job, Measured, MoveColumns, Plan, ResultRow } from "./types.js";
+import type {
+  Catalog,
+  Cycle,
+  Finding,
+  Imported,
+  Job,
+  Lentoax,
+  LentoaxQuery,
+  Measured,
+  MoveColumns,
+  Plan,
+  ResultRow,
+} from "./types.js";
 
 export type * from "./types.js";
 
@@ -22,6 +34,8 @@ export interface Raw {
   evaluate(job: unknown, measured: unknown): unknown;
   moveColumns(job: unknown): unknown;
   importJob(text: unknown): unknown;
+  lentoax(query: unknown): unknown;
+  lentoaxWords(query: unknown): unknown;
   version(): string;
 }
 
@@ -41,6 +55,10 @@ export interface Api {
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
+  /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
+  lentoax(query?: LentoaxQuery): Lentoax;
+  /** The same in words, and NC lines that ask the control itself. */
+  lentoaxWords(query?: LentoaxQuery): { meaning: string; sentence: string; program: string };
   /** The crate's version. */
   version(): string;
 }
@@ -70,6 +88,8 @@ export function dress(raw: Raw): Api {
     evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
     moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
     importJob: (text) => orJobError(() => raw.importJob(text)),
+    lentoax: (query) => orJobError(() => raw.lentoax(query)),
+    lentoaxWords: (query) => orJobError(() => raw.lentoaxWords(query)),
     version: () => raw.version(),
   };
 }

@@ -6,4 +6,5 @@ export { View } from "./wasm/touchpath.js";
 
 await init();
 
-export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, version } = dress(raw);
+export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, lentoax, lentoaxWords, version } =
+  dress(raw);

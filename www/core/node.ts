@@ -6,4 +6,5 @@ export * from "./api.js";
 
 raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
 
-export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, version } = dress(raw);
+export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, lentoax, lentoaxWords, version } =
+  dress(raw);

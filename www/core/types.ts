@@ -240,5 +240,29 @@ export interface Imported {
   findings: Finding[];
 }
 
+/** What is asked of LENTOAX; what is left out is the standard case. */
+export interface LentoaxQuery {
+  plane?: "G17" | "G18" | "G19";
+  /** 400 to 599 are turning and grinding tools; the default 710 is a probe. */
+  toolType?: number;
+  /** The active frame's steps, in order. */
+  frame?: ({ rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" })[];
+  /** WCS, BCS, MCS, KCS, TCS or their first letter, any case. */
+  coord?: string;
+  toolActive?: boolean;
+  sd42900?: boolean;
+  sd42940?: number;
+  sd42950?: 0 | 1 | 2;
+}
+
+export interface Lentoax {
+  /** 0: `axind` says it all; 1: `matrix` must be read; -1: coordinate system not known; -2: no tool active. */
+  status: number;
+  /** For abscissa, ordinate, applicate: the number of the length that acts there, negative if it points the other way. */
+  axind: Vec3;
+  /** Rows abscissa, ordinate, applicate; columns L1, L2, L3. */
+  matrix: [Vec3, Vec3, Vec3];
+}
+
 /** Points that a machine measured: ball centres, one a touch, in order; or text, one point a line (CSV or LinuxCNC's PROBEOPEN log). */
 export type Measured = string | (Vec3 | { x: number; y: number; z: number })[];

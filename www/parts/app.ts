@@ -4,6 +4,7 @@ import { Store } from "../store.js";
 import styles from "../style.css?inline";
 import "./findings.js";
 import "./form.js";
+import "./lentoax.js";
 import "./picture.js";
 import "./program.js";
 import "./results.js";
@@ -17,6 +18,8 @@ class App extends LitElement {
   static override styles = css`${unsafeCSS(styles)}`;
   private readonly store = new Store();
   private tab: Tab = "setup";
+  /** The probing cycles, or SINUMERIK's LENTOAX. */
+  private tool: "cycles" | "lengths" = "cycles";
   private told = "";
   private readonly wide = matchMedia("(min-width: 900px)");
   private readonly relayout = () => this.requestUpdate();
@@ -40,6 +43,10 @@ class App extends LitElement {
       <header>
         <h1>Touchpath</h1>
         <p>Touch-probe cycles, seen before the machine moves</p>
+        <nav aria-label="Tools">
+          <button type="button" aria-pressed=${this.tool === "cycles" ? "true" : "false"} @click=${() => this.use("cycles")}>Cycles</button>
+          <button type="button" aria-pressed=${this.tool === "lengths" ? "true" : "false"} @click=${() => this.use("lengths")}>Tool lengths</button>
+        </nav>
         <span class="gap"></span>
         <button type="button" @click=${() => this.store.reset()}>Reset</button>
         <button type="button" @click=${this.saveJob}>Save job</button>
@@ -47,7 +54,7 @@ class App extends LitElement {
         <small>${version()}</small>
       </header>
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${this.hush}>OK</button></p>` : nothing}
-      <main @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
+      <main ?hidden=${this.tool !== "cycles"} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
         <section class="picture" aria-label="Picture">
           <tp-picture .store=${this.store}></tp-picture>
           <tp-findings .store=${this.store}></tp-findings>
@@ -65,6 +72,7 @@ class App extends LitElement {
         <section class="table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
         <section class="results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
       </main>
+      ${this.tool === "lengths" ? html`<tp-lentoax role="main"></tp-lentoax>` : nothing}
     `;
   }
 
@@ -89,6 +97,11 @@ class App extends LitElement {
     const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
     field?.scrollIntoView({ block: "center" });
     field?.focus();
+  }
+
+  private use(tool: "cycles" | "lengths"): void {
+    this.tool = tool;
+    this.requestUpdate();
   }
 
   private hush(): void {

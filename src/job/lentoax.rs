@@ -1,0 +1,101 @@
+//! Reads a LENTOAX query: the same checks as a job's, every problem at once.
+
+use crate::geom::{AXIS_NAMES, Plane};
+use crate::job::JobError;
+use crate::spec::{Checker, Choice, Code, Field, Section, Value, form};
+use crate::tool_length::{Query, Step};
+
+/// The most frame steps a query may have.
+const MOST_STEPS: usize = 50;
+
+const PLANES: &[Choice] =
+    &[Choice { value: "G17", label: "G17" }, Choice { value: "G18", label: "G18" }, Choice { value: "G19", label: "G19" }];
+const LENGTH_TYPE: &[Code] = &[
+    Code { value: 0, label: "by tool type" },
+    Code { value: 1, label: "as for milling" },
+    Code { value: 2, label: "as for turning" },
+];
+
+form! {
+    /// A query, but for its frame.
+    pub struct QueryForm {
+        /// The active plane.
+        plane: String = Field::choice("plane", "Plane", PLANES),
+        /// The tool type's number: 400 to 599 are turning and grinding tools, 710 is a probe.
+        tool_type: i32 = Field::count("toolType", "Tool type", 710, 0, 9999),
+        /// The _COORD string: WCS, BCS, MCS, KCS, TCS or their first letter.
+        coord: String = Field::text("coord", "Coordinate system", "WCS", 100),
+        /// Whether a tool is active.
+        tool_active: bool = Field::flag("toolActive", "Tool active", true),
+        /// SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length.
+        sd42900: bool = Field::flag("sd42900", "SD42900 MIRROR_TOOL_LENGTH", false),
+        /// SD42940 $SC_TOOL_LENGTH_CONST: assignment as for this plane in every plane; 0 is the active plane.
+        sd42940: i32 = Field::count("sd42940", "SD42940 TOOL_LENGTH_CONST", 0, -32_768, 32_767),
+        /// SD42950 $SC_TOOL_LENGTH_TYPE: which table is used.
+        sd42950: i32 = Field::code_of("sd42950", "SD42950 TOOL_LENGTH_TYPE", 0, LENGTH_TYPE),
+    }
+}
+
+/// The query of a loose value; an absent one is the standard case.
+pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
+    let mut checker = Checker::default();
+    let given = if matches!(value, Value::Null | Value::Other("undefined")) { None } else { Some(value) };
+    let mut section = Section::new(&mut checker, given, "");
+    section.only(QueryForm::FIELDS, &["frame"]);
+    let form = QueryForm::read(&mut section);
+    let frame = read_frame(&mut section);
+    if checker.failed() {
+        return Err(JobError { findings: checker.findings });
+    }
+    Ok(Query {
+        plane: match form.plane.as_str() {
+            "G18" => Plane::G18,
+            "G19" => Plane::G19,
+            _ => Plane::G17,
+        },
+        tool_type: form.tool_type,
+        frame,
+        coord: form.coord,
+        tool_active: form.tool_active,
+        sd42900: form.sd42900,
+        sd42940: form.sd42940,
+        sd42950: form.sd42950,
+    })
+}
+
+fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
+    let steps = match section.get("frame") {
+        None => return Vec::new(),
+        Some(Value::List(steps)) if steps.len() <= MOST_STEPS => steps,
+        Some(_) => {
+            let message = format!("The frame must be a list of at most {MOST_STEPS} steps {{ rot, angle }} or {{ mirror }}");
+            section.checker.error("wrong-type", "frame", message);
+            return Vec::new();
+        }
+    };
+    steps.iter().enumerate().filter_map(|(i, step)| read_step(section, step, &format!("frame[{i}]"))).collect()
+}
+
+fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {
+    const ANGLE: Field = Field::angle("angle", "Angle", 0.0).range(-360_000.0, 360_000.0);
+    let axis = |key: &str| match step.get(key) {
+        Some(Value::Text(name)) => AXIS_NAMES.iter().position(|axis| axis == name),
+        _ => None,
+    };
+    let Value::Map(entries) = step else {
+        section.checker.error("wrong-type", path, "A frame step is { rot, angle } or { mirror }");
+        return None;
+    };
+    match (axis("rot"), axis("mirror"), entries.len()) {
+        (Some(axis), None, 2) => {
+            let angle = step.get("angle").unwrap_or(&Value::Null);
+            let angle = section.number(angle, &ANGLE, &format!("{path}.angle"))?;
+            Some(Step::Rotation { axis, angle })
+        }
+        (None, Some(axis), 1) => Some(Step::Mirror { axis }),
+        _ => {
+            section.checker.error("wrong-type", path, "A frame step is { rot, angle } or { mirror }; axes are X, Y, Z");
+            None
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! SINUMERIK's LENTOAX: which tool length acts on which axis.
+//!
+//! Source: the function manual W1, section 2.11 (its two printed examples are tests here). The formula is derived and
+//! reproduces them: MATRIX = P · Fᵀ · T, see `docs/lentoax.md`. Angles are in degrees; ROT Z with a positive angle is
+//! counter-clockwise seen from +Z; successive frames multiply on the right.
+
+use crate::geom::Plane;
+
+/// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
+const PARALLEL: f64 = 1e-9;
+
+/// A 3 × 3 matrix by rows.
+pub type Matrix = [[f64; 3]; 3];
+
+/// One step of the active frame. Axes are 0, 1, 2 for X, Y, Z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// Turned about an axis by degrees.
+    Rotation {
+        /// About which axis.
+        axis: usize,
+        /// Degrees.
+        angle: f64,
+    },
+    /// Mirrored: the axis points the other way.
+    Mirror {
+        /// Which axis.
+        axis: usize,
+    },
+}
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Query {
+    /// The active plane.
+    pub plane: Plane,
+    /// The tool type's number; 400 to 599 are turning and grinding tools.
+    pub tool_type: i32,
+    /// The active frame's steps, in order.
+    pub frame: Vec<Step>,
+    /// The _COORD string, any case.
+    pub coord: String,
+    /// Whether a tool is active.
+    pub tool_active: bool,
+    /// SD42900 $SC_MIRROR_TOOL_LENGTH.
+    pub sd42900: bool,
+    /// SD42940 $SC_TOOL_LENGTH_CONST.
+    pub sd42940: i32,
+    /// SD42950 $SC_TOOL_LENGTH_TYPE: 0 by tool type, 1 as milling, 2 as turning.
+    pub sd42950: i32,
+}
+
+/// What LENTOAX gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// 0: _AXIND says it all. 1: _MATRIX must be read. −1: the coordinate system is not known. −2: no tool is active.
+    pub status: i32,
+    /// For abscissa, ordinate and applicate the number of the length that acts there, negative if it points the other way.
+    pub axind: [i32; 3],
+    /// Rows abscissa, ordinate, applicate; columns L1, L2, L3.
+    pub matrix: Matrix,
+}
+
+/// Answers a query. Total: every query has an answer.
+pub fn lentoax(query: &Query) -> Answer {
+    let nothing = |status| Answer { status, axind: [0; 3], matrix: [[0.0; 3]; 3] };
+    let in_workpiece = match query.coord.to_ascii_uppercase().as_str() {
+        "WCS" | "W" => true,
+        // Without a kinematic transformation these do not see the frame.
+        "BCS" | "B" | "MCS" | "M" | "KCS" | "K" | "TCS" | "T" => false,
+        _ => return nothing(-1),
+    };
+    if !query.tool_active {
+        return nothing(-2);
+    }
+    let (frame, mirror) = frame(&query.frame);
+    let mut lengths = assignment(query);
+    if query.sd42900 {
+        for (row, sign) in lengths.iter_mut().zip(mirror) {
+            for element in row {
+                *element *= sign;
+            }
+        }
+    }
+    let seen = if in_workpiece { multiply(&transpose(&frame), &lengths) } else { lengths };
+    let matrix = query.plane.axes().map(|axis| seen[axis]);
+    read(matrix)
+}
+
+/// _AXIND and the status from the matrix. A parallel one is cleared of rounding.
+fn read(mut matrix: Matrix) -> Answer {
+    let near = |x: f64, y: f64| (x - y).abs() <= PARALLEL;
+    let parallel = matrix.iter().flatten().all(|x| near(*x, 0.0) || near(x.abs(), 1.0));
+    for element in matrix.iter_mut().flatten() {
+        let whole = element.round();
+        if near(*element, whole) {
+            // Adding 0 makes −0 a 0.
+            *element = whole + 0.0;
+        }
+    }
+    let axind = matrix.map(|row| {
+        let most = row.iter().fold(0f64, |most, x| most.max(x.abs()));
+        // Of equal ones the lower length.
+        let j = row.iter().position(|x| x.abs() >= most - PARALLEL).unwrap_or(0);
+        let number = j as i32 + 1;
+        if row[j] < 0.0 { -number } else { number }
+    });
+    Answer { status: i32::from(!parallel), axind, matrix }
+}
+
+/// The active frame's rotation and mirror part, BCS = F · WCS, and the sign of each axis by its mirrors alone.
+pub fn frame(steps: &[Step]) -> (Matrix, [f64; 3]) {
+    let mut all = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let mut mirror = [1.0; 3];
+    for step in steps {
+        let own = match *step {
+            Step::Rotation { axis, angle } => rotation(axis, angle),
+            Step::Mirror { axis } => {
+                mirror[axis] = -mirror[axis];
+                let mut own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+                own[axis][axis] = -1.0;
+                own
+            }
+        };
+        all = multiply(&all, &own);
+    }
+    (all, mirror)
+}
+
+fn rotation(axis: usize, degrees: f64) -> Matrix {
+    let angle = degrees.rem_euclid(360.0);
+    // Quarter turns are exact.
+    let (sin, cos) = match angle {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        _ => angle.to_radians().sin_cos(),
+    };
+    let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut own = [[0.0; 3]; 3];
+    own[axis][axis] = 1.0;
+    (own[a][a], own[a][b]) = (cos, -sin);
+    (own[b][a], own[b][b]) = (sin, cos);
+    own
+}
+
+/// T: rows X, Y, Z, columns L1, L2, L3; 1 where a length acts.
+fn assignment(query: &Query) -> Matrix {
+    let turning = match query.sd42950 {
+        1 => false,
+        2 => true,
+        _ => (400..=599).contains(&query.tool_type),
+    };
+    let plane = match query.plane {
+        Plane::G17 => 17,
+        Plane::G18 => 18,
+        Plane::G19 => 19,
+    };
+    let row = match (query.sd42940, turning) {
+        (0, _) => plane,
+        (row @ (17..=19 | -19..=-17), _) => row,
+        // Any other number acts as 17 for milling tools and as 18 for turning tools.
+        (_, false) => 17,
+        (_, true) => 18,
+    };
+    const X: usize = 0;
+    const Y: usize = 1;
+    const Z: usize = 2;
+    let axes = match (row, turning) {
+        (17, false) => [Z, Y, X],
+        (18, false) => [Y, X, Z],
+        (19, false) => [X, Z, Y],
+        (-17, false) => [Z, X, Y],
+        (-18, false) => [Y, Z, X],
+        (_, false) => [X, Y, Z],
+        (17, true) => [Y, X, Z],
+        (18, true) => [X, Z, Y],
+        (19, true) => [Z, Y, X],
+        (-17, true) => [X, Y, Z],
+        (-18, true) => [Z, X, Y],
+        (_, true) => [Y, Z, X],
+    };
+    let mut lengths = [[0.0; 3]; 3];
+    for (length, axis) in axes.into_iter().enumerate() {
+        lengths[axis][length] = 1.0;
+    }
+    lengths
+}
+
+fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+fn transpose(m: &Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
+}
+
+/// The plain words for a status.
+pub fn meaning(status: i32) -> &'static str {
+    match status {
+        0 => "every length is parallel to an axis: _AXIND says it all",
+        1 => "not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths",
+        -1 => "the coordinate system is not known",
+        _ => "no tool is active",
+    }
+}
+
+/// What the answer says in a sentence, axis names being those of the plane: "L1 acts along +Z, …".
+pub fn sentence(plane: Plane, answer: &Answer) -> String {
+    if answer.status < 0 {
+        return meaning(answer.status).to_owned();
+    }
+    let names = plane.axes().map(|axis| crate::geom::AXIS_NAMES[axis]);
+    let lengths: Vec<String> = (0..3)
+        .map(|length| {
+            let parts: Vec<String> = (0..3)
+                .filter(|&row| answer.matrix[row][length].abs() > PARALLEL)
+                .map(|row| {
+                    let part = answer.matrix[row][length];
+                    let sign = if part < 0.0 { '-' } else { '+' };
+                    if answer.status == 0 {
+                        format!("{sign}{}", names[row])
+                    } else {
+                        format!("{sign}{}·{}", crate::num::decimal(part.abs(), 4), names[row])
+                    }
+                })
+                .collect();
+            format!("L{} acts along {}", length + 1, parts.join(" "))
+        })
+        .collect();
+    lengths.join(", ")
+}
+
+/// NC lines that ask the control itself, and stop where the first length (the probe's) is not along the tool axis.
+/// DEF, the call and MSG are as in the manual's notation; the check is ours and not verified on a control.
+pub fn nc_block(coord: &str) -> String {
+    let known = ["MCS", "M", "BCS", "B", "WCS", "W", "KCS", "K", "TCS", "T"];
+    let upper = coord.to_ascii_uppercase();
+    let coord = known.iter().find(|k| **k == upper).copied().unwrap_or("WCS");
+    format!(
+        "DEF INT _STAT\nDEF INT _AXIND[3]\nDEF REAL _MATRIX[3,3]\n_STAT=LENTOAX(_AXIND,_MATRIX,\"{coord}\")\n\
+         IF (_STAT<0) OR (_MATRIX[2,0]<0.999999)\n  MSG(\"L1 is not along the tool axis\")\n  SETAL(65000)\n  M0\nENDIF\n"
+    )
+}

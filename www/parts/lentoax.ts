@@ -1,0 +1,283 @@
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import {
+  type Finding,
+  JobError,
+  type Lentoax,
+  type LentoaxQuery,
+  lentoax,
+  lentoaxWords,
+  View,
+} from "../core/browser.js";
+import { parseNumber } from "../store.js";
+
+const GROUPS: [string, number][] = [
+  ["Milling tools (100 to 199)", 120],
+  ["Drills (200 to 299)", 200],
+  ["Grinding tools (400 to 499)", 400],
+  ["Turning tools (500 to 599)", 500],
+  ["Special tools, probes (700 to 799)", 710],
+];
+const COORDS: [string, string][] = [
+  ["WCS", "WCS, workpiece"],
+  ["BCS", "BCS, base"],
+  ["MCS", "MCS, machine"],
+  ["KCS", "KCS, kinematic"],
+  ["TCS", "TCS, tool"],
+];
+const LENGTH_CONST = [0, 17, 18, 19, -17, -18, -19];
+const AXES = ["X", "Y", "Z"] as const;
+type Step = NonNullable<LentoaxQuery["frame"]>[number];
+
+/** The second tool: which tool length acts on which axis. */
+class LentoaxPart extends LitElement {
+  private query: Required<LentoaxQuery> = {
+    plane: "G17",
+    toolType: 710,
+    frame: [],
+    coord: "WCS",
+    toolActive: true,
+    sd42900: false,
+    sd42940: 0,
+    sd42950: 0,
+  };
+  private typed = new Map<string, string>();
+  private view?: View;
+  private told = "";
+  private readonly observer = new ResizeObserver(() => this.draw());
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly recolour = () => this.draw();
+
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.dark.addEventListener("change", this.recolour);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.dark.removeEventListener("change", this.recolour);
+    this.observer.disconnect();
+  }
+
+  protected override firstUpdated(): void {
+    const canvas = this.querySelector("canvas") as HTMLCanvasElement;
+    this.view = new View(canvas);
+    this.observer.observe(canvas);
+  }
+
+  protected override updated(): void {
+    this.draw();
+  }
+
+  override render(): TemplateResult {
+    let answer: Lentoax | null = null;
+    let words = { meaning: "", sentence: "", program: "" };
+    let findings: Finding[] = [];
+    try {
+      answer = lentoax(this.query);
+      words = lentoaxWords(this.query);
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      findings = thrown.findings;
+    }
+    return html`
+      <section class="ask" aria-label="Question">${this.form(findings)}</section>
+      <section class="see" aria-label="Picture"><canvas role="img" aria-label=${words.sentence || "Axes and tool lengths"}></canvas></section>
+      <section class="answer" aria-label="Answer">
+        ${answer ? this.answer(answer, words) : html`<div role="status">${findings.map((f) => html`<p class="problem error">${f.message}</p>`)}</div>`}
+      </section>
+    `;
+  }
+
+  private form(findings: Finding[]): TemplateResult {
+    const q = this.query;
+    const group = GROUPS.filter(([, type]) => type <= q.toolType).at(-1) ?? GROUPS[0];
+    const select = (
+      label: string,
+      id: string,
+      options: [string | number, string][],
+      value: string | number,
+      take: (v: string) => void,
+    ) =>
+      html`<div class="field"><label for=${id}>${label}</label><select id=${id} @change=${(e: Event) => this.change(() => take((e.target as HTMLSelectElement).value))}>
+        ${options.map(([v, text]) => html`<option value=${v} ?selected=${v === value}>${text}</option>`)}</select></div>`;
+    const box = (label: string, id: string, value: boolean, take: (v: boolean) => void) =>
+      html`<div class="field wide"><label class="check"><input id=${id} type="checkbox" .checked=${value}
+        @change=${(e: Event) => this.change(() => take((e.target as HTMLInputElement).checked))} /> ${label}</label></div>`;
+    return html`<form @submit=${(e: Event) => e.preventDefault()} autocomplete="off">
+      <fieldset><legend>Tool and plane</legend>
+        ${select(
+          "Plane",
+          "l-plane",
+          [
+            ["G17", "G17"],
+            ["G18", "G18"],
+            ["G19", "G19"],
+          ],
+          q.plane,
+          (v) => {
+            q.plane = v as "G17";
+          },
+        )}
+        ${select("Coordinate system (_COORD)", "l-coord", COORDS, q.coord, (v) => {
+          q.coord = v;
+        })}
+        ${select(
+          "Tool group",
+          "l-group",
+          GROUPS.map(([text, type]): [number, string] => [type, text]),
+          group?.[1] ?? 100,
+          (v) => {
+            q.toolType = Number(v);
+            this.typed.delete("l-type");
+          },
+        )}
+        <div class="field"><label for="l-type">Tool type</label>${this.number("l-type", q.toolType, (v) => {
+          q.toolType = v as number;
+        })}</div>
+        ${box("A tool is active", "l-active", q.toolActive, (v) => {
+          q.toolActive = v;
+        })}
+      </fieldset>
+      <fieldset><legend>Active frame</legend>
+        <div class="field wide">
+          ${q.frame.length === 0 ? html`<p class="help">No frame: the workpiece system is the base system, but for shifts.</p>` : nothing}
+          <ol class="steps">${q.frame.map((step, i) => this.step(step, i))}</ol>
+          <button type="button" @click=${() => this.change(() => q.frame.push({ rot: "Z", angle: 0 }))}>Add ROT</button>
+          <button type="button" @click=${() => this.change(() => q.frame.push({ mirror: "X" }))}>Add MIRROR</button>
+        </div>
+      </fieldset>
+      <fieldset><legend>Setting data</legend>
+        ${box("SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length", "l-42900", q.sd42900, (v) => {
+          q.sd42900 = v;
+        })}
+        ${select(
+          "SD42940 $SC_TOOL_LENGTH_CONST",
+          "l-42940",
+          LENGTH_CONST.map((n): [number, string] => [n, n === 0 ? "0: by the active plane" : `${n}`]),
+          q.sd42940,
+          (v) => {
+            q.sd42940 = Number(v);
+          },
+        )}
+        ${select(
+          "SD42950 $SC_TOOL_LENGTH_TYPE",
+          "l-42950",
+          [
+            [0, "0: by tool type"],
+            [1, "1: as for milling"],
+            [2, "2: as for turning"],
+          ],
+          q.sd42950,
+          (v) => {
+            q.sd42950 = Number(v) as 0;
+          },
+        )}
+      </fieldset>
+      ${findings.length ? html`<p class="problem error">The question has errors.</p>` : nothing}
+    </form>`;
+  }
+
+  private step(step: Step, i: number): TemplateResult {
+    const frame = this.query.frame;
+    const turns = "rot" in step;
+    const axis = turns ? step.rot : step.mirror;
+    const name = `Step ${i + 1}`;
+    const move = (to: number) =>
+      this.change(() => {
+        this.typed.clear();
+        frame.splice(to, 0, ...frame.splice(i, 1));
+      });
+    return html`<li>
+      <span>${turns ? "ROT" : "MIRROR"}</span>
+      <select aria-label=${`${name}: axis`} @change=${(e: Event) =>
+        this.change(() => {
+          const chosen = (e.target as HTMLSelectElement).value as "X";
+          frame[i] = turns ? { rot: chosen, angle: step.angle } : { mirror: chosen };
+        })}>${AXES.map((a) => html`<option ?selected=${a === axis}>${a}</option>`)}</select>
+      ${
+        turns
+          ? this.number(
+              `l-angle-${i}`,
+              step.angle,
+              (v) => {
+                frame[i] = { rot: step.rot, angle: v as number };
+              },
+              `${name}: angle`,
+            )
+          : html`<span class="gap"></span>`
+      }
+      <button type="button" aria-label=${`${name}: up`} ?disabled=${i === 0} @click=${() => move(i - 1)}>↑</button>
+      <button type="button" aria-label=${`${name}: down`} ?disabled=${i === frame.length - 1} @click=${() => move(i + 1)}>↓</button>
+      <button type="button" aria-label=${`${name}: remove`} @click=${() =>
+        this.change(() => {
+          this.typed.clear();
+          frame.splice(i, 1);
+        })}>×</button>
+    </li>`;
+  }
+
+  private number(id: string, value: number, take: (v: number | string) => void, name?: string): TemplateResult {
+    return html`<span class="number"><input id=${id} type="text" inputmode="decimal" aria-label=${name ?? nothing} .value=${this.typed.get(id) ?? String(value)}
+      @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
+      @input=${(e: Event) =>
+        this.change(() => {
+          const text = (e.target as HTMLInputElement).value;
+          this.typed.set(id, text);
+          take(parseNumber(text));
+        })} />${name ? html`<span class="unit">°</span>` : nothing}</span>`;
+  }
+
+  private answer(answer: Lentoax, words: { meaning: string; sentence: string; program: string }): TemplateResult {
+    const names = { G17: ["X", "Y", "Z"], G18: ["Z", "X", "Y"], G19: ["Y", "Z", "X"] }[this.query.plane];
+    const roles = ["Abscissa", "Ordinate", "Applicate"];
+    return html`
+      <p role="status"><b>Status ${answer.status}</b>: ${words.meaning}</p>
+      <p class="sentence">${words.sentence}</p>
+      <table>
+        <caption>_AXIND and _MATRIX</caption>
+        <thead><tr><th>Axis</th><th class="n">_AXIND</th><th class="n">L1</th><th class="n">L2</th><th class="n">L3</th></tr></thead>
+        <tbody>${answer.matrix.map(
+          (row, i) => html`<tr><td>${roles[i]} ${names[i]}</td><td class="n"><b>${answer.axind[i]}</b></td>
+          ${row.map((x) => html`<td class="n">${Number.isInteger(x) ? x : x.toFixed(7)}</td>`)}</tr>`,
+        )}</tbody>
+      </table>
+      <h2>Ask the control itself</h2>
+      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><span role="status" class="told">${this.told}</span></div>
+      <pre class="code" tabindex="0">${words.program}</pre>
+      <p class="help">The call is the manual's; the check after it is ours, for a probe whose L1 has to lie along the tool axis, and was not run on a control.
+        The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.</p>
+    `;
+  }
+
+  private change(make: () => void): void {
+    make();
+    this.told = "";
+    this.requestUpdate();
+  }
+
+  private draw(): void {
+    const canvas = this.querySelector("canvas");
+    if (!canvas || !this.view || canvas.clientWidth === 0) return;
+    const style = getComputedStyle(this);
+    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
+    this.view.setTheme(Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
+    this.view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1);
+    this.view.showLentoax(this.query);
+  }
+
+  private async copy(text: string): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(text);
+      this.told = "Copied";
+    } catch {
+      this.told = "The browser did not allow it";
+    }
+    this.requestUpdate();
+  }
+}
+
+customElements.define("tp-lentoax", LentoaxPart);
