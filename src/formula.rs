@@ -2,7 +2,9 @@
 //!
 //! A cycle states its arithmetic as a list of named assignments. A post prints it in its control's language, and the
 //! virtual part evaluates the very same list, with the derivative by each touch beside it. So what the page shows as the
-//! control's result is what the program computes, and the uncertainty comes from the same fit.
+//! control's result is what the program computes, and the uncertainty comes from the same fit. Circles are fitted
+//! geometrically, as a control's own cycle does it; where a program has to do it in plain arithmetic, both use
+//! [`Formula::plain`].
 //!
 //! Angles are in degrees here, as controls take them.
 

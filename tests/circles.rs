@@ -663,3 +663,111 @@ fn measured_points_of_circles() {
     near(row(&rows, "Q966").value.unwrap(), 20.04);
     near(row(&rows, "Q964").value.unwrap(), (-0.1f64 / 59.9).atan().to_degrees());
 }
+
+/// Arcs too small to be printed are straight: a rounded end could mean a whole turn.
+#[test]
+fn tiny_arcs_are_straight() {
+    let mut job = with(&with(&holes(), "cycle.diameter1", number(10.0004)), "cycle.clearanceHeightMode", number(1.0));
+    job = on_linuxcnc(&job);
+    let plan = planned(&job);
+    assert!(plan.moves.iter().take(20).all(|m| m.arc.is_none()));
+    interpret(&plan.program.text).expect("LinuxCNC takes it");
+}
+
+#[test]
+fn touches_that_cannot_tell_a_circle_are_refused_or_warned_of() {
+    let spread = |length: f64, points: f64| {
+        with(&with(&holes(), "cycle.angularLength", number(length)), "cycle.probePoints", number(points))
+    };
+    for (length, points) in [(0.001, 3.0), (0.5, 3.0), (359.999, 3.0), (-359.999, 8.0), (6.0, 8.0)] {
+        assert_eq!(errors(&spread(length, points)), ["no-arc cycle.angularLength"], "{length} {points}");
+    }
+    // Three points within 10° are allowed, with their price named.
+    let narrow = spread(10.0, 3.0);
+    assert_eq!((errors(&narrow), warnings(&narrow)), (vec![], vec!["short-arc".to_owned()]));
+    assert_eq!(warnings(&spread(360.0, 3.0)), [""; 0]);
+}
+
+#[test]
+fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
+    let with_tools = |before: &str, after: &str| import(&format!("0 BEGIN PGM A MM\n{before}\n{SEED}\n{after}\n")).unwrap();
+    let later = with_tools("1 TOOL CALL 100 Y S50\n2 TOOL CALL S60", "13 TOOL CALL 5 Z S3000");
+    assert_eq!(number_at(&later.job, "control.tool", 0.0), 100.0);
+    assert_eq!(later.job.get("plane"), Some(&text("G18")), "a call without an axis leaves the plane");
+    let named = with_tools("1 TOOL CALL \"TOUCH_PROBE\" Z", "");
+    assert!(named.findings.iter().any(|f| f.code == "tool-by-name"));
+    let block = SEED.replace(" ~\n", " ").replacen("11 TCH PROBE 1411 PROBING TWO CIRCLES", "N20 G1411", 1);
+    let block: String = block
+        .split_whitespace()
+        .filter(|w| w.starts_with('Q') || w.starts_with('N') && w.len() == 3 || *w == "G1411")
+        .collect::<Vec<_>>()
+        .join(" ");
+    let iso = import(&format!("%A G70 *\nN10 T7 G19 S50 *\n{block}\n")).unwrap();
+    assert_eq!((iso.job.get("units"), iso.job.get("plane")), (Some(&text("inch")), Some(&text("G19"))));
+    assert_eq!(number_at(&iso.job, "control.tool", 0.0), 7.0);
+    assert!(import(&block).unwrap().findings.iter().any(|f| f.code == "units-unknown"));
+}
+
+/// Mode −1: the clearance height plays no part; the ball crosses where it stands and goes down at the probing feed.
+#[test]
+fn without_the_clearance_height() {
+    let mut job = with(&with(&holes(), "cycle.geometryType", number(1.0)), "cycle.clearanceHeightMode", number(-1.0));
+    job = with(&job, "cycle.startingAngle", number(180.0));
+    job = with(&job, "cycle.start", point([0.0, 40.0, 10.0]));
+    let plan = planned(&job);
+    let first: Vec<([f64; 3], &str)> = plan.moves.iter().take(3).map(|m| (m.to, m.feed)).collect();
+    assert_eq!(first, [([0.0, 40.0, 10.0], "rapid"), ([-45.0, 0.0, 10.0], "rapid"), ([-45.0, 0.0, -10.0], "work")]);
+    assert_eq!(plan.moves.last().unwrap().to[2], -10.0);
+}
+
+#[test]
+fn nothing_is_called_good_that_was_not_measured() {
+    let missed = with(&with(&holes(), "cycle.diameter1", text("20H7")), "part.sizes.diameter1", number(25.0));
+    let status = row(&planned(&missed).results, "Q183").clone();
+    assert_eq!(status.value, None);
+    assert!(status.verdict.unwrap().starts_with("not known"));
+    // The tool axis of a probed object is not measured: its tolerance says nothing.
+    let axis = with(&holes(), "cycle.point1", Value::List(vec![number(-30.0), number(0.0), text("-10-0.2-0.1")]));
+    let plan = planned(&axis);
+    assert_eq!((value(&plan, "Q982"), value(&plan, "Q183")), (0.0, -1.0));
+}
+
+#[test]
+fn plain_moves_do_not_pretend_to_judge() {
+    let mut job = on_linuxcnc(&with(&with(&holes(), "cycle.diameter1", text("20H7")), "cycle.errorReaction", number(1.0)));
+    assert_eq!(warnings(&job), ["reaction-unsupported"]);
+    job = with(&with(&job, "control.workOffset", number(1.0)), "cycle.transferPosition", number(1.0));
+    assert_eq!(errors(&job), ["reaction-unsupported cycle.errorReaction"]);
+    let sideways = with(
+        &holes(),
+        "cycle.extrusion",
+        Value::Map(vec![("direction".into(), number(1.0)), ("points".into(), number(3.0)), ("length".into(), number(2.0))]),
+    );
+    assert_eq!(errors(&sideways), ["extrusion-direction cycle.extrusion.direction"]);
+}
+
+/// With scatter the two fits differ; what is shown for LinuxCNC is what its program computes from the very points.
+#[test]
+fn linuxcnc_and_the_page_agree_on_scattered_points() {
+    let mut job = on_linuxcnc(&with(&with(&holes(), "cycle.probePoints", number(5.0)), "cycle.angularLength", number(60.0)));
+    job = with(&job, "cycle.clearanceHeight", number(20.0));
+    let plan = planned(&job);
+    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+    let mut points = Vec::new();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+        let k = step.touch.unwrap();
+        let off = 0.01 * f64::from([3, -4, 5, -2, 1][k % 5]) / 5.0;
+        let p = [0, 1, 2].map(|i| step.to[i] + off * plan.touches[k].vector[i]);
+        lines[plan.program.move_lines[index] as usize] = format!("G38.2 X{:.9} Y{:.9} Z{:.9} F300", p[0], p[1], p[2]);
+        points.push(point(p));
+    }
+    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    let shown = evaluate(&job, &Value::List(points.clone())).unwrap();
+    for (code, printed) in &ran.prints {
+        let wanted = row(&shown, code).value.unwrap();
+        assert!((wanted - printed).abs() < 2e-6, "{code}: {printed} {wanted}");
+    }
+    let control = with(&with(&job, "control.post", text("heidenhain")), "control.form", text("cycle"));
+    let geometric = evaluate(&control, &Value::List(points)).unwrap();
+    assert!((row(&geometric, "Q950").value.unwrap() - row(&shown, "Q950").value.unwrap()).abs() > 1e-5);
+}

@@ -273,6 +273,10 @@ fn measured_points_that_cannot_be_of_the_job_are_refused() {
     // Points 1 and 2 are in the wrong order, point 3 is 6 too far with an overtravel of 5.
     let swapped = Value::Text("-37,0,-10\n37,0,-10\n0,28,-10\n0,-22,-10".into());
     assert_eq!(codes(swapped), ["too-far measured[0]", "too-far measured[1]", "too-far measured[2]"]);
+    // A part that lies nearer triggers on the way: 4 before the contact is still of this touch, 5.1 before it is not.
+    let nearer = |x: f64| Value::Text(format!("{x},0,-10\n-37,0,-10\n0,22,-10\n0,-22,-10"));
+    assert!(evaluate(&pocket(), &nearer(33.0)).is_ok());
+    assert_eq!(codes(nearer(31.9)), ["too-far measured[0]"]);
     let nan = Value::List(vec![point([f64::NAN, 0.0, 0.0]), Value::Null, point([0.0; 3]), point([1e9, 0.0, 0.0])]);
     assert_eq!(codes(nan)[..2], ["not-a-number measured[0]", "wrong-type measured[1]"]);
     let broken = with(&pocket(), "cycle.width1", number(-1.0));

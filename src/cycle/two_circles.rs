@@ -41,11 +41,13 @@ pub static DEF: CycleDef = CycleDef {
         "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
          stand-off radius at measuring height. Between the objects it goes over the clearance height with Q1125 of 1 or 2, else \
          straight at measuring height to the second object's first touch, without going to its centre.",
-        "With Q1125 = -1 the ball never goes to the clearance height; the measuring height takes its place in the positioning \
-         logic, and the cycle ends where its last touch began.",
+        "With Q1125 = -1 the ball never goes to the clearance height: it crosses at the height where the stylus stands straight to \
+         before the first touch, goes down at the probing feed, and the cycle ends where its last touch began.",
         "DIST is the longest way of a touch, counted from where it begins.",
         "A hole too small for the set-up clearance is touched from its centre; the reachable clearance is D/2 less the ball radius.",
-        "Material is taken to reach up to a ball radius below the clearance height, since nothing else is known of it.",
+        "Material is taken to reach up to a ball radius below the clearance height (with Q1125 = -1: below the height where the \
+         stylus comes from), since nothing else is known of it.",
+        "An extrusion along the main or minor axis is refused: repeated touches would run off a round object.",
         "Three points give the exact circle, more the one of geometric least squares.",
         "Deviations are measured from the middle of the tolerance zone. Q183: in the zone, limits included, is good; a hole too \
          small or a stud too big is rework; a hole too big, a stud too small or a position out of its zone is scrap; the worst \
@@ -206,6 +208,17 @@ impl Object {
         Some([a.nominal?, o.nominal?, w.nominal?])
     }
 
+    /// What the deviation of a coordinate is measured from. The tool axis of a probed object is not measured: its value is the
+    /// nominal one, and its deviation 0.
+    fn reference(&self, axis: usize) -> Option<f64> {
+        if self.measures(axis) { self.point[axis].reference() } else { self.point[axis].nominal }
+    }
+
+    /// Whether a coordinate is measured or given.
+    fn measures(&self, axis: usize) -> bool {
+        axis < 2 || self.state == State::Given
+    }
+
     fn nominal_diameter(&self) -> f64 {
         self.diameter.nominal.unwrap_or(0.0)
     }
@@ -240,6 +253,16 @@ impl TwoCircles {
 
     fn frame(setup: &Setup) -> Frame {
         Frame::new(setup.plane, Vec3::ZERO, 0.0)
+    }
+
+    /// The height of the ball centre at which nothing is met: the clearance height; with mode −1, which never uses it, the height
+    /// where the stylus comes from.
+    fn free_height(&self, setup: &Setup) -> f64 {
+        if self.form.clearance_height_mode >= 0 {
+            return self.form.clearance_height;
+        }
+        let [_, _, w] = setup.plane.axes();
+        self.objects().iter().filter_map(|o| o.place()).fold(self.form.start[w], |most, place| most.max(place[2]))
     }
 
     /// The angles of the touches of one circle, radians.
@@ -356,6 +379,9 @@ impl Cycle for TwoCircles {
         if form.angular_length == 0.0 {
             checker.error("no-arc", "cycle.angularLength", "An angular length of 0° puts every touch on one spot");
         }
+        if form.angular_length != 0.0 && checker.sound(&["cycle.angularLength", "cycle.probePoints"]) {
+            self.spread_rules(checker);
+        }
         if form.align_rotary_axis != 0 && form.confirm_rotation == 0 {
             let message =
                 "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise";
@@ -368,6 +394,23 @@ impl Cycle for TwoCircles {
         {
             let message = "Both circles are in one place: the line through their centres has no direction";
             checker.error("no-direction", "cycle.point2", message);
+        }
+        let given = |o: &Object| Some([o.point[0].actual?, o.point[1].actual?]);
+        if let (Some(p), Some(q)) = (given(&one), given(&two))
+            && checker.sound(&points)
+            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
+        {
+            let message = "Both circles are given in one place: the line through their centres has no direction";
+            checker.error("no-direction", "cycle.point2", message);
+        }
+        if let Some(extrusion) = &self.extrusion
+            && extrusion.points > 1
+            && extrusion.length != 0.0
+            && extrusion.direction != 3
+        {
+            let message =
+                "Along the main or minor axis repeated touches would run off a round object: only the tool axis (3) is planned";
+            checker.error("extrusion-direction", "cycle.extrusion.direction", message);
         }
         if let Some(extrusion) = &self.extrusion
             && extrusion.points > 1
@@ -403,7 +446,7 @@ impl Cycle for TwoCircles {
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = Self::frame(setup);
-        let top = self.form.clearance_height - setup.radius;
+        let top = self.free_height(setup) - setup.radius;
         self.objects()
             .iter()
             .map(|object| {
@@ -472,6 +515,38 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
 }
 
 impl TwoCircles {
+    /// Touches must lie apart, and an arc too short makes the circle uncertain.
+    fn spread_rules(&self, checker: &mut Checker) {
+        const NEAREST: f64 = 1.0;
+        const DOUBTFUL: f64 = 5.0;
+        let angles = self.angles();
+        let apart = |a: f64, b: f64| crate::num::wrap_degrees((a - b).to_degrees()).abs();
+        let pairs = angles.iter().enumerate().flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
+        let nearest = pairs.fold(360.0, f64::min);
+        if nearest < NEAREST {
+            let message = format!(
+                "Two touches of a circle would lie {}° apart: at least {NEAREST}° are needed, or the circle cannot be told",
+                crate::num::decimal(nearest, 4)
+            );
+            checker.error("no-arc", "cycle.angularLength", message);
+            return;
+        }
+        let points: Vec<(f64, f64)> = angles.iter().map(|a| (a.cos(), a.sin())).collect();
+        let Some(fit) = crate::formula::fit_circle(&points) else { return };
+        let worth = |row: usize| {
+            let each = fit.by_point.iter().zip(&points).map(|(d, p)| d.0[row] * p.0 + d.1[row] * p.1);
+            each.map(|d| d * d).sum::<f64>().sqrt()
+        };
+        let worst = worth(0).max(worth(1));
+        if worst > DOUBTFUL {
+            let message = format!(
+                "Over so short an arc a centre is {} times as uncertain as a single touch: give the touches more of the circle",
+                crate::num::decimal(worst, 0)
+            );
+            checker.warning("short-arc", "cycle.angularLength", message);
+        }
+    }
+
     /// Whether the ball fits, and whether a touch reaches the wall.
     fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
         let (number, diameter) = (object.number, object.nominal_diameter());
@@ -499,7 +574,7 @@ impl TwoCircles {
             checker.warning("small-hole", diameter_path, message);
         }
         let way = if small { reachable } else { self.stand_off(setup) - setup.radius };
-        if way >= self.probe.dist {
+        if way + 0.01 > self.probe.dist {
             let message = format!(
                 "DIST ({}) must be longer than the way from the start of a touch to object {number} ({}), or no touch reaches it",
                 checker.length(self.probe.dist),

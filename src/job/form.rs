@@ -34,7 +34,7 @@ form! {
         /// The working plane; the tool axis stands on it.
         plane: String = Field::choice("plane", "Plane", PLANES).group("Program"),
         /// How far past the nominal contact a touch searches before the control gives up.
-        overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).above(0.0, 1000.0).usual(0.5, 50.0).group("Probe"),
+        overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).range(0.01, 1000.0).usual(0.5, 50.0).group("Probe"),
     }
 }
 

@@ -50,7 +50,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let inch = blocks.iter().any(|b| {
         let upper = b.to_uppercase();
         upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
-    });
+    }) || says(&blocks, "G70");
     let scale = if inch { 25.4 } else { 1.0 };
     let mut job = default_job_in("probing-two-circles", scale).expect("the cycle is registered");
     set(&mut job, "units", Value::Text(if inch { "inch" } else { "mm" }.to_owned()));
@@ -67,16 +67,26 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                 }
             }
             ["END", "PGM", ..] | [] => {}
+            // What is called after the cycle is not the probe.
+            ["TOOL", "CALL", ..] if found > 0 => passed_over += 1,
             ["TOOL", "CALL", rest @ ..] => {
-                if let Some(Ok(number)) = rest.first().map(|t| t.parse::<i32>()) {
-                    set(&mut job, "control.tool", Value::Number(f64::from(number)));
+                match rest.first().map(|t| t.parse::<i32>()) {
+                    Some(Ok(number)) => set(&mut job, "control.tool", Value::Number(f64::from(number))),
+                    // Only a spindle speed: the tool stays.
+                    Some(Err(_)) if rest[0].starts_with('S') && rest[0][1..].parse::<f64>().is_ok() => {}
+                    _ => {
+                        let message = "The tool is called by its name: its number is not known, and the default is taken";
+                        checker.warning("tool-by-name", "control.tool", message);
+                    }
                 }
-                let plane = match rest.get(1) {
-                    Some(&"Y") => "G18",
-                    Some(&"X") => "G19",
-                    _ => "G17",
-                };
-                set(&mut job, "plane", Value::Text(plane.to_owned()));
+                if let Some(axis) = rest.iter().find(|t| matches!(**t, "X" | "Y" | "Z")) {
+                    let plane = match *axis {
+                        "Y" => "G18",
+                        "X" => "G19",
+                        _ => "G17",
+                    };
+                    set(&mut job, "plane", Value::Text(plane.to_owned()));
+                }
             }
             ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => {
                 found += 1;
@@ -101,8 +111,23 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                     }
                 }
             }
+            // ISO words before the cycle: units are looked for beforehand, plane and tool here.
+            iso if found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => {
+                for word in iso {
+                    match (*word, word.strip_prefix('T').map(str::parse::<i32>)) {
+                        ("G17" | "G18" | "G19", _) => set(&mut job, "plane", Value::Text((*word).to_owned())),
+                        (_, Some(Ok(tool))) => set(&mut job, "control.tool", Value::Number(f64::from(tool))),
+                        _ => {}
+                    }
+                }
+            }
             _ => passed_over += 1,
         }
+    }
+    let klartext = blocks.iter().any(|b| b.to_uppercase().starts_with("BEGIN PGM"));
+    if found > 0 && !klartext && !says(&blocks, "G70") && !says(&blocks, "G71") {
+        let message = "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken";
+        checker.warning("units-unknown", "units", message);
     }
     if found == 0 {
         let known = cycle::CYCLES.len();
@@ -121,6 +146,25 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                    the defaults are taken";
     checker.info("not-in-program", "stylus", unknown);
     Ok(Imported { job, findings: checker.findings })
+}
+
+/// Whether a block holds this word.
+fn says(blocks: &[String], word: &str) -> bool {
+    blocks.iter().any(|b| b.split_whitespace().any(|w| w.eq_ignore_ascii_case(word)))
+}
+
+/// A word of ISO programming: a letter and a number, a program name, or the end sign.
+fn is_iso_word(word: &str) -> bool {
+    let number = |text: &str| text.parse::<f64>().is_ok();
+    word == "*"
+        || word.starts_with('%')
+        || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..]))
+        || word == "PROBE"
+}
+
+/// An ISO word that says something of the job.
+fn wanted_iso(word: &str) -> bool {
+    matches!(word, "G17" | "G18" | "G19" | "G70" | "G71") || word.strip_prefix('T').is_some_and(|n| n.parse::<i32>().is_ok())
 }
 
 /// The logical blocks of a program: comments, block numbers and continuation signs taken off.

@@ -150,9 +150,18 @@ pub fn actual_surfaces(job: &Job) -> Vec<Surface> {
     part::place(&cycle.surfaces(&job.setup), &job.lie)
 }
 
+/// The path, with the formula as the control computes it.
+fn planned(job: &Job) -> Path {
+    let mut path = job.cycle.plan(&job.setup);
+    if job.post.plain_arithmetic {
+        path.formula = path.formula.plain();
+    }
+    path
+}
+
 /// Makes the plan. `checker` holds what the check has found.
 pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
-    let path = job.cycle.plan(&job.setup);
+    let path = planned(job);
     let run = part::run(&path, &actual_surfaces(job), &job.setup);
     report_run(job, &path, &run, &mut checker);
     if checker.failed() {
@@ -206,7 +215,7 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
 
 /// The results from measured points.
 pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
-    let path = job.cycle.plan(&job.setup);
+    let path = planned(job);
     let before = checker.findings.len();
     let points = part::read_measured(&mut checker, measured);
     if checker.findings.len() == before && points.len() != path.touches.len() {
@@ -217,13 +226,17 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     for (k, (point, touch)) in points.iter().zip(&path.touches).enumerate() {
         let Some(point) = point else { continue };
         let contact = touch.contact(job.setup.radius);
-        let away = point.distance(contact);
-        if away > touch.search + 1e-6 {
+        let away = *point - contact;
+        // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
+        let in_front = away.dot(touch.vector);
+        let aside = (away - touch.vector * in_front).length();
+        let reach = touch.search + 1e-6;
+        if aside > reach || in_front < -reach || in_front > reach.max(way_to(&path, k) + 1e-6) {
             let message = format!(
-                "Point {} lies {} from the nominal contact of its touch, more than the overtravel of {}: is it of this job, \
-                 a ball centre, in order?",
+                "Point {} lies {} from the nominal contact of its touch, more than it can reach (it searches {} past it): is it \
+                 of this job, a ball centre, in order?",
                 k + 1,
-                checker.length(away),
+                checker.length(away.length()),
                 checker.length(touch.search)
             );
             checker.error("too-far", format!("measured[{k}]"), message);
@@ -235,6 +248,15 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     let mut rows = part::evaluate(&path, &points, job.repeatability);
     job.cycle.judge(&job.setup, &path, &points, &mut rows);
     Ok(result_rows(job, &path, rows))
+}
+
+/// How far a touch goes to its nominal contact, mm.
+fn way_to(path: &Path, touch: usize) -> f64 {
+    let index = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch));
+    match index {
+        Some(i) if i > 0 => path.moves[i - 1].to.distance(path.moves[i].to),
+        _ => 0.0,
+    }
 }
 
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {

@@ -6,7 +6,7 @@
 
 use crate::path::Purpose;
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, refuse_operator};
+use crate::post::{PostDef, Program, Request, check_plain_moves};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -15,6 +15,7 @@ pub static DEF: PostDef = PostDef {
     extension: "nc",
     work_offsets: 0,
     no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
+    plain_arithmetic: false,
     supports: |_, form| if form == "moves" { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,
@@ -23,7 +24,7 @@ pub static DEF: PostDef = PostDef {
 static DIALECT: Dialect = Dialect { decimals_mm: 4, decimals_inch: 5, probe: "G38.2" };
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
-    refuse_operator(request, checker);
+    check_plain_moves(request, checker);
     checker.info(
         "no-results-in-program",
         "control.post",

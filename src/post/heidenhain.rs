@@ -15,6 +15,7 @@ pub static DEF: PostDef = PostDef {
     extension: "h",
     work_offsets: 0,
     no_work_offset: "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty",
+    plain_arithmetic: false,
     supports,
     check: |_, _| {},
     emit,

@@ -10,7 +10,7 @@ use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::Purpose;
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, expr, refuse_operator, work_offset_word};
+use crate::post::{PostDef, Program, Request, check_plain_moves, expr, work_offset_word};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -19,6 +19,7 @@ pub static DEF: PostDef = PostDef {
     extension: "ngc",
     work_offsets: 9,
     no_work_offset: "",
+    plain_arithmetic: true,
     supports: |_, form| match form {
         "moves" => Ok(()),
         _ => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
@@ -33,7 +34,7 @@ static DIALECT: Dialect = Dialect { decimals_mm: 4, decimals_inch: 5, probe: "G3
 const LINE_LIMIT: usize = 255;
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
-    refuse_operator(request, checker);
+    check_plain_moves(request, checker);
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
     let rotary = request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn"));
     if rotary {
@@ -58,13 +59,15 @@ fn emit(request: &Request<'_>) -> Program {
     let path = request.path;
     let formula = path.formula.plain();
     let mut w = Writer::new(request, &DIALECT);
+    let (first, second) = (AXIS_NAMES[a.min(o)], AXIS_NAMES[a.max(o)]);
+    let written = match formula.datum.as_ref().map(|d| (d.point.is_some(), d.rotation.is_some())) {
+        Some((true, true)) => format!("its {first}, {second} and rotation are written once, at the very end"),
+        Some((true, false)) => format!("its {first} and {second} are written once, at the very end"),
+        Some((false, true)) => "its rotation is written once, at the very end".to_owned(),
+        Some((false, false)) | None => "nothing of it is written".to_owned(),
+    };
     let offset = match request.work_offset {
-        Some(n) => format!(
-            "Work offset: {} P{n} is selected first; its {} and {} are written once, at the very end",
-            work_offset_word(n),
-            AXIS_NAMES[a.min(o)],
-            AXIS_NAMES[a.max(o)]
-        ),
+        Some(n) => format!("Work offset: {} P{n} is selected first; {written}", work_offset_word(n)),
         None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
     };
     w.header(&offset);

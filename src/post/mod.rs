@@ -10,7 +10,7 @@ mod linuxcnc;
 mod words;
 
 use crate::geom::Plane;
-use crate::path::{Feeds, Path, Setup};
+use crate::path::{Feeds, ParameterValue, Path, Setup};
 use crate::spec::Checker;
 
 /// Every control, in the order of the form.
@@ -29,6 +29,8 @@ pub struct PostDef {
     pub work_offsets: i32,
     /// Why no work offset can be written, where that is so.
     pub no_work_offset: &'static str,
+    /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
+    pub plain_arithmetic: bool,
     /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
     pub supports: fn(&str, &str) -> Result<(), &'static str>,
     /// Reports what of this very program it cannot do, or what somebody should know of it.
@@ -89,11 +91,23 @@ pub fn comment_text(text: &str) -> String {
         .collect()
 }
 
-/// Plain moves cannot wait for an operator who brings the probe to its place.
-fn refuse_operator(request: &Request<'_>, checker: &mut Checker) {
+/// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
+fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     if request.path.surfaces.iter().any(|s| matches!(s, crate::path::Surface::Unknown)) {
         let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
         checker.error("semi-automatic-unsupported", "control.post", message);
+    }
+    let reacts = request.path.parameters.iter().any(|p| p.code == 309 && p.value != ParameterValue::Whole(0));
+    let toleranced = request.path.parameters.iter().any(|p| matches!(p.value, ParameterValue::Text(_)));
+    if reacts && toleranced {
+        let message = "A program of plain moves does not check tolerances: it does not stop as Q309 says";
+        if request.work_offset.is_some() {
+            let message =
+                format!("{message}, and would write the work offset even from a scrap part: set Q309 to 0 or write none");
+            checker.error("reaction-unsupported", "cycle.errorReaction", message);
+        } else {
+            checker.warning("reaction-unsupported", "cycle.errorReaction", message);
+        }
     }
 }
 

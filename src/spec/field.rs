@@ -144,9 +144,9 @@ impl Field {
         Field::new(key, label, Kind::Length, Default::Number(default), hard)
     }
 
-    /// A feed above 0.
+    /// A feed of at least 0.1 mm/min: less could be printed as 0.
     pub const fn feed(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: 0.0, max: 100_000.0, above: true };
+        let hard = Range { min: 0.1, max: 100_000.0, above: false };
         Field::new(key, label, Kind::Feed, Default::Number(default), hard)
     }
 

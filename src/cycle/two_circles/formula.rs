@@ -57,7 +57,7 @@ impl TwoCircles {
                 let role = [Role::Abscissa, Role::Ordinate, Role::Height][axis];
                 let value = &object.point[axis];
                 f.result(codes[axis].0, role, codes[axis].1, value.nominal.unwrap_or(f64::NAN), known.centre[axis].as_ref());
-                f.referred_to(value.reference().unwrap_or(f64::NAN));
+                f.referred_to(object.reference(axis).unwrap_or(f64::NAN));
             }
         }
         let turned = rotation.clone().map(|r| f.set("q965", Expr::Number(0.0) - r));
@@ -69,7 +69,7 @@ impl TwoCircles {
         }
         for ((object, known), codes) in objects.iter().zip(&measured).zip(OFFSETS) {
             for axis in 0..3 {
-                let reference = object.point[axis].reference();
+                let reference = object.reference(axis);
                 let off = known.centre[axis].clone().zip(reference);
                 let off = off.map(|(value, reference)| f.set(codes[axis].0.to_lowercase(), value - Expr::Length(reference)));
                 f.result(codes[axis].0, Role::Shift, codes[axis].1, 0.0, off.as_ref());

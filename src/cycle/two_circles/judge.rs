@@ -10,26 +10,30 @@ use crate::tolerance::Nominal;
 pub fn judge(cycle: &TwoCircles, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
     let objects = cycle.objects();
     let mut worst: Option<i32> = None;
+    // Whether everything that has a tolerance was measured.
+    let mut whole = true;
     for object in &objects {
         let codes = [["Q950", "Q951", "Q952"], ["Q953", "Q954", "Q955"]][object.number - 1];
-        for (code, value) in codes.iter().zip(&object.point) {
-            give(rows, code, value, false, object.hole, &mut worst);
+        for (axis, (code, value)) in codes.iter().zip(&object.point).enumerate().filter(|(axis, _)| object.measures(*axis)) {
+            debug_assert!(axis < 3);
+            whole &= give(rows, code, value, false, object.hole, &mut worst);
         }
-        give(rows, ["Q966", "Q967"][object.number - 1], &object.diameter, true, object.hole, &mut worst);
+        if object.state != State::Given {
+            whole &= give(rows, ["Q966", "Q967"][object.number - 1], &object.diameter, true, object.hole, &mut worst);
+        }
     }
-    let toleranced = objects.iter().any(|o| o.diameter.limits.is_some() || o.point.iter().any(|v| v.limits.is_some()));
-    rows.push(workpiece(worst.filter(|_| toleranced), cycle.form.error_reaction));
+    rows.push(if whole { workpiece(worst, cycle.form.error_reaction) } else { unknown() });
     for object in objects.iter().filter(|o| o.state == State::Probed) {
         single_rows(cycle, object, setup, path, triggers, rows);
     }
 }
 
-/// The verdict of one value: 0 good, 1 rework, 2 scrap. Limits are good.
-fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: bool, worst: &mut Option<i32>) {
+/// The verdict of one value: 0 good, 1 rework, 2 scrap. Limits are good. Gives whether nothing is missing for it.
+fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: bool, worst: &mut Option<i32>) -> bool {
     const LIMIT: f64 = 1e-9;
-    let Some((low, high)) = value.limits else { return };
-    let Some(row) = rows.iter_mut().find(|r| r.code == code) else { return };
-    let Some(measured) = row.value else { return };
+    let Some((low, high)) = value.limits else { return true };
+    let Some(row) = rows.iter_mut().find(|r| r.code == code) else { return true };
+    let Some(measured) = row.value else { return false };
     let verdict = if measured < low - LIMIT {
         if size && hole { 1 } else { 2 }
     } else if measured > high + LIMIT {
@@ -39,6 +43,14 @@ fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: b
     };
     row.verdict = Some(["good", "rework", "scrap"][verdict as usize].to_owned());
     *worst = Some(worst.map_or(verdict, |w| w.max(verdict)));
+    true
+}
+
+/// Q183 where a value with a tolerance was not measured.
+fn unknown() -> ResultRow {
+    let mut row = row("Q183", "Workpiece status", Unit::None, 0.0);
+    row.value = None;
+    row.with_verdict("not known: a value with a tolerance was not measured".to_owned())
 }
 
 /// Q183, and what Q309 makes of it.

@@ -6,6 +6,9 @@ use crate::cycle::two_circles::{Object, State, TwoCircles};
 use crate::geom::{Frame, Vec3};
 use crate::path::{Arc, Feed, Move, Setup, Touch, Tracer};
 
+/// Arcs whose radius or chord is smaller than this, in mm, are straight moves.
+const SMALLEST_ARC: f64 = 0.02;
+
 /// One place where the ball stands before a touch.
 struct Stand {
     /// Ball centre before the touch, at measuring height.
@@ -41,7 +44,9 @@ impl<'a> Planner<'a> {
             let stands = self.stands(object);
             let [to_centre, probing, back] = if object.number == 1 { [1, 4, 5] } else { [6, 7, 8] };
             let over = i == 0 || mode >= 1;
-            if i == 0 {
+            if i == 0 && mode < 0 {
+                self.to_first_stand(stands[0].at, to_centre);
+            } else if i == 0 {
                 self.to_first_centre(object, to_centre);
             } else if over {
                 self.across(self.centre(object), to_centre);
@@ -85,13 +90,24 @@ impl<'a> Planner<'a> {
         }
     }
 
+    /// With mode −1: at the height where the stylus is (but not below the measuring height) over the first stand; from there it
+    /// goes down at the probing feed.
+    fn to_first_stand(&mut self, stand: Vec3, step: u8) {
+        let w = self.frame.w;
+        let start = self.cycle.form.start;
+        let raised = start + w * (stand.dot(w) - start.dot(w)).max(0.0);
+        self.tracer.position(start, Feed::Rapid, step);
+        self.tracer.position(raised, Feed::Rapid, step);
+        self.tracer.position(self.level(raised, stand), Feed::Rapid, step);
+    }
+
     /// To centre 1 with positioning logic: from below the clearance height first up, then in the plane; from above first in
-    /// the plane, then down. With mode −1 the measuring height stands for the clearance height.
+    /// the plane, then down.
     fn to_first_centre(&mut self, object: &Object, step: u8) {
         let w = self.frame.w;
         let form = &self.cycle.form;
         let centre = self.centre(object);
-        let height = if form.clearance_height_mode < 0 { centre.dot(w) } else { form.clearance_height };
+        let height = form.clearance_height;
         let start = form.start;
         let raised = start + w * (height - start.dot(w)).max(0.0);
         // The ball is at the start already: this move says where the path begins.
@@ -125,11 +141,10 @@ impl<'a> Planner<'a> {
         }
         let centre = self.centre(object);
         let center = centre + w * (from.at.dot(w) - centre.dot(w));
-        if from.at.distance(center) < 1e-9 {
-            return;
-        }
         let sweep = to.angle - from.angle;
-        if sweep.abs() >= TAU {
+        // So small an arc could be printed as none, or as a whole turn; straight it differs by less than anybody sees.
+        let small = from.at.distance(center) < SMALLEST_ARC || from.at.distance(to.at) < SMALLEST_ARC;
+        if small || sweep.abs() >= TAU {
             self.tracer.position(to.at, Feed::Rapid, step);
         } else {
             self.tracer.arc(to.at, Arc { center, sweep }, Feed::Rapid, step);
