@@ -53,10 +53,10 @@ impl TwoCircles {
         });
         let rotation = self.rotation(&mut f, &objects, &measured);
         for ((object, known), codes) in objects.iter().zip(&measured).zip(CENTRES) {
-            for axis in 0..3 {
+            for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let role = [Role::Abscissa, Role::Ordinate, Role::Height][axis];
-                let value = &object.point[axis];
-                f.result(codes[axis].0, role, codes[axis].1, value.nominal.unwrap_or(f64::NAN), known.centre[axis].as_ref());
+                let nominal = object.point[axis].nominal.unwrap_or(f64::NAN);
+                f.result(code, role, meaning, nominal, known.centre[axis].as_ref());
                 f.referred_to(object.reference(axis).unwrap_or(f64::NAN));
             }
         }
@@ -68,11 +68,11 @@ impl TwoCircles {
             f.referred_to(object.diameter.reference().unwrap_or(f64::NAN));
         }
         for ((object, known), codes) in objects.iter().zip(&measured).zip(OFFSETS) {
-            for axis in 0..3 {
+            for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let reference = object.reference(axis);
                 let off = known.centre[axis].clone().zip(reference);
-                let off = off.map(|(value, reference)| f.set(codes[axis].0.to_lowercase(), value - Expr::Length(reference)));
-                f.result(codes[axis].0, Role::Shift, codes[axis].1, 0.0, off.as_ref());
+                let off = off.map(|(value, reference)| f.set(code.to_lowercase(), value - Expr::Length(reference)));
+                f.result(code, Role::Shift, meaning, 0.0, off.as_ref());
             }
         }
         f.result("Q994", Role::Turn, "Angle deviation of the basic rotation", 0.0, rotation.as_ref());

@@ -45,9 +45,9 @@ impl<'a> Planner<'a> {
             let [to_centre, probing, back] = if object.number == 1 { [1, 4, 5] } else { [6, 7, 8] };
             let over = i == 0 || mode >= 1;
             if i == 0 && mode < 0 {
-                self.to_first_stand(stands[0].at, to_centre);
+                self.go_to_first_stand(stands[0].at, to_centre);
             } else if i == 0 {
-                self.to_first_centre(object, to_centre);
+                self.go_to_first_centre(object, to_centre);
             } else if over {
                 self.across(self.centre(object), to_centre);
             }
@@ -92,7 +92,7 @@ impl<'a> Planner<'a> {
 
     /// With mode −1: at the height where the stylus is (but not below the measuring height) over the first stand; from there it
     /// goes down at the probing feed.
-    fn to_first_stand(&mut self, stand: Vec3, step: u8) {
+    fn go_to_first_stand(&mut self, stand: Vec3, step: u8) {
         let w = self.frame.w;
         let start = self.cycle.form.start;
         let raised = start + w * (stand.dot(w) - start.dot(w)).max(0.0);
@@ -103,7 +103,7 @@ impl<'a> Planner<'a> {
 
     /// To centre 1 with positioning logic: from below the clearance height first up, then in the plane; from above first in
     /// the plane, then down.
-    fn to_first_centre(&mut self, object: &Object, step: u8) {
+    fn go_to_first_centre(&mut self, object: &Object, step: u8) {
         let w = self.frame.w;
         let form = &self.cycle.form;
         let centre = self.centre(object);

@@ -1,0 +1,246 @@
+//! The picture for JavaScript.
+
+use js_sys::{Array, Object};
+use wasm_bindgen::prelude::*;
+
+use crate::job;
+use crate::spec::Value;
+use crate::view::camera::Camera;
+use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
+use crate::view::scene::{self, Actual, Projection, Scene, Spot};
+use crate::wasm::input::from_js;
+use crate::wasm::set;
+
+/// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct View {
+    painter: Painter,
+    projection: Projection,
+    camera: Camera,
+    shown: Option<Shown>,
+    highlight: Option<usize>,
+    /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
+    moved: bool,
+}
+
+/// The job that is shown.
+#[derive(Debug)]
+struct Shown {
+    value: Value,
+    scene: Scene,
+    deviates: bool,
+    scale: f64,
+    plane: crate::geom::Plane,
+    offset: crate::geom::Vec3,
+    turn: f64,
+    origin: crate::geom::Vec3,
+}
+
+#[wasm_bindgen]
+impl View {
+    /// A view on a canvas.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: web_sys::HtmlCanvasElement) -> Result<View, JsValue> {
+        let painter = Painter::new(canvas).ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
+        let camera = Camera { scale: 1.0, middle: [0.0; 2], size: [300.0, 150.0] };
+        Ok(View { painter, projection: Projection::Top, camera, shown: None, highlight: None, moved: false })
+    }
+
+    /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
+    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+        self.painter.resize(width, height, ratio);
+        self.camera.size = [width, height];
+        if !self.moved {
+            self.fit();
+        }
+        self.draw();
+    }
+
+    /// Colours: `background`, `text`, `wall`, `actual`, `position`, `link`, `touch`, `ball`, `highlight`.
+    #[wasm_bindgen(js_name = setTheme)]
+    pub fn set_theme(&mut self, theme: JsValue) {
+        if let Ok(theme) = serde_wasm_bindgen::from_value::<Theme>(theme) {
+            self.painter.theme = theme;
+        }
+        self.draw();
+    }
+
+    /// Shows a job. One that has errors leaves the picture as it is and gives `false`.
+    pub fn show(&mut self, job: &JsValue) -> bool {
+        let Some(shown) = self.build(from_js(job)) else {
+            return false;
+        };
+        self.shown = Some(shown);
+        if !self.moved {
+            self.fit();
+        }
+        self.draw();
+        true
+    }
+
+    /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
+    /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
+    #[wasm_bindgen(js_name = showLentoax)]
+    pub fn show_lentoax(&mut self, query: &JsValue) -> bool {
+        let Ok(query) = job::lentoax_query(&from_js(query)) else { return false };
+        let arrows = scene::lengths(&query);
+        self.shown = None;
+        let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]]);
+        self.painter.draw_arrows(&arrows, &camera);
+        true
+    }
+
+    /// Looks from `top`, `front`, `side` or `isometric`.
+    pub fn look(&mut self, from: &str) {
+        let Some(projection) = Projection::named(from) else {
+            return;
+        };
+        self.projection = projection;
+        if let Some(shown) = self.shown.take() {
+            self.shown = self.build(shown.value);
+        }
+        self.fit();
+        self.draw();
+    }
+
+    /// Fits the whole scene into the canvas.
+    pub fn fit(&mut self) {
+        if let Some(shown) = &self.shown {
+            self.camera = Camera::fit(self.camera.size, shown.scene.bounds());
+        }
+        self.moved = false;
+        self.draw();
+    }
+
+    /// Closer by `factor` about a pixel.
+    pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
+        if factor.is_finite() && factor > 0.0 {
+            self.camera.zoom(factor, [x, y]);
+            self.moved = true;
+            self.draw();
+        }
+    }
+
+    /// Drags the picture.
+    pub fn pan(&mut self, dx: f64, dy: f64) {
+        self.camera.pan([dx, dy]);
+        self.moved = true;
+        self.draw();
+    }
+
+    /// The move at a pixel.
+    pub fn pick(&self, x: f64, y: f64) -> Option<usize> {
+        let shown = self.shown.as_ref()?;
+        shown.scene.pick(self.camera.spot([x, y]), 8.0 / self.camera.scale)
+    }
+
+    /// Lights up a move, or none.
+    pub fn highlight(&mut self, index: Option<usize>) {
+        if self.highlight != index {
+            self.highlight = index;
+            self.draw();
+        }
+    }
+
+    /// The handle at a pixel: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
+    #[wasm_bindgen(js_name = handleAt)]
+    pub fn handle_at(&self, x: f64, y: f64) -> Option<String> {
+        let scene = &self.shown.as_ref()?.scene;
+        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= 14.0;
+        if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
+            if near(sweep) {
+                return Some("sweep".to_owned());
+            }
+            if near(start) {
+                return Some("start".to_owned());
+            }
+        }
+        let (origin, direction) = scene.handle?;
+        let at = self.camera.pixel(origin);
+        if near(at) {
+            Some("shift".to_owned())
+        } else {
+            near([at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]).then(|| "turn".to_owned())
+        }
+    }
+
+    /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
+    #[wasm_bindgen(js_name = dragAngle)]
+    pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
+        let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
+        let spot = self.camera.spot([x, y]);
+        let angle = (spot[1] - center[1]).atan2(spot[0] - center[0]).to_degrees();
+        if handle == "start" {
+            return Some(crate::num::wrap_degrees(angle.round()));
+        }
+        let turn = (angle - start.to_degrees()).round().rem_euclid(360.0);
+        Some(match (sweep > 0.0, turn == 0.0) {
+            (true, true) => 360.0,
+            (true, false) => turn,
+            (false, true) => -359.0,
+            (false, false) => turn - 360.0,
+        })
+    }
+
+    /// Where the virtual part lies if a handle is dragged to a pixel: `{ offset, rotation }` in the job's units. Turning
+    /// keeps the feature's own origin where it is.
+    #[wasm_bindgen(js_name = dragPart)]
+    pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        use crate::geom::{Rigid, Vec3};
+        let Some(shown) = &self.shown else {
+            return Ok(JsValue::NULL);
+        };
+        let spot = self.camera.spot([x, y]);
+        let [a, o, _] = shown.plane.axes();
+        let (mut offset, mut turn) = (shown.offset, shown.turn);
+        let place = |offset: Vec3, turn: f64| Rigid::new(shown.plane, offset, turn.to_radians()).point(shown.origin);
+        let now = place(offset, turn);
+        if handle == "turn" {
+            let nominal = shown.scene.handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
+            let angle = (spot[1] - now[o]).atan2(spot[0] - now[a]).to_degrees();
+            turn = crate::num::wrap_degrees(((angle - nominal) * 100.0).round() / 100.0);
+            offset += now - place(offset, turn);
+        } else {
+            offset[a] += spot[0] - now[a];
+            offset[o] += spot[1] - now[o];
+        }
+        let rounded = |mm: f64| (mm / shown.scale * 1000.0).round() / 1000.0;
+        let result = Object::new();
+        let list: Array = offset.to_array().iter().map(|mm| JsValue::from_f64(rounded(*mm))).collect();
+        set(&result, "offset", &list);
+        set(&result, "rotation", &JsValue::from_f64(turn));
+        Ok(result.into())
+    }
+}
+
+impl View {
+    fn build(&self, value: Value) -> Option<Shown> {
+        let (job, path, surfaces, run) = job::scene_parts(&value)?;
+        let actual = Actual {
+            surfaces: &surfaces,
+            run: &run,
+            origin: job.lie.rigid.point(path.frame.origin),
+            direction: job.lie.rigid.direction(path.frame.u),
+            line: path.line.map(|line| line.map(|p| job.lie.rigid.point(p))),
+        };
+        let feeds = path.feeds.unwrap_or(job.feeds);
+        let scene = scene::build(&path, &job.setup, &feeds, &actual, self.projection);
+        Some(Shown {
+            scene,
+            deviates: !job.lie.nominal,
+            scale: job.scale,
+            plane: job.setup.plane,
+            offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
+            turn: job.lie.turn,
+            origin: path.frame.origin,
+            value,
+        })
+    }
+
+    fn draw(&self) {
+        if let Some(shown) = &self.shown {
+            self.painter.draw(&shown.scene, &self.camera, self.highlight, shown.deviates);
+        }
+    }
+}
