@@ -228,10 +228,10 @@ pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpret
         };
         // A rapid with a rate of its own runs as a feed move.
         let stated_rapid = kind == "rapid" && canon.kind == "feed" && plan.results.iter().any(|r| r.code == "Q950");
-        if let (Some(arc), Some((center, counter_clockwise))) = (&step.arc, canon.arc) {
-            if (0..3).any(|axis| (center[axis] - arc.center[axis]).abs() > 2.1e-4) || counter_clockwise != (arc.sweep > 0.0) {
-                return Err(format!("move {i} runs about {center:?}, planned {arc:?}"));
-            }
+        if let (Some(arc), Some((center, counter_clockwise))) = (&step.arc, canon.arc)
+            && ((0..3).any(|axis| (center[axis] - arc.center[axis]).abs() > 2.1e-4) || counter_clockwise != (arc.sweep > 0.0))
+        {
+            return Err(format!("move {i} runs about {center:?}, planned {arc:?}"));
         }
         if canon.kind != kind && !stated_rapid {
             return Err(format!("move {i} runs as {}, planned as {kind}", canon.kind));
