@@ -104,3 +104,31 @@ fn type_13_starts_where_both_clearances_meet() {
     near(plan.touches[2].point[1], foot * 0.5);
     near(plan.touches[2].vector[0], -0.5);
 }
+
+#[test]
+fn the_table_as_text_csv_and_json() {
+    let pocket =
+        job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "feedDistance": 50, "depth": 2.5 } }"#);
+    let plan = planned(&pocket);
+    let text = touchpath::job::export_table(&plan, "text").unwrap();
+    assert!(
+        text.starts_with("CmdPrm.Int[-1] = 7\nCmdPrm.Int[-2] = 0\nCmdPrm.Flt[-50] = 50\nCmdPrm.Flt[-51] = 2.5\n"),
+        "{text}"
+    );
+    assert_eq!(text.lines().count(), plan.table.len());
+    let csv = touchpath::job::export_table(&plan, "csv").unwrap();
+    assert!(csv.starts_with("code,type,value,meaning\nCmdPrm.Int[-1],Integer,7,Probing cycle type"));
+    assert!(csv.contains("\nCmdPrm.Flt[-53],Double,80,\"Width 1, from touch point 1 to touch point 2\"\n"), "{csv}");
+    // A reader of JSON that is not ours gives the same rows.
+    let json: serde_json::Value = serde_json::from_str(&touchpath::job::export_table(&plan, "json").unwrap()).unwrap();
+    for (row, read) in plan.table.iter().zip(json.as_array().unwrap()) {
+        assert_eq!(read["code"], row.code.as_str());
+        assert_eq!(read["value"].as_f64().unwrap(), at(&plan, &row.code));
+        assert_eq!(read["touch"].as_u64(), row.touch.map(|k| k as u64));
+    }
+    assert!(touchpath::job::export_table(&plan, "xml").is_err());
+    let circles = job(
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "probing-two-circles", "diameter1": "20H7" } }"#,
+    );
+    assert!(touchpath::job::export_table(&planned(&circles), "text").unwrap().contains("\nQ1116 = 20H7\n"));
+}

@@ -8,12 +8,14 @@
 //! ```
 
 mod catalog;
+mod export;
 mod form;
 mod import;
 mod lentoax;
 mod plan;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
+pub use export::export_table;
 pub use form::{Job, SECTIONS};
 pub use import::{Imported, import};
 pub use lentoax::lentoax_query;

@@ -51,6 +51,13 @@ pub fn evaluate(job: &JsValue, measured: &JsValue) -> Result<JsValue, JsValue> {
     to_js(&job::evaluate(&from_js(job), &from_js(measured)).map_err(refused)?)
 }
 
+/// The parameter table as text: `csv`, `json` or `text`.
+#[wasm_bindgen(js_name = exportTable)]
+pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> {
+    let plan = job::plan(&from_js(job)).map_err(refused)?;
+    job::export_table(&plan, &format.as_string().unwrap_or_default()).map_err(refused)
+}
+
 /// A job from text: job JSON or a program. Gives `{ job, findings }`; throws where no job can be made of it.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {

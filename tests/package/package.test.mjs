@@ -71,6 +71,15 @@ test("jobs and programs are imported", async () => {
   for (const nothing of ["", "G1 X0", "{", "7", undefined]) assert.throws(() => importJob(nothing), JobError);
 });
 
+test("the parameter table as text", async () => {
+  const { defaultJob, exportTable, plan, JobError } = await import("touchpath");
+  const job = defaultJob("double-wall-internal-corner");
+  assert.match(exportTable(job, "text"), /^CmdPrm\.Int\[-1\] = 13\n/);
+  assert.deepEqual(JSON.parse(exportTable(job, "json")), plan(job).table);
+  assert.equal(exportTable(job, "csv").trimEnd().split("\n").length, plan(job).table.length + 1);
+  assert.throws(() => exportTable(job, "xml"), JobError);
+});
+
 test("LENTOAX answers, and refuses what is no question", async () => {
   const { lentoax, lentoaxWords, JobError } = await import("touchpath");
   assert.deepEqual(lentoax(), {

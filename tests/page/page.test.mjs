@@ -173,6 +173,16 @@ test("copy and save with the control's extension", async () => {
   assert.doesNotMatch(await program(), /#</);
 });
 
+test("the parameter table is copied as text and saved as CSV", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  await page.getByRole("button", { name: "Copy as text" }).click();
+  await page.getByText("Copied").waitFor();
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^CmdPrm\.Int\[-1\] = 7\n[\s\S]*CmdPrm\.Flt\[-66\] = 0\n$/);
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save .csv" }).click();
+  assert.match(readFileSync(await (await download).path(), "utf8"), /^code,type,value,meaning\n/);
+});
+
 test("a job is saved and opened again", async () => {
   await field("cycle.width2").fill("44");
   const download = page.waitForEvent("download");

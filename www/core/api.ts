@@ -34,6 +34,7 @@ export interface Raw {
   evaluate(job: unknown, measured: unknown): unknown;
   moveColumns(job: unknown): unknown;
   importJob(text: unknown): unknown;
+  exportTable(job: unknown, format: unknown): unknown;
   lentoax(query: unknown): unknown;
   lentoaxWords(query: unknown): unknown;
   version(): string;
@@ -55,6 +56,8 @@ export interface Api {
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
+  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
+  exportTable(job: Job, format: "csv" | "json" | "text"): string;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
   lentoax(query?: LentoaxQuery): Lentoax;
   /** The same in words, and NC lines that ask the control itself. */
@@ -88,6 +91,7 @@ export function dress(raw: Raw): Api {
     evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
     moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
     importJob: (text) => orJobError(() => raw.importJob(text)),
+    exportTable: (job, format) => orJobError(() => raw.exportTable(job, format)),
     lentoax: (query) => orJobError(() => raw.lentoax(query)),
     lentoaxWords: (query) => orJobError(() => raw.lentoaxWords(query)),
     version: () => raw.version(),

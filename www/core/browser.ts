@@ -6,5 +6,16 @@ export { View } from "./wasm/touchpath.js";
 
 await init();
 
-export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, lentoax, lentoaxWords, version } =
-  dress(raw);
+export const {
+  catalog,
+  defaultJob,
+  check,
+  plan,
+  evaluate,
+  moveColumns,
+  importJob,
+  exportTable,
+  lentoax,
+  lentoaxWords,
+  version,
+} = dress(raw);

@@ -6,5 +6,16 @@ export * from "./api.js";
 
 raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
 
-export const { catalog, defaultJob, check, plan, evaluate, moveColumns, importJob, lentoax, lentoaxWords, version } =
-  dress(raw);
+export const {
+  catalog,
+  defaultJob,
+  check,
+  plan,
+  evaluate,
+  moveColumns,
+  importJob,
+  exportTable,
+  lentoax,
+  lentoaxWords,
+  version,
+} = dress(raw);

@@ -1,13 +1,21 @@
 import { html, type TemplateResult } from "lit";
+import { exportTable, type Job } from "../core/browser.js";
 import { Part } from "./part.js";
 
 /** The parameter table of the source. Rows of a touch light up with it. */
 class TablePart extends Part {
+  private told = "";
+
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
     const lit = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
     const moveOf = (touch: number) => plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
     return html`
+      <div class="tools">
+        <button type="button" @click=${this.copy}>Copy as text</button>
+        <button type="button" @click=${this.save}>Save .csv</button>
+        <span role="status" class="told">${this.told}</span>
+      </div>
       <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label="Parameter table">
         <table>
           <thead><tr><th>Code</th><th>Type</th><th class="n">Value</th><th>Meaning</th></tr></thead>
@@ -23,6 +31,25 @@ class TablePart extends Part {
         </table>
       </div>
     `;
+  }
+
+  private async copy(): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(exportTable(this.store.shown as unknown as Job, "text"));
+      this.told = "Copied";
+    } catch {
+      this.told = "The browser did not allow it";
+    }
+    this.requestUpdate();
+  }
+
+  private save(): void {
+    const link = document.createElement("a");
+    const text = exportTable(this.store.shown as unknown as Job, "csv");
+    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+    link.download = "parameters.csv";
+    link.click();
+    URL.revokeObjectURL(link.href);
   }
 
   private go(event: Event, path: string): void {

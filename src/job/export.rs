@@ -1,0 +1,75 @@
+//! The parameter table as text.
+
+use crate::job::{JobError, ParameterRow, ParameterValue, Plan};
+use crate::spec::{Finding, Level};
+
+/// The table of a plan as `csv` (with a heading), `json` (a list of rows) or `text` (a line `CmdPrm.Flt[-50] = 50` a row), in
+/// the documented order. Any other format is refused.
+pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
+    match format {
+        "csv" => {
+            let mut text = "code,type,value,meaning\n".to_owned();
+            for row in &plan.table {
+                let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning].map(cell);
+                text.push_str(&cells.join(","));
+                text.push('\n');
+            }
+            Ok(text)
+        }
+        "text" => Ok(plan.table.iter().map(|row| format!("{} = {}\n", row.code, value(row))).collect()),
+        "json" => {
+            let rows: Vec<String> = plan.table.iter().map(json_row).collect();
+            Ok(format!("[\n  {}\n]\n", rows.join(",\n  ")))
+        }
+        _ => {
+            let message = "A table is exported as \"csv\", \"json\" or \"text\"";
+            Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "format", message)] })
+        }
+    }
+}
+
+/// A value as it stands in a dump: numbers plainly and in full, text as it is.
+fn value(row: &ParameterRow) -> String {
+    match &row.value {
+        ParameterValue::Whole(n) => n.to_string(),
+        ParameterValue::Number(x) => x.to_string(),
+        ParameterValue::Text(text) => text.clone(),
+    }
+}
+
+/// A CSV cell: in quotes where it needs them (RFC 4180).
+fn cell(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+fn json_row(row: &ParameterRow) -> String {
+    let number = match &row.value {
+        ParameterValue::Text(text) => quoted(text),
+        ParameterValue::Whole(_) | ParameterValue::Number(_) => value(row),
+    };
+    let field = row.field.map_or("null".to_owned(), quoted);
+    let touch = row.touch.map_or("null".to_owned(), |k| k.to_string());
+    format!(
+        "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch} }}",
+        quoted(&row.code),
+        quoted(row.type_name),
+        quoted(&row.meaning)
+    )
+}
+
+/// A JSON string. Codes, meanings and checked values are printable; what JSON needs escaped is escaped all the same.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => {
+                out.push('\\');
+                out.push(c);
+            }
+            c if c.is_control() => out.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
