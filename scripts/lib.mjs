@@ -85,16 +85,14 @@ export function ensureWasmPack() {
   return folder;
 }
 
-/** Debian's packages, for root or whoever may use sudo. */
-function aptInstall(...packages) {
+/** apt-get, for root or whoever may use sudo. */
+function apt(...args) {
   const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
-  const apt = (...args) => {
-    const [command, ...rest] = [...sudo, "apt-get", ...args];
-    run(command, rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
-  };
-  apt("update");
-  apt("install", "-y", "--no-install-recommends", ...packages);
+  const [command, ...rest] = [...sudo, "apt-get", ...args];
+  run(command, rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
 }
+
+const aptUpdate = () => apt("update");
 
 /** Chromium and its driver; gives both paths. */
 export function ensureChromium() {
@@ -103,7 +101,8 @@ export function ensureChromium() {
   let browser = find("CHROMIUM", browsers);
   let driver = find("CHROMEDRIVER", ["chromedriver"]);
   if (!browser || !driver) {
-    aptInstall("chromium", "chromium-driver");
+    aptUpdate();
+    apt("install", "-y", "--no-install-recommends", "chromium", "chromium-driver");
     browser = find("CHROMIUM", browsers);
     driver = find("CHROMEDRIVER", ["chromedriver"]);
   }
@@ -127,8 +126,13 @@ export function ensureInterpreter() {
     mkdirSync(folder, { recursive: true });
     const packages = ["linuxcnc-uspace", "libboost-python1.74.0", "libpython3.11"];
     const download = mkdtempSync(join(tmpdir(), "touchpath-"));
-    if (!works("apt-get", ["download", "--print-uris", ...packages])) aptInstall("dpkg");
-    run("apt-get", ["-o", "APT::Sandbox::User=root", "download", ...packages], { cwd: download, quiet: true });
+    const args = ["-o", "APT::Sandbox::User=root", "download", ...packages];
+    // A new machine has no lists, and old lists name files that are gone: then they are brought up to date once.
+    const first = spawnSync("apt-get", args, { cwd: download, stdio: "ignore" });
+    if (first.status !== 0) {
+      aptUpdate();
+      run("apt-get", args, { cwd: download, quiet: true });
+    }
     run("sh", ["-c", `for deb in *.deb; do dpkg -x "$deb" "${folder}"; done`], { cwd: download, quiet: true });
     rmSync(download, { recursive: true });
     const lib = `${folder}/usr/lib:${folder}/usr/lib/x86_64-linux-gnu`;
