@@ -369,6 +369,7 @@ fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
 }
 
 fn length_and_time(job: &Job, path: &Path, feeds: &Feeds) -> (f64, f64) {
+    let plain_moves = (job.post.supports)(job.def.key, "moves").is_ok();
     let mut length = 0.0;
     let mut time = 0.0;
     for pair in path.moves.windows(2) {
@@ -377,7 +378,9 @@ fn length_and_time(job: &Job, path: &Path, feeds: &Feeds) -> (f64, f64) {
             None => pair[0].to.distance(pair[1].to),
         };
         length += way;
-        time += way / feeds.rate(pair[1].feed).unwrap_or(RAPID_RATE);
+        // A program of moves cuts an arc at a stated feed, also where its rapid has no number.
+        let arc_feed = pair[1].arc.filter(|_| plain_moves).map(|_| feeds.work);
+        time += way / feeds.rate(pair[1].feed).or(arc_feed).unwrap_or(RAPID_RATE);
     }
     (tidy(length / job.scale), tidy(time))
 }
