@@ -55,7 +55,8 @@ const tools = await stage("Set-up", () => {
 
 if (only !== "setup") {
   if (only === "check") await build();
-  await stage("Format and lints (Rust)", () => {
+  await stage("Format and lints", () => {
+    npx("biome", "ci", "--error-on-warnings", ".");
     run("cargo", ["fmt", "--all", "--check"]);
     run("cargo", ["clippy", "--quiet", "--locked", "--all-targets", "--", "-D", "warnings"]);
     run("cargo", [
@@ -79,10 +80,7 @@ if (!only) {
   await build();
 }
 if (only !== "setup") {
-  await stage("Format, lints and types (TypeScript)", () => {
-    npx("biome", "ci", "--error-on-warnings", ".");
-    npx("tsc", "-p", "tsconfig.json");
-  });
+  await stage("Types", () => npx("tsc", "-p", "tsconfig.json"));
 }
 if (!only) {
   const env = { ...pathWith(tools.wasmPack, tools.bindgen), CHROMEDRIVER: tools.chromium.driver };

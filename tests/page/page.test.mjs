@@ -177,7 +177,10 @@ test("the parameter table is copied as text and saved as CSV", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
   await page.getByRole("button", { name: "Copy as text" }).click();
   await page.getByText("Copied").waitFor();
-  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /^CmdPrm\.Int\[-1\] = 7\n[\s\S]*CmdPrm\.Flt\[-66\] = 0\n$/);
+  assert.match(
+    await page.evaluate(() => navigator.clipboard.readText()),
+    /^CmdPrm\.Int\[-1\] = 7\n[\s\S]*CmdPrm\.Flt\[-66\] = 0\n$/,
+  );
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save .csv" }).click();
   assert.match(readFileSync(await (await download).path(), "utf8"), /^code,type,value,meaning\n/);
