@@ -420,6 +420,8 @@ fn bad_input_is_named() {
     assert_eq!(bad("cycle.angularLength", number(0.0)), ["no-arc cycle.angularLength"]);
     for wrong in ["10H", "10H99", "?x", "10@"] {
         assert_eq!(bad("cycle.diameter1", text(wrong)), ["not-a-value cycle.diameter1"], "{wrong}");
+        let message = check(&with(&holes(), "cycle.diameter1", text(wrong)))[0].message.clone();
+        assert_eq!(message.matches(touchpath::tolerance::FORMS).count(), 1, "the forms are shown: {message}");
     }
     assert_eq!(bad("cycle.diameter1", text("?10")), ["not-a-value cycle.diameter1"]);
     assert_eq!(bad("cycle.point2", point([-30.0, 0.0, -10.0])), ["no-direction cycle.point2"]);

@@ -184,7 +184,12 @@ impl<'a, 'c> Section<'a, 'c> {
         let parsed = match tolerance::parse(text, scale) {
             Ok(parsed) => parsed,
             Err(why) => {
-                self.checker.error("not-a-value", path, format!("{}: {why}", field.label));
+                let forms = if why.contains(tolerance::FORMS) {
+                    String::new()
+                } else {
+                    format!(". The forms are {}", tolerance::FORMS)
+                };
+                self.checker.error("not-a-value", path, format!("{}: {why}{forms}", field.label));
                 return None;
             }
         };
