@@ -1,6 +1,6 @@
 // What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -145,6 +145,3 @@ export function ensureInterpreter() {
 
 /** PATH with these folders in front. */
 export const pathWith = (...folders) => ({ PATH: [...folders.filter(Boolean), process.env.PATH].join(delimiter) });
-
-/** The version of a package in package.json's sense. */
-export const version = () => JSON.parse(readFileSync(at("package.json"), "utf8")).version;

@@ -14,8 +14,7 @@ pub fn judge(cycle: &TwoCircles, setup: &Setup, path: &Path, triggers: &[Option<
     let mut whole = true;
     for object in &objects {
         let codes = [["Q950", "Q951", "Q952"], ["Q953", "Q954", "Q955"]][object.number - 1];
-        for (axis, (code, value)) in codes.iter().zip(&object.point).enumerate().filter(|(axis, _)| object.measures(*axis)) {
-            debug_assert!(axis < 3);
+        for (_, (code, value)) in codes.iter().zip(&object.point).enumerate().filter(|(axis, _)| object.measures(*axis)) {
             whole &= give(rows, code, value, false, object.hole, &mut worst);
         }
         if object.state != State::Given {
