@@ -23,6 +23,15 @@ impl Plane {
         }
     }
 
+    /// The plane of a G word; G17 where it is none.
+    pub fn named(word: &str) -> Plane {
+        match word {
+            "G18" => Plane::G18,
+            "G19" => Plane::G19,
+            _ => Plane::G17,
+        }
+    }
+
     /// The plane's G word.
     pub const fn word(self) -> &'static str {
         match self {

@@ -259,6 +259,35 @@ pub struct Path {
     pub formula: Formula,
     /// The source's parameter table.
     pub parameters: Vec<Parameter>,
+    /// Whether the touches were picked one by one, and do not follow from the dimensions.
+    pub picked: bool,
+}
+
+/// Where a touch stands among those that measure the same point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Repeat {
+    /// The point of the formula.
+    pub index: usize,
+    /// How many touches measure it.
+    pub count: usize,
+    /// Whether this is the first of them.
+    pub first: bool,
+    /// Whether this is the last.
+    pub last: bool,
+}
+
+impl Path {
+    /// Where touch `k` stands among those of its sample.
+    pub fn samples(&self, k: usize) -> Repeat {
+        let index = self.touches[k].sample;
+        let same = |t: &Touch| t.sample == index;
+        Repeat {
+            index,
+            count: self.touches.iter().filter(|t| same(t)).count(),
+            first: k == 0 || !same(&self.touches[k - 1]),
+            last: self.touches.get(k + 1).is_none_or(|t| !same(t)),
+        }
+    }
 }
 
 /// Strings moves together; leaves out those of no length.

@@ -164,7 +164,7 @@ impl Form {
         let angle = one.tilt.zip(two.tilt).map(|(t1, t2)| formula.set("angle", Expr::Number(self.angle) - t1 - t2));
         formula.result("corner.x", Role::Abscissa, "Corner, abscissa", self.origin[a], Some(&x));
         formula.result("corner.y", Role::Ordinate, "Corner, ordinate", self.origin[o], Some(&y));
-        formula.datum = Some(Datum { point: Some([(x, self.origin[a]), (y, self.origin[o])]), rotation: None });
+        formula.datum = Some(Datum::point((x, self.origin[a]), (y, self.origin[o])));
         formula.result("angle", Role::Angle, "Angle between the walls", self.angle, angle.as_ref());
         formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation.as_ref());
         formula
@@ -347,6 +347,7 @@ impl Cycle for Form {
             frame,
             formula: self.formula(setup),
             parameters,
+            picked: false,
             touches,
         }
     }

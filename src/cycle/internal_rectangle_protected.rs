@@ -113,7 +113,7 @@ impl Form {
         let y = formula.set("center_y", project(u, v, (sin, cos)));
         formula.result("center.x", Role::Abscissa, "Centre, abscissa", self.origin[a], Some(&x));
         formula.result("center.y", Role::Ordinate, "Centre, ordinate", self.origin[o], Some(&y));
-        formula.datum = Some(Datum { point: Some([(x, self.origin[a]), (y, self.origin[o])]), rotation: None });
+        formula.datum = Some(Datum::point((x, self.origin[a]), (y, self.origin[o])));
         formula.result("width1", Role::Size, "Width 1", self.width1, Some(&width1));
         formula.result("width2", Role::Size, "Width 2", self.width2, Some(&width2));
         formula.result("rotation", Role::Direction, "Rotation: one touch a wall gives no angle", 0.0, None);
@@ -212,6 +212,7 @@ impl Cycle for Form {
             frame,
             formula: self.formula(setup),
             parameters: self.parameters(setup, &touches).rows(),
+            picked: false,
         }
     }
 

@@ -387,6 +387,7 @@ impl Cycle for TwoCircles {
             frame: Self::frame(setup),
             formula: self.formula(setup),
             parameters: self.parameters(),
+            picked: false,
         }
     }
 

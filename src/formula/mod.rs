@@ -112,6 +112,10 @@ pub enum Role {
     Direction,
     /// A coordinate along the tool axis, a length; not probed.
     Height,
+    /// A coordinate along the tool axis that is probed: it moves with the part.
+    Level,
+    /// A coordinate that is read along a single direction: what a shifted or turned part does to it depends on the surface.
+    Reading,
     /// A length that says how far something is off, or what is written.
     Shift,
     /// The same as an angle, degrees.
@@ -123,7 +127,7 @@ impl Role {
     pub fn is_angle(self) -> bool {
         match self {
             Role::Angle | Role::Direction | Role::Turn => true,
-            Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Shift => false,
+            Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Level | Role::Reading | Role::Shift => false,
         }
     }
 }
@@ -159,10 +163,25 @@ pub struct Formula {
 /// What a program corrects a work offset by.
 #[derive(Clone, Debug)]
 pub struct Datum {
-    /// The measured point, abscissa and ordinate, and the nominal place it gets, mm; none leaves the origin alone.
-    pub point: Option<[(Expr, f64); 2]>,
+    /// The measured place along abscissa, ordinate and tool axis, and the nominal place it gets, mm; none leaves the origin
+    /// alone. Abscissa and ordinate come together; one that was not measured is the constant of its nominal place.
+    pub place: [Option<(Expr, f64)>; 3],
     /// By how many degrees the system is turned; none leaves its rotation alone.
     pub rotation: Option<Expr>,
+    /// Whether the results say themselves what is written.
+    pub told: bool,
+}
+
+impl Datum {
+    /// A point in the plane: abscissa and ordinate, each as measured and as nominal.
+    pub fn point(abscissa: (Expr, f64), ordinate: (Expr, f64)) -> Self {
+        Datum { place: [Some(abscissa), Some(ordinate), None], rotation: None, told: false }
+    }
+
+    /// Which of abscissa, ordinate and tool axis were measured.
+    pub fn measured(&self) -> [bool; 3] {
+        [0, 1, 2].map(|i| matches!(&self.place[i], Some((expr, _)) if !matches!(expr, Expr::Length(_))))
+    }
 }
 
 /// One result as it comes out. Lengths in mm, angles in degrees.
@@ -262,8 +281,9 @@ impl Formula {
             });
         }
         plain.datum = self.datum.as_ref().map(|d| Datum {
-            point: d.point.as_ref().map(|p| p.clone().map(|(e, n)| (moved(&e), n))),
+            place: d.place.each_ref().map(|p| p.as_ref().map(|(e, n)| (moved(e), *n))),
             rotation: d.rotation.as_ref().map(moved),
+            told: d.told,
         });
         plain
     }
@@ -357,6 +377,19 @@ impl Expr {
         }
     }
 
+    /// Visits this node and everything in it.
+    pub fn each(&self, visit: &mut impl FnMut(&Expr)) {
+        visit(self);
+        match self {
+            Expr::Number(_) | Expr::Length(_) | Expr::Variable(_) | Expr::Trigger { .. } | Expr::Circle { .. } => {}
+            Expr::Call(_, a) => a.each(visit),
+            Expr::Binary(_, a, b) | Expr::Atan2(a, b) => {
+                a.each(visit);
+                b.each(visit);
+            }
+        }
+    }
+
     fn is(&self, number: f64) -> bool {
         match self {
             Expr::Number(x) | Expr::Length(x) => *x == number,
@@ -365,15 +398,17 @@ impl Expr {
     }
 
     fn uses(&self, touch: usize, axis: usize) -> bool {
-        match self {
-            Expr::Number(_) | Expr::Length(_) | Expr::Variable(_) => false,
-            Expr::Trigger { touch: t, axis: a } => (*t, *a) == (touch, axis),
-            Expr::Circle { first, count, axes, .. } => {
-                (*first..first + count).contains(&touch) && (axis == axes.0 || axis == axes.1)
-            }
-            Expr::Binary(_, a, b) | Expr::Atan2(a, b) => a.uses(touch, axis) || b.uses(touch, axis),
-            Expr::Call(_, a) => a.uses(touch, axis),
-        }
+        let mut used = false;
+        self.each(&mut |node| {
+            used |= match node {
+                Expr::Trigger { touch: t, axis: a } => (*t, *a) == (touch, axis),
+                Expr::Circle { first, count, axes, .. } => {
+                    (*first..first + count).contains(&touch) && (axis == axes.0 || axis == axes.1)
+                }
+                _ => false,
+            };
+        });
+        used
     }
 
     fn evaluate(&self, values: &[Dual], triggers: &[Option<Vec3>], directions: &[Vec3]) -> Dual {

@@ -204,6 +204,9 @@ pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
                     entries.push((key.to_owned(), Value::Text(value.to_owned())));
                 }
             }
+            if *path == "tool" {
+                entries.push(("frame".to_owned(), Value::List(Vec::new())));
+            }
             if *path == "part" {
                 entries.push(("sizes".to_owned(), Value::Map(Vec::new())));
             }

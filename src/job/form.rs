@@ -1,11 +1,13 @@
 //! The job's own form: everything around the cycle.
 
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
-use crate::geom::{Plane, Rigid, Vec3};
+use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
+use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::part::Lie;
 use crate::path::{Feeds, Setup};
 use crate::post::{self, PostDef};
 use crate::spec::{Checker, Choice, Field, Section, Value, form};
+use crate::tool_length::{Query, lentoax, sentence};
 
 /// The format this crate writes and reads.
 pub const FORMAT: f64 = 1.0;
@@ -19,6 +21,7 @@ const PLANES: &[Choice] = &[
 pub const POST_CHOICES: &[Choice] = &[
     Choice { value: "linuxcnc", label: "LinuxCNC" },
     Choice { value: "grbl", label: "grbl" },
+    Choice { value: "sinumerik", label: "SINUMERIK" },
     Choice { value: "heidenhain", label: "HEIDENHAIN TNC7" },
 ];
 const FORMS: &[Choice] =
@@ -79,6 +82,20 @@ form! {
 }
 
 form! {
+    /// Which of the probe's lengths acts where, on a control that decides it by plane, tool type, frame and setting data.
+    pub struct ToolForm {
+        /// The tool type's number: 710 is a 3D probe; 400 to 599 are turning and grinding tools.
+        type_: i32 = Field::count("type", "Tool type", 710, 0, 9999).group("Tool length (SINUMERIK)"),
+        /// SD42900 $SC_MIRROR_TOOL_LENGTH: a mirrored axis changes the sign of the length.
+        sd42900: bool = Field::flag("sd42900", "SD42900 MIRROR_TOOL_LENGTH", false).group("Tool length (SINUMERIK)"),
+        /// SD42940 $SC_TOOL_LENGTH_CONST: the assignment of this plane holds in every plane; 0 takes the active plane.
+        sd42940: i32 = Field::count("sd42940", "SD42940 TOOL_LENGTH_CONST", 0, -32_768, 32_767).group("Tool length (SINUMERIK)"),
+        /// SD42950 $SC_TOOL_LENGTH_TYPE: whether lengths act as for milling or as for turning.
+        sd42950: i32 = Field::code_of("sd42950", "SD42950 TOOL_LENGTH_TYPE", 0, LENGTH_TYPE).group("Tool length (SINUMERIK)"),
+    }
+}
+
+form! {
     /// How the real part lies.
     pub struct PartForm {
         /// How far the part is shifted.
@@ -94,6 +111,7 @@ pub const SECTIONS: &[(&str, &[Field])] = &[
     ("stylus", Stylus::FIELDS),
     ("feeds", FeedForm::FIELDS),
     ("control", Control::FIELDS),
+    ("tool", ToolForm::FIELDS),
     ("part", PartForm::FIELDS),
 ];
 
@@ -118,6 +136,8 @@ pub struct Job {
     pub cycle: Box<dyn Cycle>,
     /// The control.
     pub post: &'static PostDef,
+    /// `moves`, or `cycle` for the control's own.
+    pub form: String,
     /// Tool number of the probe.
     pub tool: i32,
     /// The work offset to write.
@@ -140,18 +160,15 @@ impl Job {
             (checker.scale, checker.unit) = (25.4, "inch");
         }
         let mut root = Section::new(checker, Some(value), "");
-        root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "part"]);
+        root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "tool", "part"]);
         let general = General::read(&mut root);
         let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
         let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);
         let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
+        let length = read_tool(checker, value, &general.plane);
         let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
 
-        let plane = match general.plane.as_str() {
-            "G18" => Plane::G18,
-            "G19" => Plane::G19,
-            _ => Plane::G17,
-        };
+        let plane = Plane::named(&general.plane);
         let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
         let cycle = read_cycle(checker, value);
         if let Some((_, cycle)) = &cycle {
@@ -159,6 +176,7 @@ impl Job {
         }
         let post = post::find(&control.post).expect("a checked choice is a post");
         check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
+        check_length(checker, post, &length);
         check_name(checker, &general.name);
         let sizes = read_sizes(checker, value, cycle.as_ref());
 
@@ -183,6 +201,7 @@ impl Job {
             def,
             cycle,
             post,
+            form: control.form,
             tool: control.tool,
             work_offset: control.work_offset,
             lie: Lie {
@@ -266,10 +285,45 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         if post.work_offsets == 0 {
             checker.error("work-offset-unsupported", "control.workOffset", post.no_work_offset);
         } else if n > post.work_offsets {
-            let last = post::work_offset_word(post.work_offsets);
+            let last = (post.work_offset_word)(post.work_offsets);
             let message = format!("{} has work offsets 1 (G54) to {} ({last})", post.title, post.work_offsets);
             checker.error("work-offset-unsupported", "control.workOffset", message);
         }
+    }
+}
+
+/// The job's `tool` section, as the question that LENTOAX answers.
+fn read_tool(checker: &mut Checker, value: &Value, plane: &str) -> Query {
+    let mut section = Section::new(checker, value.get("tool"), "tool");
+    section.only(ToolForm::FIELDS, &["frame"]);
+    let form = ToolForm::read(&mut section);
+    Query {
+        plane: Plane::named(plane),
+        tool_type: form.type_,
+        frame: read_frame(&mut section),
+        coord: "WCS".to_owned(),
+        tool_active: true,
+        sd42900: form.sd42900,
+        sd42940: form.sd42940,
+        sd42950: form.sd42950,
+    }
+}
+
+/// The first length of the probe must act along the tool axis, away from the part, or the control places the ball elsewhere.
+fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
+    if !post.first_length || !checker.sound(&["tool", "plane"]) {
+        return;
+    }
+    let answer = lentoax(query);
+    if (answer.matrix[2][0] - 1.0).abs() > 1e-9 {
+        let message = format!(
+            "The probe's length L1 must act along the tool axis of {}, +{}, or the control takes the ball to be somewhere else. With \
+             this tool type, frame and setting data {}",
+            query.plane.word(),
+            AXIS_NAMES[query.plane.axes()[2]],
+            sentence(query.plane, &answer)
+        );
+        checker.error("length-not-along-tool-axis", "tool", message);
     }
 }
 

@@ -10,7 +10,7 @@ const MOST_STEPS: usize = 50;
 
 const PLANES: &[Choice] =
     &[Choice { value: "G17", label: "G17" }, Choice { value: "G18", label: "G18" }, Choice { value: "G19", label: "G19" }];
-const LENGTH_TYPE: &[Code] = &[
+pub const LENGTH_TYPE: &[Code] = &[
     Code { value: 0, label: "by tool type" },
     Code { value: 1, label: "as for milling" },
     Code { value: 2, label: "as for turning" },
@@ -48,11 +48,7 @@ pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
         return Err(JobError { findings: checker.findings });
     }
     Ok(Query {
-        plane: match form.plane.as_str() {
-            "G18" => Plane::G18,
-            "G19" => Plane::G19,
-            _ => Plane::G17,
-        },
+        plane: Plane::named(&form.plane),
         tool_type: form.tool_type,
         frame,
         coord: form.coord,
@@ -63,17 +59,19 @@ pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     })
 }
 
-fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
+/// The frame under the key `frame`: a list of `{ rot, angle }` and `{ mirror }`.
+pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
+    let place = section.at("frame");
     let steps = match section.get("frame") {
         None => return Vec::new(),
         Some(Value::List(steps)) if steps.len() <= MOST_STEPS => steps,
         Some(_) => {
             let message = format!("The frame must be a list of at most {MOST_STEPS} steps {{ rot, angle }} or {{ mirror }}");
-            section.checker.error("wrong-type", "frame", message);
+            section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
     };
-    steps.iter().enumerate().filter_map(|(i, step)| read_step(section, step, &format!("frame[{i}]"))).collect()
+    steps.iter().enumerate().filter_map(|(i, step)| read_step(section, step, &format!("{place}[{i}]"))).collect()
 }
 
 fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {

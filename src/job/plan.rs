@@ -8,7 +8,7 @@ use crate::job::{Job, JobError};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{self, Feed, Feeds, Path, Purpose, RAPID_RATE, Surface};
-use crate::post::{self, Request};
+use crate::post::Request;
 use crate::spec::{Checker, Finding, Value};
 
 /// A point or vector as a list.
@@ -178,6 +178,7 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
         name: &job.name,
         title: job.def.title,
         source: job.def.source,
+        form: &job.form,
         scale: job.scale,
         plane: job.setup.plane,
         setup: &job.setup,
@@ -298,7 +299,7 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
 
 fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
     if let Some(n) = job.work_offset {
-        part::write_offset(&mut rows, &path.formula, job.setup.plane, &post::work_offset_word(n));
+        part::write_offset(&mut rows, &path.formula, job.setup.plane, &(job.post.work_offset_word)(n));
     }
     rows.into_iter()
         .map(|row| {

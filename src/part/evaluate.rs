@@ -1,6 +1,6 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Formula, ResultRow, Role, Unit};
+use crate::formula::{Expr, Formula, ResultRow, Role, Unit};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
@@ -77,7 +77,12 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
             Role::Ordinate => point[o],
             Role::Size | Role::Angle => def.nominal,
             Role::Direction => wrap_degrees(def.nominal + lie.turn),
-            Role::Height | Role::Shift | Role::Turn => continue,
+            Role::Level => {
+                let mut nominal = place;
+                nominal[w] = def.nominal;
+                lie.rigid.point(nominal)[w]
+            }
+            Role::Height | Role::Reading | Role::Shift | Role::Turn => continue,
         };
         row.truth = Some(tidy(truth));
     }
@@ -85,30 +90,21 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
 
 /// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
 pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
-    if formula.results.iter().filter(|r| r.role == Role::Abscissa).count() != 1 {
-        // A cycle with several points says itself what is written.
-        return;
+    let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.told) else { return };
+    let axes = plane.axes();
+    for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
+        let Some((Expr::Variable(variable), _)) = &datum.place[i] else { continue };
+        let Some(at) = formula.results.iter().position(|r| r.variable == Some(*variable)) else { continue };
+        let (row, nominal) = (&rows[at], formula.results[at].nominal);
+        let meaning = format!("Shift of {name} in {} that the program writes", crate::geom::AXIS_NAMES[axes[i]]);
+        let row = ResultRow {
+            code: code.to_owned(),
+            meaning,
+            nominal: Some(0.0),
+            value: row.deviation,
+            truth: row.truth.map(|t| tidy(t - nominal)),
+            ..row.clone()
+        };
+        rows.push(row);
     }
-    let [a, o, _] = plane.axes();
-    let shifts: Vec<ResultRow> = rows
-        .iter()
-        .zip(&formula.results)
-        .filter_map(|(row, def)| {
-            let (code, axis) = match def.role {
-                Role::Abscissa => ("offset.x", a),
-                Role::Ordinate => ("offset.y", o),
-                Role::Size | Role::Angle | Role::Direction | Role::Height | Role::Shift | Role::Turn => return None,
-            };
-            let meaning = format!("Shift of {name} in {} that the program writes", crate::geom::AXIS_NAMES[axis]);
-            Some(ResultRow {
-                code: code.to_owned(),
-                meaning,
-                nominal: Some(0.0),
-                value: row.deviation,
-                truth: row.truth.map(|t| tidy(t - def.nominal)),
-                ..row.clone()
-            })
-        })
-        .collect();
-    rows.extend(shifts);
 }

@@ -1,49 +1,82 @@
-//! Prints an expression in the RS274 family's way: square brackets, named parameters, degrees.
+//! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
 
 use crate::formula::{Expr, Formula, Function, Op};
 use crate::num::decimal;
 
+/// How a control writes expressions.
+pub trait Notation {
+    /// The brackets that group.
+    const BRACKETS: (char, char);
+    /// The value of an assignment of `formula`, by its index.
+    fn variable(&self, formula: &Formula, index: usize) -> String;
+    /// Coordinate `axis` of a sample's trigger.
+    fn trigger(&self, sample: usize, axis: usize) -> String;
+    /// The angle of the vector (x, y).
+    fn atan(&self, y: &str, x: &str) -> String;
+}
+
 /// Prints `expr` of `formula`. `scale` is the millimetres in a unit of the program.
-pub fn print(formula: &Formula, expr: &Expr, scale: f64) -> String {
+pub fn print<N: Notation>(notation: &N, formula: &Formula, expr: &Expr, scale: f64) -> String {
     let mut text = String::new();
-    Printer { formula, scale }.put(expr, 0, &mut text);
+    Printer { notation, formula, scale }.put(expr, 0, &mut text);
     text
 }
 
-/// The name of the parameter that holds coordinate `axis` of a touch's trigger.
-pub fn trigger_name(touch: usize, axis: usize) -> String {
-    format!("{}{}", ["x", "y", "z"][axis], touch + 1)
+/// The RS274 family: square brackets, named parameters.
+#[derive(Debug)]
+pub struct Rs274;
+
+impl Notation for Rs274 {
+    const BRACKETS: (char, char) = ('[', ']');
+
+    fn variable(&self, formula: &Formula, index: usize) -> String {
+        format!("#<{}>", formula.assignments[index].name)
+    }
+
+    fn trigger(&self, sample: usize, axis: usize) -> String {
+        format!("#<{}>", trigger_name(sample, axis))
+    }
+
+    fn atan(&self, y: &str, x: &str) -> String {
+        format!("ATAN[{y}]/[{x}]")
+    }
 }
 
-struct Printer<'a> {
+/// The name of the parameter that holds coordinate `axis` of a sample's trigger.
+pub fn trigger_name(sample: usize, axis: usize) -> String {
+    format!("{}{}", ["x", "y", "z"][axis], sample + 1)
+}
+
+struct Printer<'a, N> {
+    notation: &'a N,
     formula: &'a Formula,
     scale: f64,
 }
 
-impl Printer<'_> {
+impl<N: Notation> Printer<'_, N> {
     /// `binding` is how tightly the surroundings bind: 0 not at all, 1 as a sum, 2 as a product, 3 as what follows − or /.
     fn put(&self, expr: &Expr, binding: u8, out: &mut String) {
         match expr {
             Expr::Number(x) => self.constant(*x, binding, out),
             Expr::Length(x) => self.constant(x / self.scale, binding, out),
-            Expr::Variable(index) => self.name(&self.formula.assignments[*index].name, out),
-            Expr::Trigger { touch, axis } => self.name(&trigger_name(*touch, *axis), out),
+            Expr::Variable(index) => out.push_str(&self.notation.variable(self.formula, *index)),
+            Expr::Trigger { touch, axis } => out.push_str(&self.notation.trigger(*touch, *axis)),
             Expr::Call(function, a) => {
                 out.push_str(match function {
-                    Function::Sin => "SIN[",
-                    Function::Cos => "COS[",
-                    Function::Sqrt => "SQRT[",
+                    Function::Sin => "SIN",
+                    Function::Cos => "COS",
+                    Function::Sqrt => "SQRT",
                 });
+                out.push(N::BRACKETS.0);
                 self.put(a, 0, out);
-                out.push(']');
+                out.push(N::BRACKETS.1);
             }
             Expr::Circle { .. } => unreachable!("programs get the plain formula"),
             Expr::Atan2(y, x) => {
-                out.push_str("ATAN[");
-                self.put(y, 0, out);
-                out.push_str("]/[");
-                self.put(x, 0, out);
-                out.push(']');
+                let (mut of, mut by) = (String::new(), String::new());
+                self.put(y, 0, &mut of);
+                self.put(x, 0, &mut by);
+                out.push_str(&self.notation.atan(&of, &by));
             }
             Expr::Binary(op, a, b) => {
                 let (sign, own, right) = match op {
@@ -54,29 +87,25 @@ impl Printer<'_> {
                 };
                 let bracket = own < binding;
                 if bracket {
-                    out.push('[');
+                    out.push(N::BRACKETS.0);
                 }
                 self.put(a, own, out);
                 out.push(sign);
                 self.put(b, right, out);
                 if bracket {
-                    out.push(']');
+                    out.push(N::BRACKETS.1);
                 }
             }
         }
-    }
-
-    fn name(&self, name: &str, out: &mut String) {
-        out.push_str("#<");
-        out.push_str(name);
-        out.push('>');
     }
 
     /// A constant with 12 decimals at most: half a turn of a 10 m part moves by less than 1e-8 mm.
     fn constant(&self, x: f64, binding: u8, out: &mut String) {
         let text = decimal(x, 12);
         if text.starts_with('-') && binding > 0 {
-            out.push_str(&format!("[{text}]"));
+            out.push(N::BRACKETS.0);
+            out.push_str(&text);
+            out.push(N::BRACKETS.1);
         } else {
             out.push_str(&text);
         }
@@ -92,7 +121,7 @@ mod tests {
         let mut f = Formula::default();
         let a = f.set("a", Expr::trigger(0, 0));
         let b = f.set("b", Expr::trigger(1, 2));
-        let shown = |e: &Expr| print(&f, e, 25.4);
+        let shown = |e: &Expr| print(&Rs274, &f, e, 25.4);
         assert_eq!(shown(&Expr::trigger(1, 2)), "#<z2>");
         assert_eq!(shown(&((a.clone() + b.clone()) / Expr::Number(2.0))), "[#<a>+#<b>]/2");
         assert_eq!(shown(&(a.clone() - (b.clone() - Expr::Length(25.4)))), "#<a>-[#<b>-1]");

@@ -14,14 +14,24 @@ pub static DEF: PostDef = PostDef {
     title: "grbl",
     extension: "nc",
     work_offsets: 0,
+    work_offset_word: |_| String::new(),
     no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
+    first_length: false,
     plain_arithmetic: false,
     supports: |_, form| if form == "moves" { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,
 };
 
-static DIALECT: Dialect = Dialect { decimals_mm: 4, decimals_inch: 5, probe: "G38.2" };
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    probe: "G38.2",
+    comment: ("(", ")"),
+    units: ("G21", "G20"),
+    modes: "G40 G61 G80 G90",
+    arcs: " G91.1",
+};
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);

@@ -7,14 +7,16 @@ mod expr;
 mod grbl;
 mod heidenhain;
 mod linuxcnc;
+mod sinumerik;
 mod words;
 
-use crate::geom::Plane;
+use crate::formula::Datum;
+use crate::geom::{AXIS_NAMES, Plane};
 use crate::path::{Feeds, ParameterValue, Path, Setup};
 use crate::spec::Checker;
 
 /// Every control, in the order of the form.
-pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &heidenhain::DEF];
+pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
 
 /// What is known of a control.
 #[derive(Debug)]
@@ -27,8 +29,12 @@ pub struct PostDef {
     pub extension: &'static str,
     /// Highest number of a work offset the control takes; 0 where a program cannot write one.
     pub work_offsets: i32,
+    /// How a work offset is called, by its number.
+    pub work_offset_word: fn(i32) -> String,
     /// Why no work offset can be written, where that is so.
     pub no_work_offset: &'static str,
+    /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
+    pub first_length: bool,
     /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
     pub plain_arithmetic: bool,
     /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
@@ -48,6 +54,8 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Whose cycle it is.
     pub source: &'a str,
+    /// `moves`, or `cycle` for the control's own.
+    pub form: &'a str,
     /// Millimetres in a unit of the program.
     pub scale: f64,
     /// The working plane.
@@ -111,8 +119,32 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// How a work offset is called: G54 … G59, G59.1 ….
-pub fn work_offset_word(number: i32) -> String {
+/// What plain moves cannot do with a rotary table, and why.
+fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
+    if request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn")) {
+        let message = format!("{why}: Q1121 = 2 and Q1126 are for the control's own cycle");
+        checker.error("rotary-unsupported", "cycle.confirmRotation", message);
+    }
+}
+
+/// What of a work offset is written, in words: "its X and Y are written once, at the very end".
+fn written(request: &Request<'_>, datum: Option<&Datum>) -> String {
+    let measured = datum.map_or([false; 3], Datum::measured);
+    let axes = request.plane.axes();
+    let mut parts: Vec<&str> =
+        (0..3).filter(|axis| (0..3).any(|i| axes[i] == *axis && measured[i])).map(|i| AXIS_NAMES[i]).collect();
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        parts.push("rotation");
+    }
+    match parts.as_slice() {
+        [] => "nothing of it is written".to_owned(),
+        [one] => format!("its {one} is written once, at the very end"),
+        [rest @ .., last] => format!("its {} and {last} are written once, at the very end", rest.join(", ")),
+    }
+}
+
+/// How a work offset is called in the RS274 family: G54 … G59, G59.1 ….
+fn work_offset_word(number: i32) -> String {
     match number {
         1..=6 => format!("G{}", 53 + number),
         _ => format!("G59.{}", number - 6),

@@ -14,6 +14,14 @@ pub struct Dialect {
     pub decimals_inch: usize,
     /// The word that probes towards the part and stops with an alarm where nothing is met.
     pub probe: &'static str,
+    /// What a comment begins and ends with.
+    pub comment: (&'static str, &'static str),
+    /// The words for mm and inch.
+    pub units: (&'static str, &'static str),
+    /// Exact stop, and everything modal that must not leak in, but for plane and units.
+    pub modes: &'static str,
+    /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
+    pub arcs: &'static str,
 }
 
 /// Writes a program block by block and remembers which block makes which move.
@@ -47,7 +55,8 @@ impl<'a> Writer<'a> {
     /// A comment line. Whatever is in `text`, it stays inside.
     pub fn comment(&mut self, text: &str) {
         debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
-        self.line(&format!("({text})"));
+        let (open, close) = self.dialect.comment;
+        self.line(&format!("{open}{text}{close}"));
     }
 
     /// A length or feed in the program's units, with the decimals the control takes.
@@ -78,9 +87,9 @@ impl<'a> Writer<'a> {
     /// Units and modes: stated, never inherited. The spindle and the coolant are off.
     pub fn modes(&mut self) {
         let request = self.request;
-        self.line(if request.scale == 1.0 { "G21" } else { "G20" });
-        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { " G91.1" } else { "" };
-        self.line(&format!("{} G40 G61 G80 G90{arcs} G94", request.plane.word()));
+        self.line(if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 });
+        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { self.dialect.arcs } else { "" };
+        self.line(&format!("{} {}{arcs} G94", request.plane.word(), self.dialect.modes));
         self.line("M5 M9");
     }
 
@@ -115,8 +124,26 @@ impl<'a> Writer<'a> {
         if let Some(rate) = rate {
             block.push_str(&format!(" F{}", self.number(rate)));
         }
-        self.move_lines.push(Some(self.lines));
+        self.makes_move();
         self.line(&block);
+    }
+
+    /// The next line makes the next move.
+    pub fn makes_move(&mut self) {
+        self.move_lines.push(Some(self.lines));
+    }
+
+    /// The control makes the next move by itself.
+    pub fn leaves_move(&mut self) {
+        self.move_lines.push(None);
+    }
+
+    /// The axis words of a block to `target`: all three, or those that differ from the last block.
+    pub fn place(&mut self, target: Vec3, all: bool) -> String {
+        if all {
+            self.last = Default::default();
+        }
+        self.axis_words(target)
     }
 
     /// The finished program.

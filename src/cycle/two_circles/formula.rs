@@ -131,7 +131,7 @@ impl TwoCircles {
     /// What Q1120, Q1121 and Q1126 make of it.
     fn presets(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2], rotation: Option<Expr>) {
         let form = &self.form;
-        let mut point = None;
+        let mut place = [None, None, None];
         if form.transfer_position != 0 {
             let mut axis = |i: usize, name: &str| {
                 let one = measured[0].centre[i].clone().zip(objects[0].point[i].nominal);
@@ -151,7 +151,9 @@ impl TwoCircles {
             let shift = |axis: &Option<(Expr, f64, Expr)>| axis.as_ref().map(|a| a.2.clone());
             f.result("preset.x", Role::Shift, "Shift of the preset in the main axis (Q1120)", 0.0, shift(&x).as_ref());
             f.result("preset.y", Role::Shift, "Shift of the preset in the minor axis (Q1120)", 0.0, shift(&y).as_ref());
-            point = x.zip(y).map(|(x, y)| [(x.0, x.1), (y.0, y.1)]);
+            if let Some((x, y)) = x.zip(y) {
+                place = [Some((x.0, x.1)), Some((y.0, y.1)), None];
+            }
         }
         let turned = |r: &Expr| Expr::Number(0.0) - r.clone();
         match form.confirm_rotation {
@@ -174,6 +176,6 @@ impl TwoCircles {
             let turn = rotation.as_ref().map(|r| f.set("table_turn", turned(r)));
             f.result("table.turn", Role::Turn, "Turn of the rotary table (Q1126)", 0.0, turn.as_ref());
         }
-        f.datum = Some(Datum { point, rotation: rotation.filter(|_| form.confirm_rotation == 1) });
+        f.datum = Some(Datum { place, told: true, rotation: rotation.filter(|_| form.confirm_rotation == 1) });
     }
 }

@@ -1,0 +1,529 @@
+//! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977.
+//!
+//! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
+//! one exit that names the move, lifts and stops. Only the way back from a touch runs without: the probe is deflected when it
+//! sets out, and the way is the one the ball has just come. Results stand in R parameters, the first ones; what is needed on the
+//! way follows them. `G70` and `G71` do not touch feeds and system variables, which stay in the control's basic system (function
+//! manual G2, 7.3), so the program first makes sure that the two agree. MEAS takes the positions of the axes that its block names
+//! (programming manual, 5.7), so a touch names all three.
+//!
+//! Recalled and not verified on a control: the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
+//! system, components of `$P_UIFR`, `SETAL(65000)`, and what some arguments of CYCLE977 are called. Its positions are those of
+//! real calls.
+
+use crate::formula::{Datum, Expr, Formula};
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::num::decimal;
+use crate::path::{Move, ParameterValue, Purpose, RAPID_RATE};
+use crate::post::expr::{self, Notation};
+use crate::post::words::{Dialect, Writer};
+use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, written};
+use crate::spec::Checker;
+
+pub static DEF: PostDef = PostDef {
+    key: "sinumerik",
+    title: "SINUMERIK 840D sl / 828D",
+    extension: "mpf",
+    work_offsets: 99,
+    work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
+    no_work_offset: "",
+    first_length: true,
+    plain_arithmetic: true,
+    supports,
+    check,
+    emit,
+};
+
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    probe: "MEAS=1 G1",
+    comment: ("; ", ""),
+    units: ("G71", "G70"),
+    modes: "G40 G60 G90",
+    arcs: "",
+};
+
+/// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
+const LAST_REGISTER: usize = 99;
+
+/// Circular moves are made as straight protected ones that leave the circle by no more than this, mm.
+const CHORD_SAG: f64 = 0.02;
+
+fn supports(cycle: &str, form: &str) -> Result<(), &'static str> {
+    match (cycle, form) {
+        (_, "moves") | ("internal-rectangle-protected", _) => Ok(()),
+        ("double-wall-internal-corner", _) => Err(
+            "its corner cycle is CYCLE961, and the order of that cycle's arguments is not proven by anything we have: a wrong one \
+             would move the probe somewhere else",
+        ),
+        ("probing-two-circles", _) => Err("it has no cycle of its own for two circles"),
+        _ => Err("the arguments of its cycle for this feature are not proven by anything we have"),
+    }
+}
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    let unverified = "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
+                      it was run on a control: try it with a hand on the feed override";
+    checker.info("not-verified", "control.post", unverified);
+    if request
+        .path
+        .moves
+        .iter()
+        .any(|m| m.purpose == Purpose::Position && request.feeds.is_rapid(m.feed) && rate(request, m) == RAPID_RATE)
+    {
+        let message = format!(
+            "A move is protected by MEAS only at a stated feed: rapids run as protected moves at {}/min",
+            checker.length(RAPID_RATE)
+        );
+        checker.info("rapid-at-feed", "feeds", message);
+    }
+    if request.form == "cycle" {
+        return check_cycle(request, checker);
+    }
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    let registers = Registers::allocate(&request.path.formula.plain());
+    if registers.last > LAST_REGISTER {
+        let message = format!(
+            "The program would need R1 to R{}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
+             fewer touches",
+            registers.last
+        );
+        checker.error("too-many-registers", "control.post", message);
+    }
+}
+
+/// The feed of a move, mm/min.
+fn rate(request: &Request<'_>, step: &Move) -> f64 {
+    request.feeds.rate(step.feed).unwrap_or(RAPID_RATE)
+}
+
+fn emit(request: &Request<'_>) -> Program {
+    if request.form == "cycle" { emit_cycle(request) } else { emit_moves(request) }
+}
+
+fn emit_moves(request: &Request<'_>) -> Program {
+    let formula = request.path.formula.plain();
+    let registers = Registers::allocate(&formula);
+    let mut w = Writer::new(request, &DIALECT);
+    begin(&mut w, request, &written(request, formula.datum.as_ref()), &[&registers.told(&formula)]);
+    let mut at = None;
+    for (i, step) in request.path.moves.iter().enumerate() {
+        match step.purpose {
+            Purpose::Position => protected(&mut w, request, i, step, at),
+            Purpose::Touch(k) => {
+                touch(&mut w, request, i, step, k);
+                latch(&mut w, request, &formula, &registers, k);
+            }
+            Purpose::Back(_) => {
+                let block = format!("G1{} F{}", w.place(step.to, false), w.number(rate(request, step)));
+                w.makes_move();
+                w.line(&block);
+            }
+        }
+        at = Some(step.to);
+    }
+    let notation = RParameters { registers: &registers };
+    for (i, assignment) in formula.assignments.iter().enumerate() {
+        let value = expr::print(&notation, &formula, &assignment.expr, request.scale);
+        w.line(&format!("R{}={value} ; {}", registers.variables[i], assignment.name));
+    }
+    for &(copy, variable) in &registers.copies {
+        w.line(&format!("R{copy}=R{}", registers.variables[variable]));
+    }
+    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
+        write_datum(&mut w, request, &formula, &registers, n, datum);
+    }
+    end(&mut w, request);
+    w.finish()
+}
+
+/// What stands before the first move. Nothing has moved when one of the checks says no.
+fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
+    let offset = match request.work_offset {
+        Some(n) => format!("Work offset: {} is selected first; {written}", (DEF.work_offset_word)(n)),
+        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
+    };
+    w.header(&offset);
+    w.comment("Not verified on a control: run it with a hand on the feed override");
+    w.comment("Protected moves are MEAS=1 G1 with a check; touches the same, the other way round");
+    for note in notes {
+        w.comment(note);
+    }
+    w.line("DEF INT TP_MOVE");
+    w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
+    w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
+    w.line("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED");
+    w.modes();
+    if let Some(n) = request.work_offset {
+        w.line("TRANS");
+        w.line(&(DEF.work_offset_word)(n));
+    }
+    if let Some(n) = request.work_offset.filter(|_| request.form == "moves") {
+        let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+        w.comment("The correction knows a turn about the tool axis only");
+        w.line(&format!("IF ($P_UIFR[{n},{a},RT]<>0) OR ($P_UIFR[{n},{o},RT]<>0) GOTOF TP_FRAME"));
+        let any = |part: &str, none: u8| {
+            let parts = [a, o, tool].map(|axis| format!("($P_UIFR[{n},{axis},{part}]<>{none})"));
+            format!("IF {} GOTOF TP_FRAME", parts.join(" OR "))
+        };
+        w.line(&any("MI", 0));
+        w.line(&any("SC", 1));
+    }
+}
+
+/// A positioning move, straight or in short straight pieces, each watched by the probe and checked.
+fn protected(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
+    w.line(&format!("TP_MOVE={}", index + 1));
+    let mut first = true;
+    for to in pieces(request, step, at) {
+        if first {
+            w.makes_move();
+        }
+        first = false;
+        watched(w, to, rate(request, step));
+    }
+}
+
+/// The ends of the straight moves that make a positioning move.
+fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
+    let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
+    // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
+    let radius = from.distance(arc.center);
+    let degrees = (2.0 * (1.0 - CHORD_SAG / radius).clamp(-1.0, 1.0).acos()).to_degrees();
+    step.pieces(from, request.path.frame.w, degrees.clamp(0.5, 30.0))
+}
+
+/// One move in which nothing may be touched.
+fn watched(w: &mut Writer<'_>, to: Vec3, rate: f64) {
+    let block = format!("MEAS=1 G1{} F{}", w.place(to, false), w.number(rate));
+    w.line(&block);
+    w.line("STOPRE");
+    w.line("IF $AC_MEA[1]<>0 GOTOF TP_CONTACT");
+}
+
+fn touch(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, k: usize) {
+    let touch = &request.path.touches[k];
+    w.line(&format!("TP_MOVE={}", index + 1));
+    let block = format!("MEAS=1 G1{} F{}", w.place(step.to - touch.vector * touch.search, true), w.number(rate(request, step)));
+    w.makes_move();
+    w.line(&block);
+    w.line("STOPRE");
+    w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
+}
+
+/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, k: usize) {
+    let sample = request.path.samples(k);
+    for axis in (0..3).filter(|&axis| formula.uses(sample.index, axis)) {
+        let register = registers.trigger(sample.index, axis);
+        let name = AXIS_NAMES[axis];
+        w.line(&match (sample.first, sample.last) {
+            (true, _) => format!("R{register}=$AA_MW[{name}] ; {}", expr::trigger_name(sample.index, axis)),
+            (false, false) => format!("R{register}=R{register}+$AA_MW[{name}]"),
+            (false, true) => format!("R{register}=(R{register}+$AA_MW[{name}])/{}", sample.count),
+        });
+    }
+}
+
+/// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
+/// of the frame (about the tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is
+/// T + R(a)·measured − R(b)·nominal.
+fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, n: i32, datum: &Datum) {
+    if datum.measured() == [false; 3] && datum.rotation.is_none() {
+        return;
+    }
+    let notation = RParameters { registers };
+    let value = |e: &Expr| expr::print(&notation, formula, e, request.scale);
+    let constant = |mm: f64| decimal(mm / request.scale, 12);
+    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
+    w.comment("One write, at the very end: the shift that brings what was measured to its nominal place");
+    if let [Some((x, nx)), Some((y, ny)), _] = &datum.place {
+        let [before, after, mx, my, nominal_x, nominal_y] = [1, 2, 3, 4, 5, 6].map(|i| registers.last + i);
+        w.line(&format!("R{before}={}", frame(tool, "RT")));
+        w.line(&match &datum.rotation {
+            Some(turn) => format!("R{after}=R{before}+{}", value(turn)),
+            None => format!("R{after}=R{before}"),
+        });
+        for (register, text) in [(mx, value(x)), (my, value(y)), (nominal_x, constant(*nx)), (nominal_y, constant(*ny))] {
+            w.line(&format!("R{register}={text}"));
+        }
+        w.line(&format!(
+            "{0}={0}+R{mx}*COS(R{before})-R{my}*SIN(R{before})-R{nominal_x}*COS(R{after})+R{nominal_y}*SIN(R{after})",
+            frame(a, "TR")
+        ));
+        w.line(&format!(
+            "{0}={0}+R{mx}*SIN(R{before})+R{my}*COS(R{before})-R{nominal_x}*SIN(R{after})-R{nominal_y}*COS(R{after})",
+            frame(o, "TR")
+        ));
+    }
+    if let Some((z, nominal)) = &datum.place[2] {
+        w.line(&format!("{0}={0}+{1}-({2})", frame(tool, "TR"), value(z), constant(*nominal)));
+    }
+    if let Some(turn) = &datum.rotation {
+        w.line(&format!("{0}={0}+{1}", frame(tool, "RT"), value(turn)));
+    }
+    w.line(&(DEF.work_offset_word)(n));
+}
+
+/// The end, and the exits behind it. Whatever went wrong, nothing has been written.
+fn end(w: &mut Writer<'_>, request: &Request<'_>) {
+    w.line("M30");
+    let tool = request.plane.axes()[2];
+    let stop = |w: &mut Writer<'_>| {
+        for line in ["SETAL(65000)", "M0", "M30"] {
+            w.line(line);
+        }
+    };
+    w.line("TP_CONTACT:");
+    w.line("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. Nothing is written\")");
+    w.line("GOTOF TP_EXIT");
+    w.line("TP_MISSED:");
+    w.line("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. Nothing is written\")");
+    w.line("TP_EXIT:");
+    if let Some(first) = request.path.moves.first() {
+        let lift = format!("G1 {}{} F{}", AXIS_NAMES[tool], w.number(first.to[tool]), w.number(rate(request, first)));
+        w.line(&lift);
+    }
+    stop(w);
+    for (label, message) in [
+        ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
+        ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),
+    ] {
+        w.line(&format!("{label}:"));
+        w.line(&format!("MSG(\"{message}\")"));
+        stop(w);
+    }
+    if request.work_offset.is_some() && request.form == "moves" {
+        w.line("TP_FRAME:");
+        w.line("MSG(\"The work offset is turned about another axis, mirrored or scaled. Nothing has moved\")");
+        stop(w);
+    }
+}
+
+/// Which R parameter holds what: results first, from R1, in their order; then the triggers; then what is needed on the way, each
+/// as long as it is needed.
+#[derive(Debug)]
+struct Registers {
+    variables: Vec<usize>,
+    triggers: Vec<((usize, usize), usize)>,
+    /// A value that is more than one result, and the further registers it goes to.
+    copies: Vec<(usize, usize)>,
+    results: usize,
+    last: usize,
+}
+
+impl Registers {
+    fn allocate(formula: &Formula) -> Self {
+        const NEVER: usize = usize::MAX;
+        let count = formula.assignments.len();
+        let mut variables = vec![0; count];
+        let mut copies = Vec::new();
+        let mut last = 0;
+        for variable in formula.results.iter().filter_map(|r| r.variable) {
+            last += 1;
+            if variables[variable] == 0 { variables[variable] = last } else { copies.push((last, variable)) }
+        }
+        let results = last;
+        // Where each value is read last; what the datum reads, or what is a result, is kept to the end.
+        let mut read_last = vec![0; count];
+        let mut triggers: Vec<((usize, usize), usize)> = Vec::new();
+        let mut triggers_read: Vec<usize> = Vec::new();
+        for (i, assignment) in formula.assignments.iter().enumerate() {
+            assignment.expr.each(&mut |node| match node {
+                Expr::Variable(index) => read_last[*index] = i,
+                Expr::Trigger { touch, axis } => match triggers.iter().position(|(key, _)| *key == (*touch, *axis)) {
+                    Some(at) => triggers_read[at] = i,
+                    None => {
+                        triggers.push(((*touch, *axis), 0));
+                        triggers_read.push(i);
+                    }
+                },
+                _ => {}
+            });
+        }
+        let datum = formula.datum.iter().flat_map(|d| d.place.iter().flatten().map(|p| &p.0).chain(&d.rotation));
+        for expr in datum {
+            expr.each(&mut |node| {
+                if let Expr::Variable(index) = node {
+                    read_last[*index] = NEVER;
+                }
+            });
+        }
+        let mut order: Vec<usize> = (0..triggers.len()).collect();
+        order.sort_unstable_by_key(|&at| triggers[at].0);
+        for at in order {
+            last += 1;
+            triggers[at].1 = last;
+        }
+        let mut free: Vec<usize> = Vec::new();
+        for i in 0..count {
+            let own = variables[i] > 0;
+            if !own {
+                variables[i] = free.pop().unwrap_or_else(|| {
+                    last += 1;
+                    last
+                });
+            }
+            for (at, ((..), register)) in triggers.iter().enumerate() {
+                if triggers_read[at] == i {
+                    free.push(*register);
+                }
+            }
+            for j in 0..=i {
+                let spent = read_last[j] == i || (j == i && read_last[j] == 0);
+                if spent && variables[j] > results {
+                    free.push(variables[j]);
+                }
+            }
+            free.sort_unstable_by(|a, b| b.cmp(a));
+        }
+        Registers { variables, triggers, copies, results, last }
+    }
+
+    fn trigger(&self, sample: usize, axis: usize) -> usize {
+        self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
+    }
+
+    /// What stands where, for the header.
+    fn told(&self, formula: &Formula) -> String {
+        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code).enumerate();
+        let results: Vec<String> = codes.map(|(i, code)| format!("R{} = {code}", i + 1)).collect();
+        let others = if self.last > self.results {
+            format!("; R{} to R{} are used", self.results + 1, self.last + 6)
+        } else {
+            String::new()
+        };
+        format!("Results: {}{others}", results.join(", "))
+    }
+}
+
+struct RParameters<'a> {
+    registers: &'a Registers,
+}
+
+impl Notation for RParameters<'_> {
+    const BRACKETS: (char, char) = ('(', ')');
+
+    fn variable(&self, _: &Formula, index: usize) -> String {
+        format!("R{}", self.registers.variables[index])
+    }
+
+    fn trigger(&self, sample: usize, axis: usize) -> String {
+        format!("R{}", self.registers.trigger(sample, axis))
+    }
+
+    fn atan(&self, y: &str, x: &str) -> String {
+        format!("ATAN2({y},{x})")
+    }
+}
+
+/// What CYCLE977 needs of an internal rectangle, mm.
+struct Rectangle {
+    widths: [f64; 2],
+    /// Measuring path: how far before and behind the nominal contact it searches.
+    path: f64,
+    /// Protection zone along abscissa and ordinate.
+    zone: [f64; 2],
+    /// From the height of the start down to the touches.
+    infeed: f64,
+}
+
+impl Rectangle {
+    fn of(request: &Request<'_>) -> Self {
+        let length = |code: i32| {
+            let row = request.path.parameters.iter().find(|p| p.code == code);
+            match row.map(|p| &p.value) {
+                Some(ParameterValue::Length(mm)) => *mm,
+                _ => f64::NAN,
+            }
+        };
+        let widths = [length(-53), length(-54)];
+        let clearances = [length(-56), length(-57)];
+        let radius = request.setup.radius;
+        // The zone is as large as the ball leaves free where it goes down.
+        let zone = [0, 1].map(|i| widths[i] - 2.0 * (clearances[i] + radius));
+        Rectangle { widths, path: clearances[0] - radius, zone, infeed: length(-51) + length(-55) }
+    }
+}
+
+fn check_cycle(request: &Request<'_>, checker: &mut Checker) {
+    let rectangle = Rectangle::of(request);
+    let [a, _, _] = request.plane.basis();
+    let advice = ". Use the form \"moves\"";
+    if request.path.frame.u.distance(a) > 1e-9 {
+        let message = format!("CYCLE977 measures rectangles that are parallel to the axes only{advice}");
+        checker.error("cycle-not-parallel", "cycle.rotation", message);
+    }
+    if request.path.picked {
+        let message = format!("CYCLE977 chooses its own touch points{advice}");
+        checker.error("cycle-chooses-points", "cycle.touches", message);
+    }
+    let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
+    if (clearances[0] - clearances[1]).abs() > 1e-9 {
+        let message =
+            format!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}");
+        checker.error("cycle-one-path", "cycle.sideClearance2", message);
+    }
+    for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
+        if rectangle.zone[i] <= 0.0 {
+            let message = format!("Between the places where the ball goes down nothing is left for a protection zone{advice}");
+            checker.error("cycle-no-zone", path, message);
+        }
+    }
+    let message = format!(
+        "The cycle moves by itself: it searches {0} before and behind each wall (side clearance less ball radius), not the job's \
+         overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {1} is written \
+         without a sign, as in the one real call we have, is not verified",
+        checker.length(rectangle.path),
+        checker.length(rectangle.infeed)
+    );
+    checker.warning("cycle-differs", "control.form", message);
+}
+
+/// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
+fn emit_cycle(request: &Request<'_>) -> Program {
+    let mut w = Writer::new(request, &DIALECT);
+    let notes = ["Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed"];
+    begin(&mut w, request, "the cycle corrects it", &notes);
+    let moves = &request.path.moves;
+    let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
+    // The approach: every move before the first that leaves the start.
+    let approach = moves.iter().take_while(|m| m.step <= 1).count();
+    for (i, step) in moves.iter().enumerate().take(approach) {
+        protected(&mut w, request, i, step, None);
+    }
+    debug_assert!(moves.iter().any(touches), "a cycle touches");
+    let call = call(&w, request);
+    w.line(&call);
+    let last = moves.len() - 1;
+    for _ in approach..last {
+        w.leaves_move();
+    }
+    protected(&mut w, request, last, &moves[last], None);
+    end(&mut w, request);
+    w.finish()
+}
+
+/// CYCLE977 for an inside rectangle with a protection zone: 27 arguments, by position as in real calls.
+fn call(w: &Writer<'_>, request: &Request<'_>) -> String {
+    let rectangle = Rectangle::of(request);
+    let [w1, w2] = rectangle.widths.map(|x| w.number(x));
+    let [za, zo] = rectangle.zone.map(|x| w.number(x));
+    let path = w.number(rectangle.path);
+    let safe = w.number(request.setup.overtravel.min(rectangle.path));
+    let infeed = w.number(rectangle.infeed);
+    // Thousands: with a protection zone. Hundreds: corrects the work offset. Units: rectangle inside.
+    let (variant, offset) = match request.work_offset {
+        Some(n) => (1105, 10_000 + n),
+        None => (1005, 0),
+    };
+    let tolerance = w.number(1.01);
+    format!(
+        "CYCLE977({variant},{offset},,1,,{w1},{w2},{path},{safe},0,{infeed},{za},{zo},,1,\"\",,0,{tolerance},{tolerance},-{tolerance},\
+         {},1,0,,1,1)",
+        w.number(0.34)
+    )
+}
