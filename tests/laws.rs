@@ -161,6 +161,9 @@ fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
         prop_assert!(plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
         return Ok(());
     }
+    if plan.program.extension == "mpf" {
+        return sinumerik_is_sane(plan);
+    }
     let lines: Vec<&str> = plan.program.text.lines().collect();
     prop_assert_eq!(plan.program.move_lines.len(), plan.moves.len());
     prop_assert!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
@@ -206,6 +209,29 @@ fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
             );
         }
     }
+    Ok(())
+}
+
+/// Emit, read, and the path is there again; nothing moves unwatched; every line is within what the control takes.
+fn sinumerik_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
+    let text = &plan.program.text;
+    let program = touchpath::job::mpf::read(text).map_err(|t| TestCaseError::fail(format!("{t:?}\n{text}")))?;
+    prop_assert_eq!(program.troubles(), []);
+    // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
+    let ends = program.moves().map_err(|t| TestCaseError::fail(format!("{t:?}")))?;
+    let ends: Vec<_> = ends.iter().filter(|s| s.purpose == touchpath::job::mpf::Purpose::Touch).collect();
+    let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
+    prop_assert_eq!(ends.len(), contacts.len());
+    let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();
+    if let Err(why) = common::compare_mpf(plan, |k| searches[k], &program) {
+        return Err(TestCaseError::fail(why));
+    }
+    for line in text.lines() {
+        prop_assert!(line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"), "{}", line);
+        prop_assert!(line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
+    }
+    let registers = text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|w| w.strip_prefix('R')?.parse::<usize>().ok());
+    prop_assert!(registers.max().unwrap_or(0) <= 99);
     Ok(())
 }
 

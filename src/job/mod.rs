@@ -12,6 +12,7 @@ mod export;
 mod form;
 mod import;
 mod lentoax;
+pub mod mpf;
 mod plan;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};

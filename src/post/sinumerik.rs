@@ -47,6 +47,9 @@ static DIALECT: Dialect = Dialect {
 /// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
 
+/// How many more the write of the frame needs.
+const FRAME_REGISTERS: usize = 6;
+
 /// Circular moves are made as straight protected ones that leave the circle by no more than this, mm.
 const CHORD_SAG: f64 = 0.02;
 
@@ -84,11 +87,11 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
     let registers = Registers::allocate(&request.path.formula.plain());
-    if registers.last > LAST_REGISTER {
+    let last = registers.last + if request.work_offset.is_some() { FRAME_REGISTERS } else { 0 };
+    if last > LAST_REGISTER {
         let message = format!(
-            "The program would need R1 to R{}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
-             fewer touches",
-            registers.last
+            "The program would need R1 to R{last}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
+             fewer touches"
         );
         checker.error("too-many-registers", "control.post", message);
     }
@@ -392,7 +395,7 @@ impl Registers {
         let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code).enumerate();
         let results: Vec<String> = codes.map(|(i, code)| format!("R{} = {code}", i + 1)).collect();
         let others = if self.last > self.results {
-            format!("; R{} to R{} are used", self.results + 1, self.last + 6)
+            format!("; R{} to R{} are used", self.results + 1, self.last + FRAME_REGISTERS)
         } else {
             String::new()
         };

@@ -244,3 +244,45 @@ pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpret
     }
     Ok(())
 }
+
+/// Compares a SINUMERIK program's path with the plan's: purposes, places within the last digit it writes, numbers, and lines. An
+/// arc may be made of straight pieces that end on it.
+pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &touchpath::job::mpf::Program) -> Result<(), String> {
+    use touchpath::job::mpf::Purpose;
+    let steps = program.moves().map_err(|t| format!("{t:?}"))?;
+    let mut read = steps.iter().peekable();
+    for (i, planned) in plan.moves.iter().enumerate() {
+        let wanted = match planned.kind {
+            "touch" => Purpose::Touch,
+            "back" => Purpose::Back,
+            _ => Purpose::Position,
+        };
+        let mut to = planned.to;
+        if let (Some(k), Purpose::Touch) = (planned.touch, wanted) {
+            to = [0, 1, 2].map(|axis| to[axis] - search(k) * plan.touches[k].vector[axis]);
+        }
+        let near = |a: &[f64; 3], b: [f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1.01e-4);
+        let first = *read.peek().ok_or(format!("move {i} is missing"))?;
+        if plan.program.move_lines[i] + 1 != first.line as i32 {
+            return Err(format!("move {i} is in line {}, not {}", first.line, plan.program.move_lines[i] + 1));
+        }
+        loop {
+            let step = read.next().ok_or(format!("move {i} is missing"))?;
+            if step.purpose != wanted || (wanted != Purpose::Back && step.number != Some(i + 1)) {
+                return Err(format!("move {i} is read as {step:?}, planned as {planned:?}"));
+            }
+            if near(&step.to, to) {
+                break;
+            }
+            let Some(arc) = &planned.arc else { return Err(format!("move {i} runs to {:?}, planned to {to:?}", step.to)) };
+            let from = |p: [f64; 3]| (0..3).map(|axis| (p[axis] - arc.center[axis]).powi(2)).sum::<f64>().sqrt();
+            if (from(step.to) - from(planned.to)).abs() > 2e-4 {
+                return Err(format!("move {i} leaves its arc at {:?}", step.to));
+            }
+        }
+    }
+    match read.next() {
+        Some(step) => Err(format!("{step:?} is not planned")),
+        None => Ok(()),
+    }
+}

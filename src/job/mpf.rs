@@ -1,0 +1,491 @@
+//! Reads SINUMERIK programs back: the subset of the language that the post writes, and its structure.
+//!
+//! [`read`] gives blocks, or every line that is not of the subset. [`Program::troubles`] looks at what a control does not: that
+//! every protected move is checked, every jump has its label, and nothing moves unwatched. [`Program::moves`] gives the path.
+
+use crate::geom::AXIS_NAMES;
+
+/// Deepest nesting of brackets.
+const DEEPEST: usize = 40;
+
+/// A line that is not understood, or not safe.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trouble {
+    /// 1-based.
+    pub line: usize,
+    /// What is wrong with it.
+    pub message: String,
+}
+
+/// A program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    /// Its blocks, in order.
+    pub blocks: Vec<Block>,
+    /// Its comments, without the semicolon.
+    pub comments: Vec<String>,
+}
+
+/// One block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// 1-based line.
+    pub line: usize,
+    /// What it says.
+    pub statement: Statement,
+}
+
+/// What a block says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// `DEF INT NAME`.
+    Declare(String),
+    /// `NAME:`.
+    Label(String),
+    /// `GOTOF NAME`.
+    Jump(String),
+    /// `IF … GOTOF NAME`.
+    If(Term, String),
+    /// `R1=…`, `TP_MOVE=…`, `$P_UIFR[…]=…`.
+    Assign(Term, Term),
+    /// A block with axis words.
+    Motion(Motion),
+    /// Words without a motion: `G17 G90`, `M30`, `STOPRE`.
+    Words(Vec<String>),
+    /// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)`; an argument may be left out.
+    Call(String, Vec<Option<Term>>),
+}
+
+/// A block with axis words.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// `MEAS=1`.
+    pub measuring: bool,
+    /// X, Y, Z.
+    pub axes: [Option<f64>; 3],
+    /// F.
+    pub feed: Option<f64>,
+}
+
+/// A value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Term {
+    /// A number.
+    Number(f64),
+    /// `"text"`.
+    Text(String),
+    /// `R12`.
+    Register(usize),
+    /// A name: a variable, an axis.
+    Name(String),
+    /// `$P_UIFR[1,X,TR]`.
+    System(String, Vec<Term>),
+    /// `SIN(…)`.
+    Call(String, Vec<Term>),
+    /// `−…`.
+    Minus(Box<Term>),
+    /// Two operands and what stands between them.
+    Binary(&'static str, Box<Term>, Box<Term>),
+}
+
+/// What a move is for, by how it is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Must not touch anything.
+    Position,
+    /// Must touch; goes on to the end of its search.
+    Touch,
+    /// Back from a touch.
+    Back,
+}
+
+/// A move of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// 1-based line.
+    pub line: usize,
+    /// Its number as the program counts, where it says so.
+    pub number: Option<usize>,
+    /// What it is for.
+    pub purpose: Purpose,
+    /// Where it ends; a touch at the end of its search.
+    pub to: [f64; 3],
+    /// Feed.
+    pub feed: f64,
+}
+
+/// Reads a program; where a line is not of the subset, every such line.
+pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
+    let mut program = Program::default();
+    let mut troubles = Vec::new();
+    for (index, full) in text.lines().enumerate() {
+        let (code, comment) = split_comment(full);
+        if let Some(comment) = comment {
+            program.comments.push(comment.trim().to_owned());
+        }
+        let code = without_number(code.trim());
+        if code.is_empty() {
+            continue;
+        }
+        match statement(code) {
+            Ok(statement) => program.blocks.push(Block { line: index + 1, statement }),
+            Err(message) => troubles.push(Trouble { line: index + 1, message }),
+        }
+    }
+    if troubles.is_empty() { Ok(program) } else { Err(troubles) }
+}
+
+/// The code of a line and its comment. A semicolon inside a text begins none.
+fn split_comment(line: &str) -> (&str, Option<&str>) {
+    let mut quoted = false;
+    for (at, c) in line.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            ';' if !quoted => return (&line[..at], Some(&line[at + 1..])),
+            _ => {}
+        }
+    }
+    (line, None)
+}
+
+fn without_number(code: &str) -> &str {
+    let Some(rest) = code.strip_prefix(['N', 'n']) else { return code };
+    let text = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+    if text.len() < rest.len() && (text.is_empty() || text.starts_with(char::is_whitespace)) { text.trim_start() } else { code }
+}
+
+fn statement(code: &str) -> Result<Statement, String> {
+    let (first, rest) = code.split_once(char::is_whitespace).unwrap_or((code, ""));
+    let rest = rest.trim();
+    match first.to_ascii_uppercase().as_str() {
+        "DEF" => {
+            let name = rest.strip_prefix("INT ").or_else(|| rest.strip_prefix("REAL ")).map(str::trim);
+            return name
+                .filter(|n| is_name(n))
+                .map(|n| Statement::Declare(n.to_owned()))
+                .ok_or("a DEF without type and name".into());
+        }
+        "GOTOF" => return is_name(rest).then(|| Statement::Jump(rest.to_owned())).ok_or("a jump without a label".into()),
+        "IF" => {
+            let (condition, label) = rest.rsplit_once(" GOTOF ").ok_or("an IF without its jump")?;
+            let label = label.trim();
+            if !is_name(label) {
+                return Err("a jump without a label".into());
+            }
+            return Ok(Statement::If(term(condition)?, label.to_owned()));
+        }
+        _ => {}
+    }
+    if let Some(label) = code.strip_suffix(':').filter(|l| is_name(l)) {
+        return Ok(Statement::Label(label.to_owned()));
+    }
+    if let Some((name, arguments)) = code.split_once('(')
+        && is_name(name)
+    {
+        let arguments = arguments.strip_suffix(')').ok_or("a bracket is not closed")?;
+        return call(name, arguments);
+    }
+    let measuring = first.eq_ignore_ascii_case("MEAS=1");
+    if !measuring && let Some(at) = assignment(code) {
+        let place = term(&code[..at])?;
+        if !matches!(place, Term::Register(_) | Term::Name(_) | Term::System(..)) {
+            return Err("nothing can be assigned to this".into());
+        }
+        return Ok(Statement::Assign(place, term(&code[at + 1..])?));
+    }
+    words(code)
+}
+
+/// Where the `=` of an assignment stands.
+fn assignment(code: &str) -> Option<usize> {
+    let at = code.find('=')?;
+    let place = code[..at].trim();
+    let register = place.strip_prefix('R').is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+    (register || place.starts_with('$') || (is_name(place) && place.len() > 1)).then_some(at)
+}
+
+fn call(name: &str, arguments: &str) -> Result<Statement, String> {
+    let mut parts = Vec::new();
+    let (mut depth, mut quoted, mut start) = (0usize, false, 0);
+    for (at, c) in arguments.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '(' | '[' if !quoted => depth += 1,
+            ')' | ']' if !quoted => depth = depth.saturating_sub(1),
+            ',' if !quoted && depth == 0 => {
+                parts.push(&arguments[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&arguments[start..]);
+    let arguments: Result<Vec<Option<Term>>, String> =
+        parts.into_iter().map(|p| if p.trim().is_empty() { Ok(None) } else { term(p).map(Some) }).collect();
+    Ok(Statement::Call(name.to_owned(), arguments?))
+}
+
+fn words(code: &str) -> Result<Statement, String> {
+    let mut motion = Motion::default();
+    let mut others = Vec::new();
+    let mut moves = false;
+    for word in code.split_whitespace() {
+        if word.eq_ignore_ascii_case("MEAS=1") {
+            motion.measuring = true;
+            continue;
+        }
+        let letter = &word[..word.chars().next().map_or(0, char::len_utf8)];
+        let number = || word[letter.len()..].trim_start_matches('=').parse::<f64>().ok().filter(|x| x.is_finite());
+        match letter {
+            "X" | "Y" | "Z" => {
+                let axis = AXIS_NAMES.iter().position(|name| *name == letter).unwrap_or(0);
+                motion.axes[axis] = Some(number().ok_or_else(|| format!("{word} is no axis word"))?);
+                moves = true;
+            }
+            "F" => motion.feed = Some(number().ok_or_else(|| format!("{word} is no feed"))?),
+            "G" | "M" if number().is_some() => others.push(word.to_owned()),
+            _ if matches!(word, "STOPRE" | "TRANS") => others.push(word.to_owned()),
+            _ => return Err(format!("{} is not understood", word.chars().take(40).collect::<String>())),
+        }
+    }
+    match (moves, others.as_slice()) {
+        (true, [one]) if one == "G1" => Ok(Statement::Motion(motion)),
+        (true, _) => Err("a block with axis words must be a G1 and nothing else".into()),
+        (false, []) => Err("nothing is in this block".into()),
+        (false, _) if motion.measuring || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
+        (false, _) => Ok(Statement::Words(others)),
+    }
+}
+
+fn is_name(text: &str) -> bool {
+    let mut letters = text.chars();
+    letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
+        && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// Reads an expression.
+pub fn term(text: &str) -> Result<Term, String> {
+    let mut parser = Parser { rest: text.trim(), depth: 0 };
+    let term = parser.level(0)?;
+    if parser.rest.is_empty() {
+        Ok(term)
+    } else {
+        Err(format!("{} is left over", parser.rest.chars().take(40).collect::<String>()))
+    }
+}
+
+/// Operators by how loosely they bind.
+const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>"], &["+", "-"], &["*", "/"]];
+
+struct Parser<'a> {
+    rest: &'a str,
+    depth: usize,
+}
+
+impl Parser<'_> {
+    fn level(&mut self, level: usize) -> Result<Term, String> {
+        let Some(operators) = LEVELS.get(level) else { return self.operand() };
+        let mut left = self.level(level + 1)?;
+        while let Some(operator) = operators.iter().find(|op| self.rest.starts_with(**op)) {
+            self.take(operator.len());
+            let right = self.level(level + 1)?;
+            left = Term::Binary(operator, Box::new(left), Box::new(right));
+        }
+        Ok(left)
+    }
+
+    fn operand(&mut self) -> Result<Term, String> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err("brackets are nested too deeply".into());
+        }
+        let term = self.inner();
+        self.depth -= 1;
+        term
+    }
+
+    fn inner(&mut self) -> Result<Term, String> {
+        let first = self.rest.chars().next().ok_or("an operand is missing")?;
+        match first {
+            '-' => {
+                self.take(1);
+                Ok(Term::Minus(Box::new(self.operand()?)))
+            }
+            '(' => {
+                self.take(1);
+                let inner = self.level(0)?;
+                self.expect(')')?;
+                Ok(inner)
+            }
+            '"' => {
+                let end = self.rest[1..].find('"').ok_or("a text is not closed")? + 1;
+                let text = self.rest[1..end].to_owned();
+                self.take(end + 1);
+                Ok(Term::Text(text))
+            }
+            '0'..='9' | '.' => {
+                let end = self.rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(self.rest.len());
+                let number = self.rest[..end].parse::<f64>().ok().filter(|x| x.is_finite()).ok_or("not a number")?;
+                self.take(end);
+                Ok(Term::Number(number))
+            }
+            '$' => {
+                let name = self.name(1)?;
+                if !self.rest.starts_with('[') {
+                    return Ok(Term::System(name, Vec::new()));
+                }
+                self.take(1);
+                Ok(Term::System(name, self.list(']')?))
+            }
+            _ => {
+                let name = self.name(0)?;
+                if self.rest.starts_with('(') {
+                    self.take(1);
+                    return Ok(Term::Call(name, self.list(')')?));
+                }
+                match name.strip_prefix('R').map(str::parse::<usize>) {
+                    Some(Ok(number)) => Ok(Term::Register(number)),
+                    _ => Ok(Term::Name(name)),
+                }
+            }
+        }
+    }
+
+    /// A name after `sign` characters that belong to it. `$MN_…` stands without brackets.
+    fn name(&mut self, sign: usize) -> Result<String, String> {
+        let body = &self.rest[sign..];
+        let end = body.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(body.len());
+        if !is_name(&body[..end]) {
+            return Err(format!("{} is not understood", self.rest.chars().take(40).collect::<String>()));
+        }
+        let name = self.rest[..sign + end].to_owned();
+        self.take(sign + end);
+        Ok(name)
+    }
+
+    fn list(&mut self, close: char) -> Result<Vec<Term>, String> {
+        let mut items = vec![self.level(0)?];
+        while self.rest.starts_with(',') {
+            self.take(1);
+            items.push(self.level(0)?);
+        }
+        self.expect(close)?;
+        Ok(items)
+    }
+
+    fn expect(&mut self, c: char) -> Result<(), String> {
+        if !self.rest.starts_with(c) {
+            return Err(format!("{c} is missing"));
+        }
+        self.take(1);
+        Ok(())
+    }
+
+    fn take(&mut self, bytes: usize) {
+        self.rest = self.rest[bytes..].trim_start();
+    }
+}
+
+impl Program {
+    /// What a control would not find, or only with the probe on the way: jumps without labels, protected moves without their
+    /// check, moves that nobody watches, units and absolute mode that are not stated.
+    pub fn troubles(&self) -> Vec<Trouble> {
+        let mut troubles = Vec::new();
+        let mut say = |line: usize, message: &str| troubles.push(Trouble { line, message: message.to_owned() });
+        let mut at = [None; 3];
+        let mut before_touch: Option<[Option<f64>; 3]> = None;
+        let (mut units, mut absolute, mut exits) = (false, false, false);
+        for (i, block) in self.blocks.iter().enumerate() {
+            let line = block.line;
+            match &block.statement {
+                Statement::Jump(label) | Statement::If(_, label) => {
+                    let targets =
+                        self.blocks.iter().enumerate().filter(|(_, b)| b.statement == Statement::Label(label.clone()));
+                    match targets.map(|(at, _)| at).collect::<Vec<_>>().as_slice() {
+                        [one] if *one > i => {}
+                        [_] => say(line, "GOTOF looks for its label below"),
+                        [] => say(line, "the label of this jump is nowhere"),
+                        _ => say(line, "the label of this jump is there more than once"),
+                    }
+                }
+                Statement::Words(words) => {
+                    units |= words.iter().any(|w| w == "G70" || w == "G71");
+                    absolute |= words.iter().any(|w| w == "G90");
+                    exits |= words.iter().any(|w| w == "M30");
+                }
+                Statement::Motion(motion) => {
+                    if !units || !absolute {
+                        say(line, "this moves before units and G90 are stated");
+                    }
+                    if !exits && motion.feed.is_none_or(|f| f <= 0.0) {
+                        say(line, "this moves without a feed of its own");
+                    }
+                    let mut to = at;
+                    for axis in 0..3 {
+                        to[axis] = motion.axes[axis].or(to[axis]);
+                    }
+                    if motion.measuring {
+                        match self.check_after(i) {
+                            Some(touches) => before_touch = touches.then_some(at),
+                            None => say(line, "nobody looks whether this MEAS move touched something"),
+                        }
+                    } else if before_touch.take().is_none_or(|start| start != to) && !exits {
+                        say(line, "a move without MEAS is none back from a touch");
+                    }
+                    at = to;
+                }
+                Statement::Call(name, arguments) => match (name.as_str(), arguments.len()) {
+                    ("CYCLE977", 27) | ("MSG" | "SETAL", 1) => {}
+                    _ => say(line, "this call is not known, or not with so many arguments"),
+                },
+                Statement::Declare(_) | Statement::Label(_) | Statement::Assign(..) => {}
+            }
+        }
+        troubles
+    }
+
+    /// Whether the MEAS move of this block must touch, by the check that follows it; none where there is no check.
+    fn check_after(&self, block: usize) -> Option<bool> {
+        let stop = Statement::Words(vec!["STOPRE".to_owned()]);
+        let [stopped, check] = self.blocks.get(block + 1..block + 3)? else { return None };
+        let Statement::If(Term::Binary(operator, left, right), _) = &check.statement else { return None };
+        let state = Term::System("$AC_MEA".to_owned(), vec![Term::Number(1.0)]);
+        (stopped.statement == stop && **left == state && **right == Term::Number(0.0)).then_some(*operator == "==")
+    }
+
+    /// The path, up to the end of the program. A first move must name all axes.
+    pub fn moves(&self) -> Result<Vec<Step>, Trouble> {
+        let mut at: [Option<f64>; 3] = [None; 3];
+        let (mut number, mut feed, mut steps) = (None, 0.0, Vec::new());
+        for (i, block) in self.blocks.iter().enumerate() {
+            match &block.statement {
+                Statement::Words(words) if words.iter().any(|w| w == "M30") => break,
+                Statement::Assign(Term::Name(name), Term::Number(n)) if name == "TP_MOVE" => number = Some(*n as usize),
+                Statement::Motion(motion) => {
+                    for axis in 0..3 {
+                        at[axis] = motion.axes[axis].or(at[axis]);
+                    }
+                    feed = motion.feed.unwrap_or(feed);
+                    let [Some(x), Some(y), Some(z)] = at else {
+                        let message = "the first move must name X, Y and Z".to_owned();
+                        return Err(Trouble { line: block.line, message });
+                    };
+                    let purpose = match (motion.measuring, self.check_after(i)) {
+                        (true, Some(true)) => Purpose::Touch,
+                        (true, _) => Purpose::Position,
+                        (false, _) => Purpose::Back,
+                    };
+                    let number = number.filter(|_| purpose != Purpose::Back);
+                    steps.push(Step { line: block.line, number, purpose, to: [x, y, z], feed });
+                }
+                _ => {}
+            }
+        }
+        Ok(steps)
+    }
+
+    /// Whether a word such as `G70` stands in the program.
+    pub fn says(&self, word: &str) -> bool {
+        self.blocks.iter().any(|b| matches!(&b.statement, Statement::Words(words) if words.iter().any(|w| w == word)))
+    }
+}

@@ -1,0 +1,195 @@
+//! A SINUMERIK of our own, just large enough to run the programs of the post: its own arithmetic, its own jumps, a probe that
+//! triggers where a test says so. It shares nothing with the post but the reader's syntax tree.
+
+use std::collections::HashMap;
+
+use touchpath::job::mpf::{Program, Statement, Term};
+
+/// A control with a part in it.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    pub r: HashMap<usize, f64>,
+    pub names: HashMap<String, f64>,
+    /// Shift, turn, mirror and scale of the one work offset, by axis.
+    pub frame: [[f64; 3]; 4],
+    /// Where the ball is at the trigger of each touch; none goes on to the end.
+    pub triggers: Vec<Option<[f64; 3]>>,
+    /// The number of a positioning move in which something is touched.
+    pub contact_in: Option<f64>,
+    pub metric: bool,
+    pub deflected: bool,
+    pub message: String,
+    pub alarm: Option<f64>,
+    /// Ends of all moves.
+    pub path: Vec<[f64; 3]>,
+    pub writes: usize,
+    touched: usize,
+    state: f64,
+}
+
+impl Machine {
+    pub fn new(triggers: Vec<Option<[f64; 3]>>) -> Self {
+        Machine {
+            r: HashMap::new(),
+            names: HashMap::new(),
+            frame: [[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3]],
+            triggers,
+            contact_in: None,
+            metric: true,
+            deflected: false,
+            message: String::new(),
+            alarm: None,
+            path: Vec::new(),
+            writes: 0,
+            touched: 0,
+            state: 0.0,
+        }
+    }
+
+    pub fn run(&mut self, program: &Program) -> Result<(), String> {
+        let mut at = [f64::NAN; 3];
+        let mut next = 0;
+        for _ in 0..20_000 {
+            let block = program.blocks.get(next).ok_or("ran off the end: M30 is missing")?;
+            let line = block.line;
+            let jump = |label: &str| {
+                let found = program.blocks[next..].iter().position(|b| b.statement == Statement::Label(label.to_owned()));
+                found.map(|i| next + i).ok_or(format!("line {line}: no label {label}"))
+            };
+            let mut then = next + 1;
+            match &block.statement {
+                Statement::Declare(name) => {
+                    self.names.insert(name.clone(), 0.0);
+                }
+                Statement::Label(_) => {}
+                Statement::Jump(label) => then = jump(label)?,
+                Statement::If(condition, label) => {
+                    if self.value(condition, at)? != 0.0 {
+                        then = jump(label)?;
+                    }
+                }
+                Statement::Assign(place, value) => {
+                    let value = self.value(value, at)?;
+                    match place {
+                        Term::Register(n) => drop(self.r.insert(*n, value)),
+                        Term::Name(name) if self.names.contains_key(name) => drop(self.names.insert(name.clone(), value)),
+                        Term::System(name, parts) if name == "$P_UIFR" => {
+                            let (part, axis) = component(parts)?;
+                            self.frame[part][axis] = value;
+                            self.writes += 1;
+                        }
+                        other => return Err(format!("line {line}: {other:?} cannot be written")),
+                    }
+                }
+                Statement::Motion(motion) => {
+                    let mut to = at;
+                    for axis in 0..3 {
+                        to[axis] = motion.axes[axis].unwrap_or(to[axis]);
+                    }
+                    if motion.measuring {
+                        self.state = 0.0;
+                        // The check two blocks on says whether this is meant to touch.
+                        let touch = matches!(&program.blocks[next + 2].statement, Statement::If(Term::Binary("==", ..), _));
+                        if touch {
+                            if motion.axes.contains(&None) {
+                                return Err(format!("line {line}: MEAS latches the axes that its block names"));
+                            }
+                            if let Some(Some(trigger)) = self.triggers.get(self.touched) {
+                                (to, self.state) = (*trigger, 1.0);
+                            }
+                            self.touched += 1;
+                        } else if self.contact_in == self.names.get("TP_MOVE").copied() {
+                            self.state = 1.0;
+                            to = [0, 1, 2].map(|i| if at[i].is_nan() { to[i] } else { (at[i] + to[i]) / 2.0 });
+                        }
+                    }
+                    at = to;
+                    self.path.push(at);
+                }
+                Statement::Words(words) => {
+                    if words.iter().any(|w| w == "M30" || w == "M0") {
+                        return Ok(());
+                    }
+                }
+                Statement::Call(name, arguments) => match (name.as_str(), arguments.as_slice()) {
+                    ("MSG", [Some(text)]) => self.message = self.text(text, at)?,
+                    ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
+                    ("CYCLE977", _) => {}
+                    _ => return Err(format!("line {line}: {name} is not known")),
+                },
+            }
+            next = then;
+        }
+        Err("it never ends".to_owned())
+    }
+
+    fn text(&self, term: &Term, at: [f64; 3]) -> Result<String, String> {
+        match term {
+            Term::Text(text) => Ok(text.clone()),
+            Term::Binary("<<", a, b) => Ok(self.text(a, at)? + &self.text(b, at)?),
+            other => Ok(self.value(other, at)?.to_string()),
+        }
+    }
+
+    fn value(&self, term: &Term, at: [f64; 3]) -> Result<f64, String> {
+        let truth = |b: bool| f64::from(u8::from(b));
+        Ok(match term {
+            Term::Number(x) => *x,
+            Term::Register(n) => *self.r.get(n).ok_or(format!("R{n} is read before it is set"))?,
+            Term::Name(name) => *self.names.get(name).ok_or(format!("{name} is not declared"))?,
+            Term::Minus(a) => -self.value(a, at)?,
+            Term::Binary(op, a, b) => {
+                let (a, b) = (self.value(a, at)?, self.value(b, at)?);
+                match *op {
+                    "+" => a + b,
+                    "-" => a - b,
+                    "*" => a * b,
+                    "/" => a / b,
+                    "==" => truth(a == b),
+                    "<>" => truth(a != b),
+                    "OR" => truth(a != 0.0 || b != 0.0),
+                    op => return Err(format!("{op}?")),
+                }
+            }
+            Term::Call(name, a) => {
+                let values: Result<Vec<f64>, String> = a.iter().map(|a| self.value(a, at)).collect();
+                match (name.as_str(), values?.as_slice()) {
+                    ("SIN", [x]) => x.to_radians().sin(),
+                    ("COS", [x]) => x.to_radians().cos(),
+                    ("SQRT", [x]) => x.sqrt(),
+                    ("ATAN2", [y, x]) => y.atan2(*x).to_degrees(),
+                    (name, _) => return Err(format!("{name}?")),
+                }
+            }
+            Term::System(name, parts) => match (name.as_str(), parts.as_slice()) {
+                ("$AC_MEA", _) => self.state,
+                ("$A_PROBE", _) => truth(self.deflected),
+                ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),
+                ("$AA_MW", [axis]) => at[axis_of(axis)?],
+                ("$P_UIFR", parts) => {
+                    let (part, axis) = component(parts)?;
+                    self.frame[part][axis]
+                }
+                (name, _) => return Err(format!("{name}?")),
+            },
+            Term::Text(_) => return Err("a text is no number".to_owned()),
+        })
+    }
+}
+
+fn axis_of(term: &Term) -> Result<usize, String> {
+    match term {
+        Term::Name(name) => ["X", "Y", "Z"].iter().position(|n| n == name).ok_or(format!("axis {name}?")),
+        other => Err(format!("{other:?} is no axis")),
+    }
+}
+
+fn component(parts: &[Term]) -> Result<(usize, usize), String> {
+    match parts {
+        [Term::Number(_), axis, Term::Name(part)] => {
+            let part = ["TR", "RT", "MI", "SC"].iter().position(|p| p == part).ok_or(format!("{part}?"))?;
+            Ok((part, axis_of(axis)?))
+        }
+        other => Err(format!("{other:?} is no part of a frame")),
+    }
+}

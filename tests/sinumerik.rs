@@ -1,0 +1,342 @@
+//! SINUMERIK: the programs are read back, run on a control of our own, and broken on purpose.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+#[path = "common/sinumerik.rs"]
+mod machine;
+
+use common::{job, number, planned, point, with};
+use machine::Machine;
+use touchpath::job::mpf::{Program, Statement, read};
+use touchpath::job::{Plan, check, default_job};
+use touchpath::spec::{Level, Value};
+
+/// Every job of the repository that a SINUMERIK takes, put out for it; and its own ones.
+fn plans() -> Vec<(String, Value, Plan)> {
+    common::jobs()
+        .into_iter()
+        .filter_map(|(name, job)| {
+            let own = common::planned(&job).program.post == "sinumerik";
+            let job = if own {
+                job
+            } else {
+                let job = with(&job, "control.post", Value::Text("sinumerik".to_owned()));
+                with(&with(&job, "control.form", Value::Text("moves".to_owned())), "control.workOffset", number(7.0))
+            };
+            let plan = touchpath::job::plan(&job).ok()?;
+            Some((name, job, plan))
+        })
+        .collect()
+}
+
+fn parsed(plan: &Plan) -> Program {
+    let program = read(&plan.program.text).unwrap_or_else(|t| panic!("{t:?}\n{}", plan.program.text));
+    assert_eq!(program.troubles(), [], "{}", plan.program.text);
+    program
+}
+
+fn machine(job: &Value, plan: &Plan) -> Machine {
+    let mut machine = Machine::new(plan.triggers.clone());
+    machine.metric = job.get("units") != Some(&Value::Text("inch".to_owned()));
+    machine
+}
+
+fn axes(job: &Value) -> [usize; 3] {
+    match job.get("plane") {
+        Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
+        Some(Value::Text(p)) if p == "G19" => [1, 2, 0],
+        _ => [0, 1, 2],
+    }
+}
+
+fn moves_form(plan: &Plan) -> bool {
+    !plan.program.text.contains("CYCLE977")
+}
+
+#[test]
+fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
+    let (mut compared, mut deviating) = (0, 0);
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| moves_form(plan)) {
+        let program = parsed(&plan);
+        let mut machine = machine(&job, &plan);
+        machine.run(&program).unwrap_or_else(|e| panic!("{name}: {e}"));
+        if plan.triggers.contains(&None) {
+            assert!(machine.message.starts_with("No contact"), "{name}");
+            assert_eq!(machine.writes, 0, "{name}");
+            continue;
+        }
+        assert_eq!(machine.alarm, None, "{name}: {}", machine.message);
+        let stored = plan.results.iter().filter(|r| r.value.is_some() && !r.code.starts_with("offset.") && r.code != "Q183");
+        for (i, row) in stored.enumerate() {
+            let held = machine.r[&(i + 1)];
+            // Angles in millionths of a degree: constants of the program have 12 decimals.
+            assert!((held - row.value.unwrap()).abs() < 2e-6, "{name}: R{} = {held}, {} is {:?}", i + 1, row.code, row.value);
+            assert!(plan.program.text.contains(&format!("R{} = {}", i + 1, row.code)), "{name}: {}", row.code);
+            compared += 1;
+            deviating += usize::from(row.deviation.is_some_and(|d| d.abs() > 0.01));
+        }
+    }
+    assert!(compared > 150 && deviating > 20, "{compared} {deviating}");
+}
+
+/// With a shift and a turn in the frame already, what was measured must come to its nominal place: the machine position of the
+/// measured point in the old frame is that of the nominal point in the new one.
+#[test]
+fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {
+    let mut seen = 0;
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| moves_form(plan)) {
+        let program = parsed(&plan);
+        let mut machine = machine(&job, &plan);
+        let [a, o, w] = axes(&job);
+        machine.frame[0] = [7.0, -3.0, 2.0];
+        machine.frame[1][w] = 25.0;
+        let before = machine.frame;
+        machine.run(&program).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let places: Vec<_> = ["center", "corner"]
+            .iter()
+            .filter_map(|base| {
+                let row = |axis: &str| plan.results.iter().find(|r| r.code == format!("{base}.{axis}"));
+                Some((row("x")?, row("y")?))
+            })
+            .collect();
+        let [(x, y)] = places.as_slice() else { continue };
+        let (Some(mx), Some(my)) = (x.value, y.value) else { continue };
+        let place = |frame: &[[f64; 3]; 4], x: f64, y: f64| {
+            let (sin, cos) = frame[1][w].to_radians().sin_cos();
+            [frame[0][a] + x * cos - y * sin, frame[0][o] + x * sin + y * cos]
+        };
+        if job.get("control").and_then(|c| c.get("workOffset")) == Some(&Value::Null) || machine.writes == 0 {
+            assert_eq!(machine.frame, before, "{name}");
+            continue;
+        }
+        let (old, new) = (place(&before, mx, my), place(&machine.frame, x.nominal.unwrap(), y.nominal.unwrap()));
+        assert!((old[0] - new[0]).abs() < 1e-6 && (old[1] - new[1]).abs() < 1e-6, "{name}: {old:?} {new:?}");
+        assert_eq!(machine.frame[0][w], before[0][w], "{name}: the tool axis is not touched");
+        assert_eq!(machine.writes, 2, "{name}: one write an axis");
+        seen += 1;
+    }
+    assert!(seen >= 10, "{seen}");
+}
+
+/// A rotation too: two circles, both centres and the line between them come to their nominal places.
+#[test]
+fn the_turn_of_two_circles_is_written_with_the_shift() {
+    let job = job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "point1": [-40, 10, -5], "point2": [60, 30, -5],
+        "confirmRotation": 1, "transferPosition": 3 }, "control": { "post": "sinumerik", "form": "moves", "workOffset": 1 },
+        "part": { "offset": [0.6, -0.4, 0], "rotation": 0.7 } }"#);
+    let plan = planned(&job);
+    let mut machine = machine(&job, &plan);
+    (machine.frame[0], machine.frame[1][2]) = ([100.0, 50.0, 0.0], 12.0);
+    let before = machine.frame;
+    machine.run(&parsed(&plan)).unwrap();
+    let value = |code: &str| plan.results.iter().find(|r| r.code == code).unwrap().value.unwrap();
+    assert!((machine.frame[1][2] - 12.7).abs() < 1e-3, "{:?}", machine.frame);
+    let place = |frame: &[[f64; 3]; 4], p: [f64; 2]| {
+        let (sin, cos) = frame[1][2].to_radians().sin_cos();
+        [frame[0][0] + p[0] * cos - p[1] * sin, frame[0][1] + p[0] * sin + p[1] * cos]
+    };
+    // The middle of both circles is what is transferred.
+    let middle = [(value("Q950") + value("Q953")) / 2.0, (value("Q951") + value("Q954")) / 2.0];
+    let (old, new) = (place(&before, middle), place(&machine.frame, [10.0, 20.0]));
+    assert!((old[0] - new[0]).abs() < 1e-6 && (old[1] - new[1]).abs() < 1e-6, "{old:?} {new:?}");
+}
+
+/// Whatever move is stopped by a contact: the message names it, the ball is lifted along the tool axis, nothing is written.
+#[test]
+fn a_contact_ends_the_program_and_names_the_move() {
+    for (name, job, plan) in plans().into_iter().filter(|(name, ..)| name.contains("sinumerik") || name == "corner") {
+        let program = parsed(&plan);
+        let w = axes(&job)[2];
+        for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "position") {
+            if !moves_form(&plan) && plan.program.move_lines[index] < 0 {
+                continue;
+            }
+            let mut machine = machine(&job, &plan);
+            machine.contact_in = Some((index + 1) as f64);
+            machine.run(&program).unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert!(machine.message.starts_with(&format!("Contact in move {},", index + 1)), "{name}: {}", machine.message);
+            assert_eq!((machine.alarm, machine.writes), (Some(65000.0), 0), "{name} {step:?}");
+            let (stopped, lifted) = (machine.path[machine.path.len() - 2], machine.path[machine.path.len() - 1]);
+            if index > 0 {
+                assert!(lifted[w] >= stopped[w] - 1e-9, "{name}: it lifts");
+                assert!((0..3).all(|i| i == w || lifted[i] == stopped[i]), "{name}: along the tool axis only");
+            }
+        }
+        for k in 0..plan.touches.len() {
+            if !moves_form(&plan) {
+                continue;
+            }
+            let mut machine = machine(&job, &plan);
+            machine.triggers[k] = None;
+            machine.run(&program).unwrap();
+            let index = plan.moves.iter().position(|m| m.kind == "touch" && m.touch == Some(k)).unwrap();
+            assert!(machine.message.starts_with(&format!("No contact in move {},", index + 1)), "{name}: {}", machine.message);
+            assert_eq!((machine.alarm, machine.writes), (Some(65000.0), 0), "{name}");
+        }
+    }
+}
+
+#[test]
+fn nothing_moves_where_the_control_is_not_as_it_must_be() {
+    let (_, job, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();
+    let program = parsed(&plan);
+    let cases: [(&str, fn(&mut Machine)); 6] = [
+        ("The basic system", |m| m.metric = !m.metric),
+        ("The probe is deflected", |m| m.deflected = true),
+        ("The work offset is turned", |m| m.frame[1][0] = 3.0),
+        ("The work offset is turned", |m| m.frame[1][1] = 3.0),
+        ("The work offset is turned", |m| m.frame[2][2] = 1.0),
+        ("The work offset is turned", |m| m.frame[3][0] = 2.0),
+    ];
+    for (message, spoil) in cases {
+        let mut machine = machine(&job, &plan);
+        spoil(&mut machine);
+        machine.run(&program).unwrap();
+        assert!(machine.message.starts_with(message), "{message}: {}", machine.message);
+        assert_eq!((machine.alarm, machine.writes, machine.path.len()), (Some(65000.0), 0, 0), "{message}");
+    }
+}
+
+/// Every broken program is seen: by the syntax, by the structure, or by the path.
+#[test]
+fn a_broken_program_is_caught() {
+    let (_, _, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();
+    let text = &plan.program.text;
+    let judge = |broken: &str| -> Result<(), String> {
+        assert_ne!(broken, text);
+        let program = read(broken).map_err(|t| format!("{t:?}"))?;
+        let troubles = program.troubles();
+        if !troubles.is_empty() {
+            return Err(format!("{troubles:?}"));
+        }
+        common::compare_mpf(&plan, |_| 5.0, &program)
+    };
+    common::compare_mpf(&plan, |_| 5.0, &parsed(&plan)).unwrap();
+    let broken = [
+        text.replacen("IF $AC_MEA[1]<>0 GOTOF TP_CONTACT\n", "", 1),
+        text.replacen("STOPRE\n", "", 1),
+        text.replacen("MEAS=1 G1 X100", "G1 X100", 1),
+        text.replacen("MEAS=1 G1 X100", "MEAS=1 G1 X-100", 1),
+        text.replacen("MEAS=1 G1 Z10 F2000", "MEAS=1 G0 Z10", 1),
+        text.replacen("TP_CONTACT:\n", "", 1),
+        text.replacen("TP_EXIT:\n", "TP_EXIT:\nTP_EXIT:\n", 1),
+        text.replacen("(R13+R5)/2", "(R13+R5/2", 1),
+        text.replacen("G90 ", "", 1),
+        text.replacen("G71\n", "", 1),
+        text.replacen("MEAS=1 G1 X139.4671 Y64.3648 Z-10 F150", "MEAS=1 G1 X139.4671 Y64.3648 Z-10.01 F150", 1),
+        text.replacen("R1=", "1=", 1),
+        text.replacen("$P_UIFR[2,X,TR]=$P", "$P_UIFR[2,X,TR]=$P_", 1).replace("TR]+R16", "TR]+*R16"),
+        text.replacen("F5000", "F0", 1),
+        text.replacen("F5000", "", 1),
+    ];
+    for (i, program) in broken.iter().enumerate() {
+        assert!(judge(program).is_err(), "{i} is not caught:\n{program}");
+    }
+}
+
+/// Real calls of CYCLE977, as they are found in the field, and ours: the same positions hold the same kind of thing.
+#[test]
+fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
+    let arguments = |line: &str| -> Vec<Option<String>> {
+        let program = read(line).unwrap();
+        let Statement::Call(name, arguments) = &program.blocks[0].statement else { panic!("{line}") };
+        assert_eq!(name, "CYCLE977");
+        arguments.iter().map(|a| a.as_ref().map(|t| format!("{t:?}"))).collect()
+    };
+    // A bore with a protection zone that corrects G54; the newer example carries two arguments more.
+    let zone = "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,-3,15)";
+    let bore = "CYCLE977(101,9000,,1,32,,,10,5,0,1,1,,,1,\"\",,0,0.2,0.1,-0.1,0.34,1,0,,1,1)";
+    let plan = planned(&job(
+        r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "width1": 80, "width2": 50, "depth": 10,
+        "topClearance": 10, "sideClearance1": 8, "sideClearance2": 8 }, "overtravel": 4,
+        "control": { "post": "sinumerik", "form": "cycle", "workOffset": 1 } }"#,
+    ));
+    let line = plan.program.text.lines().find(|l| l.starts_with("CYCLE977")).unwrap();
+    // By hand: 80 and 50 wide; path 8 - 3; safe range 4; down 10 + 10; zone 80 - 2*(8+3), 50 - 2*(8+3).
+    assert_eq!(line, "CYCLE977(1105,10001,,1,,80,50,5,4,0,20,58,28,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)");
+    let (ours, zone, bore) = (arguments(line), arguments(zone), arguments(bore));
+    assert_eq!((ours.len(), bore.len(), zone.len()), (27, 27, 29));
+    for (i, argument) in ours.iter().enumerate() {
+        // A rectangle has its two lengths where a bore has none, no diameter, and the second extent of its zone.
+        let rectangle = matches!(i, 4 | 5 | 6 | 12);
+        assert!(rectangle || argument.is_some() == bore[i].is_some(), "argument {}", i + 1);
+        assert!(rectangle || argument.is_some() == zone[i].is_some(), "argument {}", i + 1);
+    }
+    assert_eq!(ours[17..27], zone[17..26].iter().chain(&bore[26..27]).cloned().collect::<Vec<_>>()[..]);
+}
+
+fn found(job: &Value) -> Vec<String> {
+    check(job).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+}
+
+#[test]
+fn what_the_control_cannot_do_is_refused() {
+    let pocket = default_job("internal-rectangle-protected").unwrap();
+    let text = |t: &str| Value::Text(t.to_owned());
+    let pocket = with(&pocket, "control.post", text("sinumerik"));
+    let cycle = with(&pocket, "control.form", text("cycle"));
+    assert_eq!(found(&pocket), [""; 0]);
+    assert_eq!(found(&cycle), [""; 0]);
+    assert_eq!(found(&with(&cycle, "cycle.rotation", number(10.0))), ["cycle-not-parallel cycle.rotation"]);
+    assert_eq!(found(&with(&cycle, "cycle.sideClearance2", number(7.0))), ["cycle-one-path cycle.sideClearance2"]);
+    assert_eq!(found(&with(&cycle, "cycle.width2", number(20.0))), ["cycle-no-zone cycle.sideClearance2"]);
+    let corner = with(&default_job("double-wall-internal-corner").unwrap(), "control", pocket.get("control").unwrap().clone());
+    assert_eq!(found(&corner), [""; 0]);
+    let refused = with(&corner, "control.form", text("cycle"));
+    assert_eq!(found(&refused), ["form-unsupported control.form"]);
+    assert!(check(&refused)[0].message.contains("CYCLE961"), "{:?}", check(&refused));
+    assert_eq!(found(&with(&corner, "control.workOffset", number(99.0))), [""; 0]);
+    assert!(planned(&with(&corner, "control.workOffset", number(99.0))).program.text.contains("G599\n"));
+}
+
+/// The probe's first length must act along the tool axis: the answers are LENTOAX's table of values.
+#[test]
+fn the_tool_section_says_which_length_acts_on_the_tool_axis() {
+    let pocket =
+        with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
+    let frame = |text: &str| job(text);
+    let wrong = ["length-not-along-tool-axis tool"];
+    let fine: [&str; 0] = [];
+    let cases = [
+        ("tool.type", number(710.0), true),
+        ("tool.type", number(120.0), true),
+        // A turning tool in G17: L1 along Y.
+        ("tool.type", number(500.0), false),
+        // The assignment of G18 in every plane: L1 along Y.
+        ("tool.sd42940", number(18.0), false),
+        ("tool.sd42940", number(-17.0), true),
+        ("tool.sd42950", number(2.0), false),
+        ("tool.frame", frame(r#"[{ "rot": "Z", "angle": 60 }]"#), true),
+        ("tool.frame", frame(r#"[{ "rot": "X", "angle": 60 }]"#), false),
+        ("tool.frame", frame(r#"[{ "rot": "X", "angle": 180 }]"#), false),
+        ("tool.frame", frame(r#"[{ "rot": "X", "angle": 360 }]"#), true),
+        ("tool.frame", frame(r#"[{ "mirror": "X" }]"#), true),
+        ("tool.frame", frame(r#"[{ "mirror": "Z" }]"#), false),
+    ];
+    for (path, value, good) in cases {
+        let job = with(&pocket, path, value.clone());
+        assert_eq!(found(&job), if good { &fine[..] } else { &wrong[..] }, "{path} {value:?}");
+        // Other controls do not ask.
+        let other = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
+        assert_eq!(found(&other), fine, "{path} {value:?}");
+    }
+    for plane in ["G18", "G19"] {
+        assert_eq!(found(&with(&pocket, "plane", Value::Text(plane.to_owned()))), fine, "{plane}");
+    }
+    let turned = with(&pocket, "tool.type", number(500.0));
+    assert!(check(&turned)[0].message.contains("L1 acts along +Y"), "{:?}", check(&turned));
+    assert_eq!(found(&with(&pocket, "tool.frame", number(1.0))), ["wrong-type tool.frame"]);
+    assert_eq!(found(&with(&pocket, "tool.frame", frame(r#"[{ "rot": "A", "angle": 1 }]"#))), ["wrong-type tool.frame[0]"]);
+    assert_eq!(found(&with(&pocket, "tool.colour", point([0.0; 3]))), ["unknown-key tool.colour"]);
+}
+
+/// A feed may be left to the control's rapid; MEAS needs one that is stated.
+#[test]
+fn rapids_stay_protected() {
+    let job = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
+    let job = with(&job, "feeds.longLink", Value::Null);
+    let plan = planned(&job);
+    assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && f.message.contains("5000 mm/min")));
+    assert!(!plan.program.text.contains("G0 "));
+    assert_eq!(plan.program.text.matches("F5000").count(), plan.moves.iter().filter(|m| m.feed == "rapid").count());
+}
