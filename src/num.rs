@@ -33,6 +33,16 @@ pub fn wrap_degrees(angle: f64) -> f64 {
     if turned > 180.0 { turned - 360.0 } else { turned }
 }
 
+/// A label as it stands inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays.
+pub fn lowered(label: &str) -> String {
+    let mut letters = label.chars();
+    match (letters.next(), letters.next()) {
+        (Some(_), Some(second)) if second.is_uppercase() => label.to_owned(),
+        (Some(first), _) => first.to_lowercase().chain(label.chars().skip(1)).collect(),
+        (None, _) => String::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -156,9 +156,9 @@ impl Touch {
 pub struct Wall {
     /// A point on it: at the top side where it has one, else at the level of the touches.
     pub point: Vec3,
-    /// Outward normal, in the plane.
+    /// Outward normal.
     pub normal: Vec3,
-    /// Direction along it, in the plane.
+    /// Direction along it.
     pub along: Vec3,
     /// How far it is drawn along `along` from `point`: from, to. Contacts treat it as going on.
     pub extent: (f64, f64),
@@ -166,6 +166,8 @@ pub struct Wall {
     pub drawn_depth: f64,
     /// Whether it ends at `point`'s level with a flat top side behind it; else it goes on upwards.
     pub has_top: bool,
+    /// Which body it bounds. Walls of one body bound it together: the material is what lies behind all of them.
+    pub body: usize,
 }
 
 /// A round wall about the tool axis: a hole or a stud.
@@ -206,7 +208,7 @@ pub struct Parameter {
     /// What it means.
     pub meaning: String,
     /// The path of the job's field it comes from.
-    pub field: Option<&'static str>,
+    pub field: Option<String>,
     /// The touch it comes from.
     pub touch: Option<usize>,
 }
@@ -220,6 +222,8 @@ pub enum ParameterValue {
     Number(f64),
     /// A whole number.
     Whole(i32),
+    /// True or false.
+    Flag(bool),
     /// Text, as it was given.
     Text(String),
 }
@@ -319,12 +323,17 @@ impl Tracer {
         self.at
     }
 
-    /// The touch with this index from where the ball stands, and back to there.
+    /// The touch with this index from where the ball stands, and back to there, as one step.
     pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
+        self.touch_in_steps(index, touch, back, [step, step]);
+    }
+
+    /// The same where the touch and the way back are steps of their own.
+    pub fn touch_in_steps(&mut self, index: usize, touch: &Touch, back: Feed, steps: [u8; 2]) {
         let from = self.at.expect("a touch starts at a known place");
         let to = touch.contact(self.radius);
-        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step, arc: None });
-        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step, arc: None });
+        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step: steps[0], arc: None });
+        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step: steps[1], arc: None });
     }
 
     /// The moves.

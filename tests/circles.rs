@@ -398,7 +398,7 @@ fn every_enumeration_value_is_taken_and_the_next_one_is_not() {
             let found = errors(&job);
             assert!(found.iter().all(|e| e == "collision cycle"), "{key} {n}: {found:?}");
             if found.is_empty() {
-                let q = planned(&job).table.iter().find(|r| r.field == Some(&format!("cycle.{key}"))).unwrap().code.clone();
+                let q = planned(&job).table.iter().find(|r| r.field == Some(format!("cycle.{key}"))).unwrap().code.clone();
                 assert!(
                     planned(&job).program.text.contains(&format!("{q}={}{n} ;", if n < 0 { "" } else { "+" })),
                     "{key} {n}"

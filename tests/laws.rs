@@ -143,6 +143,10 @@ fn sane(plan: &Plan, tool_axis: usize) -> Result<(), TestCaseError> {
     if circles(plan) {
         return program_is_sane(plan);
     }
+    if plan.moves.is_empty() {
+        prop_assert!(plan.touches.is_empty() && plan.results.is_empty());
+        return program_is_sane(plan);
+    }
     // It ends where it began, above the touches.
     let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
     prop_assert!(distance(first.to, last.to) < 1e-9);
@@ -325,7 +329,10 @@ proptest! {
             // It has neither origin nor rotation; `circles.rs` turns its points.
             return Ok(());
         }
-        let Some(Value::List(origin)) = cycle.get("origin") else { panic!("an origin") };
+        let Some(Value::List(origin)) = cycle.get("origin") else {
+            prop_assert!(straight.moves.is_empty());
+            return Ok(());
+        };
         let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
         let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
         let rotation = touchpath::num::wrap_degrees(rotation + turn);
@@ -360,11 +367,20 @@ proptest! {
         let mut offset = [0.0; 3];
         (offset[axes[0]], offset[axes[1]]) = (dx, dy);
         let shifted = with(&with(&job, "part", Value::Map(vec![])), "part.offset", point(offset));
+        // A single pair of walls, or a surface, is read along its target vector only.
+        let read_along = nominal.results.iter().any(|r| matches!(r.code.as_str(), "width" | "deviation"));
+        let n = nominal.touches.first().map_or([0.0; 3], |t| t.vector);
+        let off: f64 = (0..3).map(|i| offset[i] * n[i]).sum();
+        let along = |axis: usize| if read_along { off * n[axis] } else { offset[axis] };
         if let Ok(shifted) = plan(&shifted) {
             for row in &shifted.results {
                 let wanted = match row.code.as_str() {
-                    "center.x" | "corner.x" | "offset.x" => dx,
-                    "center.y" | "corner.y" | "offset.y" => dy,
+                    "center.x" | "corner.x" | "offset.x" | "point.x" => along(axes[0]),
+                    "center.y" | "corner.y" | "offset.y" | "point.y" => along(axes[1]),
+                    "point.z" | "offset.z" if read_along && row.code != "height" => {
+                        if nominal.results.iter().any(|r| r.code == "height") { 0.0 } else { along(3 - axes[0] - axes[1]) }
+                    }
+                    "deviation" => off,
                     _ => 0.0,
                 };
                 if let Some(deviation) = row.deviation {

@@ -15,6 +15,7 @@ fn at(plan: &Plan, code: &str) -> f64 {
     match plan.table.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}")).value.clone() {
         ParameterValue::Number(x) => x,
         ParameterValue::Whole(n) => f64::from(n),
+        ParameterValue::Flag(on) => f64::from(u8::from(on)),
         ParameterValue::Text(text) => panic!("{text} is no number"),
     }
 }
@@ -49,8 +50,8 @@ fn type_7_has_the_rows_of_its_page() {
     assert_eq!(block(&plan, -200), block(&plan, -100));
     let last = plan.table.last().unwrap();
     assert_eq!(
-        (last.code.as_str(), last.type_name, last.field),
-        ("CmdPrm.Flt[-66]", "Integer", Some("cycle.compensateDimensions"))
+        (last.code.as_str(), last.type_name, last.field.clone()),
+        ("CmdPrm.Flt[-66]", "Integer", Some("cycle.compensateDimensions".to_owned()))
     );
     let row = plan.table.iter().find(|r| r.code == "CmdPrm.Flt[-112]").unwrap();
     assert_eq!((row.type_name, row.touch), ("Double", Some(2)));
@@ -118,7 +119,7 @@ fn the_table_as_text_csv_and_json() {
     assert_eq!(text.lines().count(), plan.table.len());
     let csv = touchpath::job::export_table(&plan, "csv").unwrap();
     assert!(csv.starts_with("code,type,value,meaning\nCmdPrm.Int[-1],Integer,7,Probing cycle type"));
-    assert!(csv.contains("\nCmdPrm.Flt[-53],Double,80,\"Width 1, from touch point 1 to touch point 2\"\n"), "{csv}");
+    assert!(csv.contains("\nCmdPrm.Flt[-53],Double,80,\"Width 1, from touch point 1 to touch point 2, along the first direction of the rectangle\"\n"), "{csv}");
     // A reader of JSON that is not ours gives the same rows.
     let json: serde_json::Value = serde_json::from_str(&touchpath::job::export_table(&plan, "json").unwrap()).unwrap();
     for (row, read) in plan.table.iter().zip(json.as_array().unwrap()) {

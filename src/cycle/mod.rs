@@ -1,19 +1,55 @@
 //! The cycles. Adding one is a file, its line in [`CYCLES`], and a job in `tests/jobs/`.
 
+mod boss;
+mod double_wall_external_corner;
 mod double_wall_internal_corner;
 mod ency;
+mod external_rectangle;
+mod groove;
+mod groove_protected;
+mod hole;
+mod hole_protected;
+mod internal_rectangle;
 mod internal_rectangle_protected;
+mod nc_action;
+mod probe_on_off;
+mod surface;
+mod triple_wall_external_corner;
+mod triple_wall_internal_corner;
 mod two_circles;
+mod web;
+mod web_three_points;
+
+pub use ency::{Pick, Placement, code_of};
 
 use std::fmt::Debug;
 
 use crate::formula::ResultRow;
-use crate::geom::Vec3;
+use crate::geom::{Plane, Vec3};
 use crate::path::{Path, Setup, Surface};
 use crate::spec::{Checker, Field, Section, SubForm};
 
 /// Every cycle, in the order of the gallery.
-pub static CYCLES: &[&CycleDef] = &[&internal_rectangle_protected::DEF, &double_wall_internal_corner::DEF, &two_circles::DEF];
+pub static CYCLES: &[&CycleDef] = &[
+    &internal_rectangle_protected::DEF,
+    &double_wall_internal_corner::DEF,
+    &two_circles::DEF,
+    &surface::DEF,
+    &hole::DEF,
+    &hole_protected::DEF,
+    &boss::DEF,
+    &internal_rectangle::DEF,
+    &external_rectangle::DEF,
+    &web::DEF,
+    &web_three_points::DEF,
+    &groove::DEF,
+    &groove_protected::DEF,
+    &double_wall_external_corner::DEF,
+    &triple_wall_internal_corner::DEF,
+    &triple_wall_external_corner::DEF,
+    &probe_on_off::DEF,
+    &nc_action::DEF,
+];
 
 /// What is known of a cycle before anybody fills in its form.
 #[derive(Debug)]
@@ -24,6 +60,8 @@ pub struct CycleDef {
     pub title: &'static str,
     /// Whose cycle it is, and its number there.
     pub source: &'static str,
+    /// Its type number in the source's parameter table (code −1), where it has one.
+    pub number: Option<i32>,
     /// Page of the manual.
     pub doc: &'static str,
     /// Its form.
@@ -36,9 +74,14 @@ pub struct CycleDef {
     pub steps: &'static [&'static str],
     /// What is our reading and not the source's word, for the manual.
     pub readings: &'static [&'static str],
+    /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
+    pub place: Option<PlaceBy>,
     /// Reads the form.
     pub read: fn(&mut Section<'_, '_>) -> Box<dyn Cycle>,
 }
+
+/// Reads a loose form and says where picked touches put the feature; none where they do not make one.
+pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<Placement>;
 
 /// A cycle with checked dimensions. All lengths in mm, angles in degrees as in the form.
 pub trait Cycle: Debug {

@@ -20,6 +20,8 @@ pub static DEF: CycleDef = CycleDef {
     key: "probing-two-circles",
     title: "Probing two circles",
     source: "HEIDENHAIN cycle 1411",
+    number: None,
+    place: None,
     doc: "docs/cycles/probing-two-circles.md",
     fields: Form::FIELDS,
     sections: &[PROBE, EXTRUSION],
@@ -321,7 +323,7 @@ impl TwoCircles {
                 type_name: "",
                 value,
                 meaning: meaning.to_owned(),
-                field: Some(field),
+                field: Some(field.to_owned()),
                 touch: None,
             });
         };

@@ -91,7 +91,7 @@ impl Formula {
         for k in samples {
             let u = self.set(format!("u{}", k + 1), Expr::trigger(k, a) - mean_a.clone());
             let v = self.set(format!("v{}", k + 1), Expr::trigger(k, o) - mean_o.clone());
-            let z = self.set(format!("z{}", k + 1), u.clone() * u.clone() + v.clone() * v.clone());
+            let z = self.set(format!("w{}", k + 1), u.clone() * u.clone() + v.clone() * v.clone());
             let terms = [u.clone() * u.clone(), v.clone() * v.clone(), u.clone() * v.clone(), u * z.clone(), v * z];
             for (i, (sum, term)) in sums.iter_mut().zip(terms).enumerate() {
                 let name = format!("c{number}_{}_{}", ["uu", "vv", "uv", "uz", "vz"][i], k - first + 1);

@@ -32,6 +32,7 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
 fn value(row: &ParameterRow) -> String {
     match &row.value {
         ParameterValue::Whole(n) => n.to_string(),
+        ParameterValue::Flag(on) => on.to_string(),
         ParameterValue::Number(x) => x.to_string(),
         ParameterValue::Text(text) => text.clone(),
     }
@@ -45,9 +46,9 @@ fn cell(text: &str) -> String {
 fn json_row(row: &ParameterRow) -> String {
     let number = match &row.value {
         ParameterValue::Text(text) => quoted(text),
-        ParameterValue::Whole(_) | ParameterValue::Number(_) => value(row),
+        ParameterValue::Whole(_) | ParameterValue::Flag(_) | ParameterValue::Number(_) => value(row),
     };
-    let field = row.field.map_or("null".to_owned(), quoted);
+    let field = row.field.as_deref().map_or("null".to_owned(), quoted);
     let touch = row.touch.map_or("null".to_owned(), |k| k.to_string());
     format!(
         "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch} }}",

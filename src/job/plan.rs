@@ -102,7 +102,7 @@ pub struct ParameterRow {
     /// What it means.
     pub meaning: String,
     /// Path of the job's field it comes from.
-    pub field: Option<&'static str>,
+    pub field: Option<String>,
     /// The touch it comes from.
     pub touch: Option<usize>,
 }
@@ -113,6 +113,8 @@ pub struct ParameterRow {
 pub enum ParameterValue {
     /// A whole number.
     Whole(i32),
+    /// True or false.
+    Flag(bool),
     /// Any other number.
     Number(f64),
     /// Text, as it was given.
@@ -361,10 +363,11 @@ fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
             path::ParameterValue::Length(mm) => ParameterValue::Number(tidy(mm / job.scale)),
             path::ParameterValue::Number(x) => ParameterValue::Number(tidy(*x)),
             path::ParameterValue::Whole(n) => ParameterValue::Whole(*n),
+            path::ParameterValue::Flag(on) => ParameterValue::Flag(*on),
             path::ParameterValue::Text(text) => ParameterValue::Text(text.clone()),
         },
         meaning: parameter.meaning.clone(),
-        field: parameter.field,
+        field: parameter.field.clone(),
         touch: parameter.touch,
     }
 }

@@ -1,7 +1,7 @@
-//! Where a ball that moves in a straight line first meets a wall. Exact for flat walls and their straight top edges.
+//! Where a ball that moves in a straight line first meets a part. Exact for flat walls, their edges and corners.
 
 use crate::geom::Vec3;
-use crate::path::{Round, Surface, Wall};
+use crate::path::{Round, Surface};
 
 /// A contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,16 +20,14 @@ const SKIN: f64 = 1e-7;
 /// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. `up` is the
 /// tool axis. A ball that moves away from a surface it touches does not meet it.
 ///
-/// A flat wall goes on along its length. A surface ends at its top where it has one, and behind the edge lies a flat top side.
+/// Flat walls bound convex bodies; a wall alone goes on along its length. A surface ends at its top where it has one, and behind
+/// the edge lies a flat top side.
 /// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
 pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
-    let meetings = surfaces.iter().enumerate().filter_map(|(i, surface)| {
-        let fraction = match surface {
-            Surface::Flat(wall) => meet(wall, up, radius, from, to),
-            Surface::Round(round) => meet_round(round, up, radius, from, to),
-            Surface::Unknown => None,
-        };
-        Some((fraction?, i))
+    let meetings = surfaces.iter().enumerate().filter_map(|(i, surface)| match surface {
+        Surface::Flat(_) => Body::beginning(surfaces, up, i)?.meet(radius, from, to),
+        Surface::Round(round) => meet_round(round, up, radius, from, to).map(|fraction| (fraction, i)),
+        Surface::Unknown => None,
     });
     let (fraction, surface) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Contact { fraction, center: from + (to - from) * fraction, surface })
@@ -81,49 +79,139 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     (b < 0.0 && root > 2.0 * limit * SKIN * a && (0.0..=1.0).contains(&t)).then_some(t)
 }
 
-/// The fraction of the way at which the ball meets one wall.
-fn meet(wall: &Wall, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
-    // Distance in front of the wall and height above its top, at the start and their change over the whole way.
-    let (d0, dd) = ((from - wall.point).dot(wall.normal), (to - from).dot(wall.normal));
-    let (h0, dh) = if wall.has_top { ((from - wall.point).dot(up), (to - from).dot(up)) } else { (f64::NEG_INFINITY, 0.0) };
-    let height = |t: f64| if wall.has_top { h0 + dh * t } else { h0 };
-    // Gap between ball and material at the start: below the top the wall counts, behind it the top side, else the edge.
-    let gap = if h0 <= 0.0 {
-        d0
-    } else if d0 <= 0.0 {
-        h0
-    } else {
-        d0.hypot(h0)
-    } - radius;
-    let closing = if h0 <= 0.0 {
-        dd
-    } else if d0 <= 0.0 {
-        dh
-    } else {
-        d0 * dd + h0 * dh
-    };
-    if gap < -SKIN || (gap <= SKIN && closing < 0.0) {
-        return Some(0.0);
+/// A convex body: what lies behind all of its faces.
+struct Body {
+    /// Outward normal, its value on the face, and the surface it belongs to.
+    faces: [(Vec3, f64, usize); MOST_FACES],
+    count: usize,
+}
+
+/// Four walls, each with the same top, or three of a corner with a top of its own.
+const MOST_FACES: usize = 8;
+
+/// How far a point is from a body (negative inside), and the outward direction there.
+struct Gap {
+    distance: f64,
+    direction: Vec3,
+    surface: usize,
+}
+
+impl Body {
+    /// The body that begins with this wall; none where an earlier wall begins it.
+    fn beginning(surfaces: &[Surface], up: Vec3, first: usize) -> Option<Self> {
+        let Surface::Flat(begin) = &surfaces[first] else { return None };
+        let mut body = Body { faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES], count: 0 };
+        let mut topped = false;
+        for (index, surface) in surfaces.iter().enumerate() {
+            let Surface::Flat(wall) = surface else { continue };
+            if wall.body != begin.body {
+                continue;
+            }
+            if index < first {
+                return None;
+            }
+            body.add(wall.normal, wall.point, index);
+            // The walls of a body have their tops at one level.
+            if wall.has_top && !topped {
+                body.add(up, wall.point, index);
+                topped = true;
+            }
+        }
+        Some(body)
     }
-    let way = |t: f64| (0.0..=1.0).contains(&t).then_some(t);
-    let face = (dd < 0.0).then(|| (radius - d0) / dd).and_then(way).filter(|&t| height(t) <= 0.0);
-    if !wall.has_top {
-        return face;
+
+    fn add(&mut self, normal: Vec3, point: Vec3, surface: usize) {
+        if self.count < MOST_FACES {
+            self.faces[self.count] = (normal, normal.dot(point), surface);
+            self.count += 1;
+        }
     }
-    let top = (dh < 0.0).then(|| (radius - h0) / dh).and_then(way).filter(|&t| d0 + dd * t <= 0.0);
-    // The edge: d² + h² = r², going in. A ball that only grazes it goes on.
-    let (a, b, c) = (dd * dd + dh * dh, d0 * dd + h0 * dh, d0 * d0 + h0 * h0 - radius * radius);
-    let root = b * b - a * c;
-    let edge = (a > 0.0 && b < 0.0 && root > 2.0 * radius * SKIN * a)
-        .then(|| (-b - root.sqrt()) / a)
-        .and_then(way)
-        .filter(|&t| d0 + dd * t >= 0.0 && height(t) >= 0.0);
-    [face, top, edge].into_iter().flatten().min_by(f64::total_cmp)
+
+    /// Distance from the body. Outside, the nearest point lies on a face, on an edge of two faces, or at a corner of three:
+    /// where the way to it is a combination of their normals with no negative part, and it is behind every other face.
+    fn gap(&self, p: Vec3) -> Gap {
+        let faces = &self.faces[..self.count];
+        let behind = |q: Vec3| faces.iter().all(|(n, d, _)| n.dot(q) - d <= 1e-9);
+        let over = |i: usize| faces[i].0.dot(p) - faces[i].1;
+        let nearest = (0..self.count).max_by(|&i, &j| over(i).total_cmp(&over(j))).unwrap_or(0);
+        let gap = |way: Vec3, surface: usize| Gap { distance: way.length(), direction: way.normalize_or_zero(), surface };
+        if over(nearest) <= 0.0 || behind(p - faces[nearest].0 * over(nearest)) {
+            return Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2 };
+        }
+        let mut found: Option<Gap> = None;
+        let mut take = |way: Vec3, surface: usize| {
+            if behind(p - way) && found.as_ref().is_none_or(|f| way.length() < f.distance) {
+                found = Some(gap(way, surface));
+            }
+        };
+        for i in 0..self.count {
+            if over(i) > 0.0 {
+                take(faces[i].0 * over(i), faces[i].2);
+            }
+            for j in i + 1..self.count {
+                let (n1, n2) = (faces[i].0, faces[j].0);
+                let g = n1.dot(n2);
+                let det = 1.0 - g * g;
+                if det < 1e-9 {
+                    continue;
+                }
+                let (a, b) = ((over(i) - g * over(j)) / det, (over(j) - g * over(i)) / det);
+                if a >= 0.0 && b >= 0.0 {
+                    take(n1 * a + n2 * b, if a > b { faces[i].2 } else { faces[j].2 });
+                }
+                for k in j + 1..self.count {
+                    let n3 = faces[k].0;
+                    let det = n1.dot(n2.cross(n3));
+                    if det.abs() < 1e-9 {
+                        continue;
+                    }
+                    // The corner: where the three planes meet.
+                    let corner = (n2.cross(n3) * faces[i].1 + n3.cross(n1) * faces[j].1 + n1.cross(n2) * faces[k].1) / det;
+                    let way = p - corner;
+                    let parts = [n2.cross(n3).dot(way), n3.cross(n1).dot(way), n1.cross(n2).dot(way)].map(|x| x / det);
+                    if parts.iter().all(|x| *x >= 0.0) {
+                        take(way, faces[i].2);
+                    }
+                }
+            }
+        }
+        found.unwrap_or(Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2 })
+    }
+
+    /// The fraction of the way at which a ball meets the body, and the surface. The distance of a point that moves in a straight
+    /// line from a convex body is a convex function of the way, so that Newton's steps from its start never pass the first
+    /// place where it is the radius; on a face the first step is exact.
+    fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize)> {
+        let way = to - from;
+        let reach = |limit: f64| {
+            let mut t = 0.0;
+            for _ in 0..100 {
+                let gap = self.gap(from + way * t);
+                let left = gap.distance - limit;
+                if left <= 1e-12 {
+                    return Some((t, gap.surface));
+                }
+                let slope = gap.direction.dot(way);
+                if slope >= 0.0 {
+                    return None;
+                }
+                t -= left / slope;
+                if t > 1.0 {
+                    return None;
+                }
+            }
+            Some((t, self.gap(from + way * t).surface))
+        };
+        // A ball that only grazes the body goes on.
+        reach(radius - SKIN)?;
+        reach(radius)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::path::Wall;
 
     fn wall(has_top: bool) -> Wall {
         // Material at x > 10, top at z = 0.
@@ -134,6 +222,7 @@ mod tests {
             extent: (-5.0, 5.0),
             drawn_depth: 5.0,
             has_top,
+            body: 0,
         }
     }
 

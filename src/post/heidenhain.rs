@@ -81,6 +81,7 @@ fn word(code: i32, value: &ParameterValue, scale: f64) -> String {
         ParameterValue::Length(mm) => format!("Q{code}={}", signed(mm / scale)),
         ParameterValue::Number(x) => format!("Q{code}={}", signed(*x)),
         ParameterValue::Whole(n) => format!("Q{code}={}", signed(f64::from(*n))),
+        ParameterValue::Flag(on) => format!("Q{code}={}", signed(f64::from(u8::from(*on)))),
         ParameterValue::Text(text) => format!("QS{code}=\"{}\"", text.replace(',', ".")),
     }
 }

@@ -3,7 +3,7 @@
 use crate::geom::Vec3;
 use crate::num::decimal;
 use crate::spec::field::Checked;
-use crate::spec::{Default, Field, Finding, Kind, Level, SubForm, Value};
+use crate::spec::{Default, Field, Finding, Kind, Level, Shown, SubForm, Value};
 use crate::tolerance::{self, Nominal};
 
 /// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
@@ -229,11 +229,31 @@ impl Checked for Option<f64> {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field)
     }
+
+    fn shown(&self) -> Shown {
+        self.map_or(Shown::Nothing, Shown::Number)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Number(x) = value {
+            *self = Some(x);
+        }
+    }
 }
 
 impl Checked for f64 {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).expect("a field that is a number has a number as default")
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Number(*self)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Number(x) = value {
+            *self = x;
+        }
     }
 }
 
@@ -289,11 +309,19 @@ impl Checked for i32 {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         f64::take(section, field) as i32
     }
+
+    fn shown(&self) -> Shown {
+        Shown::Whole(*self)
+    }
 }
 
 impl Checked for Option<i32> {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).map(|x| x as i32)
+    }
+
+    fn shown(&self) -> Shown {
+        self.map_or(Shown::Nothing, Shown::Whole)
     }
 }
 
@@ -310,6 +338,10 @@ impl Checked for bool {
                 stand_in
             }
         }
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Flag(*self)
     }
 }
 
@@ -337,6 +369,16 @@ impl Checked for Vec3 {
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
+        }
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Point(*self)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Point(point) = value {
+            *self = point;
         }
     }
 }
@@ -377,7 +419,7 @@ impl Checked for String {
 }
 
 /// A user's text, short and without control characters, fit to stand in a message.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     let mut shown: String = text.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if text.chars().nth(40).is_some() {
         shown.push('…');

@@ -1,5 +1,6 @@
 //! A field of a form, declared once.
 
+use crate::geom::Vec3;
 use crate::spec::Section;
 
 /// One field: everything a form, a check, a table and a manual need to know about it.
@@ -203,6 +204,11 @@ impl Field {
         Field::new(key, label, Kind::Point, Default::Point([0.0; 3]), hard)
     }
 
+    /// With a help text, unless it is empty.
+    pub const fn documented(self, help: &'static str) -> Self {
+        if help.is_empty() { self } else { self.help(help) }
+    }
+
     /// With its help text.
     pub const fn help(mut self, help: &'static str) -> Self {
         self.help = help;
@@ -275,27 +281,81 @@ pub trait Checked: Sized {
     /// Takes the value of `field` out of `section`, reporting what is wrong with it. Where nothing usable is there, the
     /// default stands in, so that reading can go on; the report already says that no plan will be made.
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
+
+    /// The value as a plain one.
+    fn shown(&self) -> Shown {
+        Shown::Nothing
+    }
+
+    /// Takes another value, where it is of this type.
+    fn put(&mut self, _value: Shown) {}
+}
+
+/// A checked value, whatever field it is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    /// A length in mm, an angle in degrees, a feed.
+    Number(f64),
+    /// A whole number.
+    Whole(i32),
+    /// True or false.
+    Flag(bool),
+    /// A point, mm.
+    Point(Vec3),
+    /// Null, or text.
+    Nothing,
+}
+
+/// A form as a list of its values.
+pub trait Values {
+    /// Each field with its value, in the order of the form.
+    fn values(&self) -> Vec<(&'static Field, Shown)>;
+
+    /// Gives the field with this key another value; nothing happens where there is none.
+    fn put(&mut self, key: &str, value: Shown);
+
+    /// The number under a key.
+    fn number(&self, key: &str) -> Option<f64> {
+        self.values().into_iter().find_map(|(field, value)| match value {
+            Shown::Number(x) if field.key == key => Some(x),
+            _ => None,
+        })
+    }
 }
 
 /// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.
 macro_rules! form {
     ($(#[doc = $doc:literal])* $vis:vis struct $name:ident {
-        $($(#[doc = $help:literal])+ $key:ident : $type:ty = $field:expr,)*
+        $($(#[doc = $help:literal])* $key:ident : $type:ty = $field:expr,)*
     }) => {
         $(#[doc = $doc])*
         #[derive(Clone, Debug)]
-        $vis struct $name { $($(#[doc = $help])+ pub $key: $type,)* }
+        $vis struct $name { $($(#[doc = $help])* pub $key: $type,)* }
 
         impl $name {
             /// The fields, in the order of the form.
             pub const FIELDS: &'static [$crate::spec::Field] =
-                &[$($field.help($crate::spec::trimmed(concat!($($help),+))),)*];
+                &[$($field.documented($crate::spec::trimmed(concat!($($help),*))),)*];
 
             /// Reads the checked values out of a section, reporting every problem.
             pub fn read(section: &mut $crate::spec::Section<'_, '_>) -> Self {
                 let mut fields = Self::FIELDS.iter();
                 $(let $key = $crate::spec::take(section, fields.next().expect("one field for each member"));)*
                 $name { $($key,)* }
+            }
+        }
+
+        impl $crate::spec::Values for $name {
+            fn values(&self) -> Vec<(&'static $crate::spec::Field, $crate::spec::Shown)> {
+                let mut fields = Self::FIELDS.iter();
+                vec![$((fields.next().expect("one field for each member"), $crate::spec::shown(&self.$key)),)*]
+            }
+
+            fn put(&mut self, key: &str, value: $crate::spec::Shown) {
+                let mut fields = Self::FIELDS.iter();
+                $(if fields.next().is_some_and(|f| f.key == key) {
+                    $crate::spec::put(&mut self.$key, value);
+                })*
             }
         }
     };

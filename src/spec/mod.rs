@@ -8,8 +8,9 @@ mod field;
 mod finding;
 mod value;
 
+pub(crate) use checker::printable;
 pub use checker::{Checker, Section};
-pub use field::{Choice, Code, Default, Field, Kind, Range, SubForm};
+pub use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
 pub use finding::{Finding, Level};
 pub use value::Value;
 
@@ -18,6 +19,16 @@ pub(crate) use field::form;
 /// Takes the checked value of `field` out of a section.
 pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {
     T::take(section, field)
+}
+
+/// A checked value as a plain one.
+pub(crate) fn shown<T: field::Checked>(value: &T) -> Shown {
+    value.shown()
+}
+
+/// Gives a checked value another.
+pub(crate) fn put<T: field::Checked>(place: &mut T, value: Shown) {
+    place.put(value);
 }
 
 /// A doc comment without the space that starts it.

@@ -216,6 +216,7 @@ fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
                 extent: (-half, half),
                 drawn_depth: round.drawn_depth,
                 has_top: true,
+                body: 0,
             }
         })
         .collect()
@@ -260,7 +261,9 @@ pub fn lengths(query: &Query) -> Vec<(Arrow, String, Spot)> {
 
 fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool) -> WallShape {
     let (start, end) = (wall.point + wall.along * wall.extent.0, wall.point + wall.along * wall.extent.1);
-    let down = up * wall.drawn_depth;
+    // Along the wall and across it; upwards where it goes up at all.
+    let across = wall.normal.cross(wall.along).normalize_or(up);
+    let down = (if across.dot(up) < 0.0 { -across } else { across }) * wall.drawn_depth;
     let raised = if wall.has_top { Vec3::ZERO } else { down };
     let corners = [start + raised, end + raised, end - down, start - down].map(spot);
     let area: f64 = (0..4).map(|i| cross(corners[i], corners[(i + 1) % 4])).sum::<f64>().abs() / 2.0;

@@ -1,0 +1,93 @@
+//! Double wall external corner: ENCY / SprutCAM type 14.
+//!
+//! Both walls of an outside corner, each touched once or more, from one start point outside.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Corner, Feature, Shape, field};
+use crate::geom::Vec3;
+use crate::spec::{Field, form};
+
+pub static DEF: CycleDef = CycleDef {
+    key: "double-wall-external-corner",
+    title: "Double wall external corner",
+    source: "ENCY/SprutCAM type 14",
+    number: Some(14),
+    doc: "docs/cycles/double-wall-external-corner.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2, outside",
+        "To clearance 1 before the first point of wall 1, touch, and back",
+        "Where wall 1 has more points: to clearance 1 before the next one, touch, and back",
+        "Step 3 until every point of wall 1 is touched",
+        "Back to the start",
+        "To clearance 2 before the first point of wall 2, touch, and back",
+        "Where wall 2 has more points: to clearance 2 before the next one, touch, and back",
+        "Step 7 until every point of wall 2 is touched",
+        "Back to the start",
+        "Up by the feed distance",
+    ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "The last lift uses the return feed: the source names no feed there.",
+        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
+         shift with tool compensation\". The points from code -200 never move.",
+        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
+         clockwise from it.",
+        "The distances from the corner to the first touches are ours: the source has the touch points only.",
+        "A wall with two touches or more is the line of total least squares through the ball centres, offset by the ball radius \
+         along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.",
+        "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.",
+    ],
+    read: |section| ency::read(section, Form::read),
+};
+
+form! {
+    /// The form of type 14.
+    pub struct Form {
+        /// The corner, at the level of the touches.
+        origin: Vec3 = Field::point("origin", "Corner at touch level").group("Place"),
+        /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
+        rotation: f64 = field::rotation(),
+        /// Between the walls, in the material.
+        angle: f64 = field::angle(),
+        /// From wall 1 to the ball centre where its touches begin.
+        clearance1: f64 = field::clearance("clearance1", "Clearance 1", 15.0, "CmdPrm.Flt[-56]"),
+        /// From wall 2 to the ball centre where its touches begin.
+        clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
+        /// From the corner along wall 1 to its first touch.
+        distance1: f64 = field::distance("distance1", "Distance 1", 15.0),
+        /// From the corner along wall 2 to its first touch.
+        distance2: f64 = field::distance("distance2", "Distance 2", 15.0),
+        /// How many touches wall 1 has.
+        count1: i32 = field::count("count1", "First wall measure count", 2, "CmdPrm.Int[-63]"),
+        /// How many touches wall 2 has.
+        count2: i32 = field::count("count2", "Second wall measure count", 2, "CmdPrm.Int[-64]"),
+        /// Between the touches of wall 1, along it, away from the corner.
+        step1: f64 = field::distance("step1", "Step 1", 20.0).code("CmdPrm.Flt[-65]"),
+        /// Between the touches of wall 2, along it, away from the corner.
+        step2: f64 = field::distance("step2", "Step 2", 20.0).code("CmdPrm.Flt[-67]"),
+        feed_distance: f64 = field::feed_distance(),
+        compensate_dimensions: bool = field::compensate(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+impl Feature for Form {
+    const NUMBER: i32 = 14;
+    const NAME: &'static str = "double wall external corner probing";
+
+    fn shape(&self) -> Box<dyn Shape> {
+        Box::new(Corner {
+            internal: false,
+            angle: self.angle,
+            clearances: [self.clearance1, self.clearance2],
+            counts: [self.count1.max(1) as usize, self.count2.max(1) as usize],
+            steps: [self.step1, self.step2],
+            distances: Some([self.distance1, self.distance2]),
+        })
+    }
+}

@@ -1,0 +1,361 @@
+//! What the cycles of the ENCY / SprutCAM family share.
+//!
+//! A cycle of the family is a form ([`Feature`]) and a [`Shape`]: what its dimensions make of it. The shape gives the touches,
+//! walks the documented steps, states the arithmetic of the results, and gives the surfaces. The touches may also be picked one
+//! by one, as in the Job Assignment: then everything follows from them, and the dimensions only fill the parameter table.
+
+mod corner;
+pub mod field;
+mod pairs;
+mod picks;
+mod point;
+mod round;
+mod still;
+mod table;
+mod triple;
+
+pub use corner::Corner;
+pub use field::Properties;
+pub use pairs::{Pairs, Side};
+pub use picks::{Pick, Placement};
+pub use point::Point;
+pub use round::{Circle, Variant};
+pub use still::Still;
+pub use table::{code_of, table};
+pub use triple::{Outside, Triple};
+
+use std::fmt::Debug;
+
+use crate::cycle::Cycle;
+use crate::formula::{Expr, Formula};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, MAX_TOUCHES, Path, Setup, Surface, Touch, Tracer};
+use crate::spec::{Checker, Section, Shown, SubForm, Values};
+
+/// The form that every cycle of the family may have besides its own.
+pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
+
+/// The form of a cycle.
+pub trait Feature: Values + Clone + Debug + 'static {
+    /// Its type number, code −1.
+    const NUMBER: i32;
+    /// What the source calls it in the parameter table.
+    const NAME: &'static str;
+
+    /// What its dimensions make of it.
+    fn shape(&self) -> Box<dyn Shape>;
+}
+
+/// A feature with its dimensions, and how it is probed.
+pub trait Shape: Debug {
+    /// The touches that the dimensions give: point, target vector, group.
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
+
+    /// What a touch is called in the parameter table.
+    fn name(&self, k: usize) -> String;
+
+    /// Reports dimensions that do not go together.
+    fn rules(&self, setup: &Setup, checker: &mut Checker);
+
+    /// Reports what is wrong with picked touches.
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker);
+
+    /// Where sound picks put the feature, and the sizes they give it.
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement;
+
+    /// Walks the documented steps.
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer);
+
+    /// What the control computes.
+    fn formula(&self, on: &Seated<'_>) -> Formula;
+
+    /// The surfaces, one a group.
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
+
+    /// Why the control's value of this result is off on a turned part, where it is.
+    fn turned_error(&self, code: &str) -> Option<&'static str>;
+}
+
+/// A shape in its place.
+#[derive(Debug)]
+pub struct Seated<'a> {
+    /// The frame of its dimensions.
+    pub frame: Frame,
+    /// Its touches.
+    pub touches: &'a [Touch],
+    /// The job around it.
+    pub setup: &'a Setup,
+}
+
+/// A cycle of the family with checked values.
+#[derive(Clone, Debug)]
+struct Ency<F> {
+    form: F,
+    properties: Option<Properties>,
+    picks: Option<Vec<Pick>>,
+    /// What the actual part's sizes differ by.
+    deltas: Vec<(String, f64)>,
+}
+
+/// Reads a cycle of the family.
+pub fn read<F: Feature>(section: &mut Section<'_, '_>, form: fn(&mut Section<'_, '_>) -> F) -> Box<dyn Cycle> {
+    let form = form(section);
+    let properties = section.sub(&PROPERTIES, Properties::read);
+    let picks = picks::read(section).filter(|_| F::NUMBER > 1);
+    Box::new(Ency { form, properties, picks, deltas: Vec::new() })
+}
+
+/// Where picked touches put a cycle, given its loose form; none where they do not make one.
+pub fn place<F: Feature>(
+    section: &mut Section<'_, '_>,
+    form: fn(&mut Section<'_, '_>) -> F,
+    picks: &[Pick],
+    plane: Plane,
+) -> Option<Placement> {
+    let shape = form(section).shape();
+    let mut checker = Checker::default();
+    shape.check(picks, plane, &mut checker);
+    (!checker.failed()).then(|| shape.place(picks, plane))
+}
+
+impl<F: Feature> Ency<F> {
+    /// The form as the picks have it.
+    fn placed(&self, plane: Plane) -> F {
+        let mut form = self.form.clone();
+        if let Some(picks) = &self.picks {
+            let placement = self.form.shape().place(picks, plane);
+            form.put("origin", Shown::Point(placement.origin));
+            form.put("rotation", Shown::Number(placement.rotation));
+            for (key, size) in placement.sizes {
+                form.put(key, Shown::Number(size));
+            }
+        }
+        form
+    }
+
+    fn frame(form: &F, plane: Plane) -> Frame {
+        let origin = form.values().into_iter().find_map(|(_, value)| match value {
+            Shown::Point(point) => Some(point),
+            _ => None,
+        });
+        let rotation = form.number("rotation").unwrap_or(0.0);
+        Frame::new(plane, origin.unwrap_or(Vec3::ZERO), rotation.to_radians())
+    }
+
+    /// The shape and its touches: nominal, or with the actual part's sizes.
+    fn seat(&self, setup: &Setup) -> (Box<dyn Shape>, Frame, Vec<Touch>) {
+        let nominal = self.placed(setup.plane);
+        let mut form = nominal.clone();
+        for (key, delta) in &self.deltas {
+            if let Some(size) = form.number(key) {
+                form.put(key, Shown::Number(size + delta));
+            }
+        }
+        let frame = Self::frame(&form, setup.plane);
+        let shape = form.shape();
+        let mut touches = shape.touches(&frame);
+        if let Some(picks) = &self.picks {
+            // A picked touch goes with its wall: as far as the touch of the dimensions does.
+            let before = nominal.shape().touches(&frame);
+            touches = picks
+                .iter()
+                .zip(touches.iter().zip(&before))
+                .map(|(pick, (now, then))| {
+                    (pick.point + now.0 - then.0, (pick.vector + now.1 - then.1).normalize_or(pick.vector), now.2)
+                })
+                .collect();
+        }
+        let search = setup.overtravel;
+        let touches = touches
+            .into_iter()
+            .enumerate()
+            .map(|(sample, (point, vector, group))| Touch { point, vector, group, search, sample })
+            .collect();
+        (shape, frame, touches)
+    }
+}
+
+impl<F: Feature> Cycle for Ency<F> {
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        let shape = self.form.shape();
+        shape.rules(setup, checker);
+        let Some(picks) = &self.picks else { return };
+        if !checker.sound(&["cycle"]) {
+            return;
+        }
+        shape.check(picks, setup.plane, checker);
+        if checker.failed() {
+            return;
+        }
+        // The sizes the picks give must be ones that a form may have.
+        let placement = shape.place(picks, setup.plane);
+        for (key, size) in &placement.sizes {
+            let Some((field, Shown::Number(given))) = self.form.values().into_iter().find(|(f, _)| f.key == *key) else {
+                continue;
+            };
+            if !field.hard.holds(*size) {
+                let message = format!("The picked touches give {} a value that it must not have", field.label);
+                checker.error("picks-out-of-range", "cycle.touches", message);
+            } else if (size - given).abs() > 1e-3 && !field.code.is_empty() {
+                let message = format!(
+                    "{} is {} in the form, and {} between the picked touches: the touches count, the table has the form's",
+                    field.label,
+                    checker.number(given),
+                    checker.number(*size)
+                );
+                checker.warning("picks-differ", format!("cycle.{key}"), message);
+            }
+        }
+        if !checker.failed() {
+            self.placed(setup.plane).shape().rules(setup, checker);
+        }
+    }
+
+    fn plan(&self, setup: &Setup) -> Path {
+        let (shape, frame, touches) = self.seat(setup);
+        let on = Seated { frame, touches: &touches, setup };
+        let mut tracer = Tracer::new(setup);
+        shape.walk(&on, self.form.number("feedDistance").unwrap_or(0.0), &mut tracer);
+        let (formula, surfaces) = (shape.formula(&on), shape.surfaces(&on));
+        Path {
+            moves: tracer.moves(),
+            surfaces,
+            feeds: None,
+            line: None,
+            spread: None,
+            frame,
+            formula,
+            parameters: table(&self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k)),
+            picked: self.picks.is_some(),
+            touches,
+        }
+    }
+
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
+        let (shape, frame, touches) = self.seat(setup);
+        shape.surfaces(&Seated { frame, touches: &touches, setup })
+    }
+
+    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+        let (field, _) = self.form.values().into_iter().find(|(field, _)| field.size && field.key == key)?;
+        let size = self.form.number(key)? + delta;
+        // Walls that meet at no angle, or at a straight one, make no corner.
+        let most = if field.key == "angle" { 180.0 } else { f64::INFINITY };
+        if size <= 0.0 || size >= most {
+            return None;
+        }
+        let mut cycle = self.clone();
+        cycle.deltas.push((key.to_owned(), delta));
+        Some(Box::new(cycle))
+    }
+
+    fn turned_error(&self, code: &str) -> Option<&'static str> {
+        self.form.shape().turned_error(code)
+    }
+}
+
+/// To the feed distance above the start, and down to it.
+pub fn begin(tracer: &mut Tracer, frame: &Frame, start: Vec3, feed_distance: f64, step: u8) {
+    tracer.position(start + frame.w * feed_distance, Feed::Approach, step);
+    tracer.position(start, Feed::Approach, step);
+}
+
+/// The documented steps 2 to 6 of a protected cycle: over the place in front of the touch at the height of the start, down, touch
+/// and back, up, back to the start.
+pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, clearance: f64) {
+    let touch = &on.touches[k];
+    let approach = touch.point + touch.vector * clearance;
+    let over = approach + on.frame.w * (start - approach).dot(on.frame.w);
+    tracer.position(over, Feed::LongLink, 2);
+    tracer.position(approach, Feed::LongLink, 3);
+    tracer.touch(k, touch, Feed::LongLink, 4);
+    tracer.position(over, Feed::LongLink, 5);
+    tracer.position(start, Feed::LongLink, 6);
+}
+
+/// The documented steps of a cycle that touches from the middle: in from above where the top clearance is checked, all touches
+/// from there, and out.
+pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>, feed_distance: f64) {
+    let start = on.frame.point(0.0, 0.0, -depth);
+    match top {
+        Some(top) => {
+            begin(tracer, &on.frame, on.frame.point(0.0, 0.0, top), feed_distance, 1);
+            tracer.position(start, Feed::LongLink, 1);
+        }
+        None => begin(tracer, &on.frame, start, feed_distance, 2),
+    }
+    for (k, touch) in on.touches.iter().enumerate() {
+        tracer.touch(k, touch, Feed::LongLink, 3);
+    }
+    let out = top.map_or(start, |top| on.frame.point(0.0, 0.0, top));
+    tracer.position(out, Feed::LongLink, 4);
+    tracer.position(out + on.frame.w * feed_distance, Feed::Return, 5);
+}
+
+/// A component of a direction in the plane, as a formula multiplies with it.
+pub fn constant(x: f64) -> Expr {
+    Expr::Number(crate::num::tidy(x))
+}
+
+/// Abscissa and ordinate of a vector.
+pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
+    let [a, o, _] = plane.axes();
+    (v[a], v[o])
+}
+
+/// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
+/// to the ball centre.
+pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &str, clearance: f64, path: &str) {
+    if checker.sound(&[path, "stylus.diameter"]) && clearance <= setup.radius {
+        let message = format!(
+            "{label} ({}) must be larger than the ball radius ({}): it is measured from the wall to the ball centre, and the \
+             ball would touch before the touch begins",
+            checker.length(clearance),
+            checker.length(setup.radius)
+        );
+        checker.error("clearance-too-small", path, message);
+    }
+}
+
+/// No more touches than the parameter table can hold.
+pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
+    if count > MAX_TOUCHES {
+        let message = format!(
+            "{count} touches are more than the {MAX_TOUCHES} that the parameter table holds: touch {} would start at code {} \
+             and run into the -200 block of original points",
+            MAX_TOUCHES + 1,
+            -100 - 6 * MAX_TOUCHES as i32
+        );
+        checker.error("too-many-touches", path, message);
+    }
+}
+
+/// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself stands in the way.
+pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: Option<f64>, outside: bool) {
+    if checker.sound(&["cycle.depth", "stylus.diameter"]) && depth < setup.radius {
+        let message = format!(
+            "At a depth of {} the ball (radius {}) stands out above the top side: an edge break or burr there is part of the touch",
+            checker.length(depth),
+            checker.length(setup.radius)
+        );
+        checker.warning("touch-near-edge", "cycle.depth", message);
+    }
+    let Some(top) = crossing else { return };
+    if !checker.sound(&["cycle.topClearance", "stylus.diameter"]) || top > setup.radius {
+        return;
+    }
+    let (clearance, radius) = (checker.length(top), checker.length(setup.radius));
+    if outside {
+        let message = format!(
+            "With a top clearance of {clearance} the ball (radius {radius}) would meet the top side when it crosses, since heights \
+             are of the ball centre: it must be larger than the radius"
+        );
+        checker.error("crossing-too-low", "cycle.topClearance", message);
+    } else {
+        let message = format!(
+            "With a top clearance of {clearance} the ball (radius {radius}) crosses below the top side, since heights are of the \
+             ball centre: an island as high as the top side would be hit"
+        );
+        checker.warning("low-crossing", "cycle.topClearance", message);
+    }
+}

@@ -1,0 +1,149 @@
+//! Touches that are picked one by one, as in the Job Assignment.
+
+use crate::geom::{Plane, Vec3};
+use crate::path::MAX_TOUCHES;
+use crate::spec::{Checker, Field, Section, Value};
+
+/// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
+pub const NEAR: f64 = 1e-3;
+
+/// A picked touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pick {
+    /// On the surface, mm.
+    pub point: Vec3,
+    /// Outward normal, a unit vector.
+    pub vector: Vec3,
+}
+
+/// Where picks put a feature.
+#[derive(Clone, Debug)]
+pub struct Placement {
+    /// `origin` of its form, mm.
+    pub origin: Vec3,
+    /// `rotation` of its form, degrees.
+    pub rotation: f64,
+    /// Its sizes, by key: mm, degrees.
+    pub sizes: Vec<(&'static str, f64)>,
+}
+
+/// Reads `touches`; none where the job has none. Every problem is reported.
+pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
+    const POINT: Field = Field::point("point", "Touch point");
+    const VECTOR: Field = Field::angle("vector", "Target vector", 0.0).range(-2.0, 2.0);
+    let place = section.at("touches");
+    let items = match section.get("touches")? {
+        Value::Null => return None,
+        Value::List(items) => items,
+        other => {
+            let message = format!("touches must be a list of {{ point, vector }} or null, not {}", other.noun());
+            section.checker.error("wrong-type", place, message);
+            return None;
+        }
+    };
+    if items.is_empty() || items.len() > MAX_TOUCHES {
+        let message = format!(
+            "{} touches are given; the parameter table holds 1 to {MAX_TOUCHES}: touch {} would start at code {} and run into the \
+             -200 block of original points",
+            items.len(),
+            MAX_TOUCHES + 1,
+            -100 - 6 * MAX_TOUCHES as i32
+        );
+        section.checker.error("too-many-touches", place, message);
+        return None;
+    }
+    let picks: Vec<Pick> = items
+        .iter()
+        .enumerate()
+        .map(|(k, item)| {
+            let path = format!("{place}[{k}]");
+            if let Value::Map(entries) = item {
+                for (key, _) in entries.iter().filter(|(key, _)| key != "point" && key != "vector") {
+                    let message = format!("A touch has a point and a vector, and no \"{}\"", crate::spec::printable(key));
+                    section.checker.error("unknown-key", path.clone(), message);
+                }
+            }
+            let point = triple(section, item.get("point"), &POINT, &format!("{path}.point"));
+            let vector = triple(section, item.get("vector"), &VECTOR, &format!("{path}.vector"));
+            let length = vector.length();
+            if section.checker.sound(&[&path]) && (length - 1.0).abs() > NEAR {
+                let message = format!(
+                    "The target vector of touch {} has the length {}: it must be a unit vector (1, give or take 0.001)",
+                    k + 1,
+                    crate::num::decimal(length, 4)
+                );
+                section.checker.error("vector-not-unit", format!("{path}.vector"), message);
+            }
+            Pick { point, vector: vector.normalize_or(Vec3::Z) }
+        })
+        .collect();
+    Some(picks)
+}
+
+fn triple(section: &mut Section<'_, '_>, value: Option<&Value>, field: &Field, path: &str) -> Vec3 {
+    match value {
+        Some(Value::List(items)) if items.len() == 3 => {
+            let mut v = Vec3::ZERO;
+            for (i, item) in items.iter().enumerate() {
+                v[i] = section.number(item, field, &format!("{path}[{i}]")).unwrap_or(0.0);
+            }
+            v
+        }
+        _ => {
+            section.checker.error("wrong-type", path, format!("{} must be a list of three numbers", field.label));
+            Vec3::ZERO
+        }
+    }
+}
+
+/// Whether there are as many touches as the cycle has.
+pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
+    if picks.len() != count {
+        let message = format!("This cycle, as its form says, has {count} touches, and {} are given", picks.len());
+        checker.error("wrong-count", "cycle.touches", message);
+    }
+    picks.len() == count
+}
+
+/// Reports a vector that is not in the plane (`level`) or not along the tool axis.
+pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut Checker) {
+    let up = plane.basis()[2];
+    for &k in touches {
+        if picks[k].vector.dot(up).abs() > NEAR {
+            let message = format!("The target vector of touch {} must lie in the plane {}", k + 1, plane.word());
+            checker.error("vector-not-in-plane", format!("cycle.touches[{k}].vector"), message);
+        }
+    }
+}
+
+/// Reports a vector that points into the material: the sign check.
+pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
+    let (kind, where_to) = if internal { ("internal", "into the feature") } else { ("external", "away from it") };
+    let message = format!(
+        "The target vector of touch {} points the wrong way: it is the outward normal of the surface, and of an {kind} feature it \
+         points {where_to}",
+        k + 1
+    );
+    checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
+}
+
+/// The start of a corner as each first touch and its clearance have it: reported where the readings are not one point.
+pub fn one_start(readings: &[(usize, Vec3)], checker: &mut Checker) {
+    let place = |p: Vec3, checker: &Checker| format!("[{}]", p.to_array().map(|x| checker.number(x)).join(", "));
+    if let Some((k, other)) = readings.iter().find(|(_, p)| p.distance(readings[0].1) > NEAR) {
+        let message = format!(
+            "The start is not one point: touch {} and its clearance put it at {}, touch {} and its clearance at {}",
+            readings[0].0 + 1,
+            place(readings[0].1, checker),
+            k + 1,
+            place(*other, checker)
+        );
+        checker.error("starts-disagree", "cycle.touches", message);
+    }
+}
+
+/// The angle of a direction in the plane, degrees.
+pub fn heading(plane: Plane, v: Vec3) -> f64 {
+    let [a, o, _] = plane.axes();
+    v[o].atan2(v[a]).to_degrees()
+}

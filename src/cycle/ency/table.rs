@@ -1,0 +1,107 @@
+//! The parameter table, from the form's own codes.
+
+use crate::cycle::ency::{Feature, Properties};
+use crate::geom::AXIS_NAMES;
+use crate::path::{Parameter, ParameterValue, Setup, Touch};
+use crate::spec::{Field, Kind, Shown, Values};
+
+/// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
+/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
+pub fn table<F: Feature>(
+    form: &F,
+    properties: Option<&Properties>,
+    touches: &[Touch],
+    setup: &Setup,
+    name: impl Fn(usize) -> String,
+) -> Vec<Parameter> {
+    let kind = Parameter {
+        code: -1,
+        accessor: "Int",
+        type_name: "Integer",
+        value: ParameterValue::Whole(F::NUMBER),
+        meaning: format!("Probing cycle type: {} = {}", F::NUMBER, F::NAME),
+        field: Some("cycle.type".to_owned()),
+        touch: None,
+    };
+    let mut own: Vec<Parameter> = form.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
+    own.sort_by_key(|p| -p.code);
+    let late = |p: &Parameter| p.code == -66 || (F::NUMBER == 2 && p.code == -56);
+    let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
+    let compensated = last.iter().any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
+    let mut rows = vec![kind];
+    if F::NUMBER == 0 {
+        rows.push(Parameter {
+            code: -2,
+            value: ParameterValue::Whole(-500),
+            meaning: "SubCode of probe on/off".to_owned(),
+            field: None,
+            ..rows[0].clone()
+        });
+    }
+    rows.extend(first);
+    push_touches(&mut rows, touches, if compensated { setup.radius } else { 0.0 }, name);
+    rows.extend(last);
+    if let Some(properties) = properties {
+        rows.extend(properties.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle.properties")));
+    }
+    rows
+}
+
+/// The accessor and the number of a code such as `CmdPrm.Flt[-50]`.
+pub fn code_of(field: &Field) -> Option<(&'static str, i32)> {
+    let (accessor, rest) = field.code.strip_prefix("CmdPrm.")?.split_once('[')?;
+    Some((accessor, rest.strip_suffix(']')?.parse().ok()?))
+}
+
+/// A field as a row; none where it has no code, or is not set.
+fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> {
+    let (accessor, code) = code_of(field)?;
+    let (value, type_name) = match value {
+        Shown::Number(x) if field.kind == Kind::Angle => (ParameterValue::Number(x), "Double"),
+        Shown::Number(x) => (ParameterValue::Length(x), "Double"),
+        Shown::Whole(n) => (ParameterValue::Whole(n), "Integer"),
+        Shown::Flag(on) if accessor == "Bol" => (ParameterValue::Flag(on), "Boolean"),
+        // Written with the Flt accessor and the type Integer, as the source's tables do.
+        Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
+        Shown::Point(_) | Shown::Nothing => return None,
+    };
+    let first = field.help.split_once(". ").map_or(field.help, |(first, _)| first).trim_end_matches('.');
+    let meaning = if code == -66 {
+        "Compensate dimensions: 0 off, 1 on".to_owned()
+    } else {
+        format!("{}, {}", field.label, crate::num::lowered(first))
+    };
+    Some(Parameter { code, accessor, type_name, value, meaning, field: Some(format!("{section}.{}", field.key)), touch: None })
+}
+
+/// The blocks from −100 (used by the cycle) and from −200 (as given in the Job Assignment), six codes a touch. `shift` moves the
+/// used points along their vectors: the ball radius where dimensions are compensated. Our reading: the source only says
+/// "toolpath shift with tool compensation".
+fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: impl Fn(usize) -> String) {
+    for (base, word, shift) in [(-100, "touch", shift), (-200, "original touch", 0.0)] {
+        for (k, touch) in touches.iter().enumerate() {
+            let point = touch.point + touch.vector * shift;
+            let first = base - 6 * k as i32;
+            let name = name(k);
+            let mut push = |code: i32, value: ParameterValue, meaning: String| {
+                rows.push(Parameter {
+                    code,
+                    accessor: "Flt",
+                    type_name: "Double",
+                    value,
+                    meaning,
+                    field: None,
+                    touch: Some(k),
+                });
+            };
+            for (axis, axis_name) in AXIS_NAMES.iter().enumerate() {
+                let meaning = format!("{name}: {word} point, {axis_name}");
+                push(first - axis as i32, ParameterValue::Length(point[axis]), meaning);
+            }
+            for (axis, axis_name) in AXIS_NAMES.iter().enumerate() {
+                let meaning = format!("{name}: {} vector, {axis_name}", word.replace("touch", "target"));
+                push(first - 3 - axis as i32, ParameterValue::Number(touch.vector[axis]), meaning);
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Triple wall external corner: ENCY / SprutCAM type 16.
+//!
+//! Two walls and the top side of a block, each touched once.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Feature, Outside, Shape, Triple, field};
+use crate::geom::Vec3;
+use crate::spec::{Field, form};
+
+pub static DEF: CycleDef = CycleDef {
+    key: "triple-wall-external-corner",
+    title: "Triple wall external corner",
+    source: "ENCY/SprutCAM type 16",
+    number: Some(16),
+    doc: "docs/cycles/triple-wall-external-corner.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: outside, clearance 1 from wall 1 and clearance 2 from wall 2, top clearance above the top side",
+        "To clearance 1 before the point of wall 1, touch, and back",
+        "Back to the start",
+        "To clearance 2 before the point of wall 2, touch, and back",
+        "Back to the start",
+        "To the top clearance over the point of the top side, touch, and back",
+        "Back to the start",
+        "Up by the feed distance",
+    ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "The last lift uses the return feed: the source names no feed there.",
+        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
+         clockwise from it.",
+        "The distances to the touches are ours: the source has the touch points only.",
+        "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
+    ],
+    read: |section| ency::read(section, Form::read),
+};
+
+form! {
+    /// The form of type 16.
+    pub struct Form {
+        /// The corner, on the top side.
+        origin: Vec3 = Field::point("origin", "Corner on the top side").group("Place"),
+        /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
+        rotation: f64 = field::rotation(),
+        /// Between the walls, in the material.
+        angle: f64 = field::angle(),
+        /// From the top side down to the ball centre at the touches of the walls.
+        depth: f64 = field::depth(),
+        /// From wall 1 to the ball centre where its touch begins.
+        clearance1: f64 = field::clearance("clearance1", "Clearance 1", 15.0, "CmdPrm.Flt[-56]"),
+        /// From wall 2 to the ball centre where its touch begins.
+        clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
+        /// From the top side to the ball centre where its touch begins, and where the ball crosses.
+        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]"),
+        /// From the corner along wall 1 to its touch.
+        distance1: f64 = field::distance("distance1", "Distance 1", 15.0),
+        /// From the corner along wall 2 to its touch.
+        distance2: f64 = field::distance("distance2", "Distance 2", 15.0),
+        /// From wall 1 inwards to the touch on the top side.
+        top_distance1: f64 = field::distance("topDistance1", "Top distance 1", 15.0),
+        /// From wall 2 inwards to the touch on the top side.
+        top_distance2: f64 = field::distance("topDistance2", "Top distance 2", 15.0),
+        feed_distance: f64 = field::feed_distance(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+impl Feature for Form {
+    const NUMBER: i32 = 16;
+    const NAME: &'static str = "triple wall external corner probing";
+
+    fn shape(&self) -> Box<dyn Shape> {
+        let outside = Outside {
+            depth: self.depth,
+            distances: [self.distance1, self.distance2],
+            inwards: [self.top_distance1, self.top_distance2],
+        };
+        Box::new(Triple {
+            angle: self.angle,
+            clearances: [self.clearance1, self.clearance2, self.top_clearance],
+            outside: Some(outside),
+        })
+    }
+}

@@ -1,0 +1,66 @@
+//! Triple wall internal corner: ENCY / SprutCAM type 15.
+//!
+//! Two walls and the floor of a pocket, each touched once from one start point inside.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Feature, Shape, Triple, field};
+use crate::geom::Vec3;
+use crate::spec::{Field, form};
+
+pub static DEF: CycleDef = CycleDef {
+    key: "triple-wall-internal-corner",
+    title: "Triple wall internal corner",
+    source: "ENCY/SprutCAM type 15",
+    number: Some(15),
+    doc: "docs/cycles/triple-wall-internal-corner.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: each clearance away from its surface",
+        "Touch the first wall, and back",
+        "Touch the second wall, and back",
+        "Touch the third wall, and back",
+        "Up by the feed distance",
+    ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "The last lift uses the return feed: the source names no feed there.",
+        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
+         clockwise from it.",
+        "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
+        "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
+    ],
+    read: |section| ency::read(section, Form::read),
+};
+
+form! {
+    /// The form of type 15.
+    pub struct Form {
+        /// The corner, where the walls meet the floor.
+        origin: Vec3 = Field::point("origin", "Corner on the floor").group("Place"),
+        /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
+        rotation: f64 = field::rotation(),
+        /// Between the walls, inside the corner.
+        angle: f64 = field::angle(),
+        /// From wall 1 to the ball centre where its touch begins.
+        clearance1: f64 = field::clearance("clearance1", "Clearance 1", 15.0, "CmdPrm.Flt[-56]"),
+        /// From wall 2 to the ball centre where its touch begins.
+        clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
+        /// From the floor to the ball centre where its touch begins.
+        clearance3: f64 = field::clearance("clearance3", "Clearance 3", 15.0, "CmdPrm.Flt[-58]"),
+        feed_distance: f64 = field::feed_distance(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+impl Feature for Form {
+    const NUMBER: i32 = 15;
+    const NAME: &'static str = "triple wall internal corner probing";
+
+    fn shape(&self) -> Box<dyn Shape> {
+        Box::new(Triple { angle: self.angle, clearances: [self.clearance1, self.clearance2, self.clearance3], outside: None })
+    }
+}

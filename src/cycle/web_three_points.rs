@@ -1,0 +1,84 @@
+//! Web, three points: ENCY / SprutCAM type 10.
+//!
+//! A rib, touched on both sides and on top.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Feature, Pairs, Shape, Side, field};
+use crate::geom::Vec3;
+use crate::spec::form;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "web-three-points",
+    title: "Web, three points",
+    source: "ENCY/SprutCAM type 10",
+    number: Some(10),
+    doc: "docs/cycles/web-three-points.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: the middle clearance above the middle touch point",
+        "Over the place the side clearance away from the left touch point, at the height of the start",
+        "Down to the level of the touch",
+        "Touch, and back to where the touch began",
+        "Up to the height of the start",
+        "Back to the start",
+        "Steps 2 to 6 for the right touch point",
+        "Touch the middle point, and back",
+        "Up by the feed distance",
+    ],
+    readings: &[
+        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
+        "The target vector is the outward normal of the wall: from the material into free space.",
+        "Sideways returns use the long link feed and the last lift the return feed: the source names no feed there.",
+        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
+         shift with tool compensation\". The points from code -200 never move.",
+        "The source's steps name a top clearance that this cycle has no code for: the ball crosses at the height of the start, the middle \
+         clearance above the top side.",
+        "The left touch point is the one against the first direction, the right one in it.",
+        "The control takes the ball radius off along the probing direction, so a turned feature reads too wide: by (W + d)(1/cos t - 1) \
+         for a width W, a ball diameter d and a turn t.",
+        "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is not \
+         given where the walls are parallel to an axis.",
+    ],
+    read: |section| ency::read(section, Form::read),
+};
+
+form! {
+    /// The form of type 10.
+    pub struct Form {
+        origin: Vec3 = field::top_centre(),
+        rotation: f64 = field::rotation(),
+        /// From the left touch point to the right one.
+        width: f64 = field::width("width", "Width", 30.0, "CmdPrm.Flt[-53]"),
+        /// From the top side down to the ball centre at the left and the right touch.
+        depth: f64 = field::depth(),
+        /// From the wall to the ball centre where the left and the right touch begin.
+        side_clearance: f64 = field::clearance("sideClearance", "Side clearance", 8.0, "CmdPrm.Flt[-56]"),
+        /// From the top side to the ball centre where the middle touch begins, and where the ball crosses.
+        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]"),
+        feed_distance: f64 = field::feed_distance(),
+        compensate_dimensions: bool = field::compensate(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+impl Feature for Form {
+    const NUMBER: i32 = 10;
+    const NAME: &'static str = "web probing (three points)";
+
+    fn shape(&self) -> Box<dyn Shape> {
+        Box::new(Pairs {
+            internal: false,
+            sides: vec![Side {
+                width_key: ("width", "Width"),
+                width: self.width,
+                clearance: Some(("sideClearance", "Side clearance", self.side_clearance)),
+            }],
+            depth: self.depth,
+            top: Some(self.middle_clearance),
+            middle: Some(self.middle_clearance),
+        })
+    }
+}
