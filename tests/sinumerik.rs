@@ -184,7 +184,8 @@ fn a_contact_ends_the_program_and_names_the_move() {
 fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     let (_, job, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();
     let program = parsed(&plan);
-    let cases: [(&str, fn(&mut Machine)); 6] = [
+    type Spoil = fn(&mut Machine);
+    let cases: [(&str, Spoil); 6] = [
         ("The basic system", |m| m.metric = !m.metric),
         ("The probe is deflected", |m| m.deflected = true),
         ("The work offset is turned", |m| m.frame[1][0] = 3.0),
@@ -343,4 +344,42 @@ fn rapids_stay_protected() {
     assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && f.message.contains("5000 mm/min")));
     assert!(!plan.program.text.contains("G0 "));
     assert_eq!(plan.program.text.matches("F5000").count(), plan.moves.iter().filter(|m| m.feed == "rapid").count());
+}
+
+/// A program becomes the job again: the header says it, the blocks agree, and the path is the same.
+#[test]
+fn a_program_is_read_back_as_its_job() {
+    for (name, job, plan) in plans() {
+        let imported = touchpath::job::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let warnings: Vec<_> = imported.findings.iter().filter(|f| f.level != Level::Info).collect();
+        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        let back = planned(&with(&imported.job, "part", job.get("part").cloned().unwrap_or(Value::Map(Vec::new()))));
+        assert_eq!(back.moves, plan.moves, "{name}");
+        assert_eq!(back.table, plan.table, "{name}");
+        assert_eq!(back.results, plan.results, "{name}");
+        let same = |text: &str| text.lines().filter(|l| !l.starts_with("; ")).collect::<Vec<_>>().join("\n");
+        assert_eq!(same(&back.program.text), same(&plan.program.text), "{name}");
+    }
+}
+
+#[test]
+fn a_program_that_was_changed_is_told() {
+    let (_, _, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();
+    let text = &plan.program.text;
+    let said = |text: &str| -> Vec<String> {
+        match touchpath::job::import(text) {
+            Ok(imported) => imported.findings.into_iter().filter(|f| f.level != Level::Info).map(|f| f.code).collect(),
+            Err(error) => error.findings.into_iter().map(|f| f.code).collect(),
+        }
+    };
+    assert_eq!(said(text), [""; 0]);
+    assert_eq!(said(&text.replacen("Z10 F2000", "Z9 F2000", 1)), ["moves-differ"]);
+    assert_eq!(said(&text.replacen("X139.4671", "X119.4671", 1)), ["moves-differ"]);
+    assert_eq!(said(&text.replacen("cycle.width1 = 80", "cycle.width1 = 81", 1)), ["moves-differ"]);
+    assert_eq!(said(&text.replacen("cycle.width1 = 80", "cycle.width1 = -1", 1)), ["header-unsound"]);
+    assert_eq!(said(&text.replacen("IF $AC_MEA[1]<>0 GOTOF TP_CONTACT\n", "", 1)), ["unsafe-program"]);
+    assert_eq!(said(&text.replacen("STOPRE", "STOPP", 2)), ["not-understood", "not-understood"]);
+    assert_eq!(said(&text.replace("; job cycle.type", "; cycle.type")), ["nothing-to-import"]);
+    let long = format!("{text}; job cycle.touches[999999999999].point = 1\n; job cycle.origin.x.y = 2\n; job  = 3\n");
+    let _ = said(&long);
 }

@@ -264,7 +264,8 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
         return None;
     };
     let mut section = Section::new(checker, Some(given), "cycle");
-    let touches = def.place.is_some().then_some("touches");
+    let own = def.number.map(|_| "custom");
+    let touches = def.place.is_some().then_some("touches").into_iter().chain(own);
     let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).chain(touches).collect();
     section.only(def.fields, &others);
     let cycle = (def.read)(&mut section);

@@ -54,7 +54,7 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
     let mut checker = Checker::default();
     let job = Job::read(&mut checker, value);
     match job {
-        Some(job) => plan::make(&job, checker),
+        Some(job) => plan::make(&job, value, checker),
         None => Err(JobError { findings: checker.findings }),
     }
 }

@@ -67,6 +67,13 @@ pub struct Motion {
     pub feed: Option<f64>,
 }
 
+impl Motion {
+    /// Where the axes are after it: those that it does not name stay.
+    fn after(&self, at: [Option<f64>; 3]) -> [Option<f64>; 3] {
+        [0, 1, 2].map(|axis| self.axes[axis].or(at[axis]))
+    }
+}
+
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
@@ -420,10 +427,7 @@ impl Program {
                     if !exits && motion.feed.is_none_or(|f| f <= 0.0) {
                         say(line, "this moves without a feed of its own");
                     }
-                    let mut to = at;
-                    for axis in 0..3 {
-                        to[axis] = motion.axes[axis].or(to[axis]);
-                    }
+                    let to = motion.after(at);
                     if motion.measuring {
                         match self.check_after(i) {
                             Some(touches) => before_touch = touches.then_some(at),
@@ -462,9 +466,7 @@ impl Program {
                 Statement::Words(words) if words.iter().any(|w| w == "M30") => break,
                 Statement::Assign(Term::Name(name), Term::Number(n)) if name == "TP_MOVE" => number = Some(*n as usize),
                 Statement::Motion(motion) => {
-                    for axis in 0..3 {
-                        at[axis] = motion.axes[axis].or(at[axis]);
-                    }
+                    at = motion.after(at);
                     feed = motion.feed.unwrap_or(feed);
                     let [Some(x), Some(y), Some(z)] = at else {
                         let message = "the first move must name X, Y and Z".to_owned();

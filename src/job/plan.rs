@@ -15,7 +15,7 @@ use crate::spec::{Checker, Finding, Value};
 pub type Triple = [f64; 3];
 
 /// Everything that follows from a job. Lengths in the job's units, angles in degrees.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Plan {
     /// The nominal touches, on the surface.
@@ -39,7 +39,7 @@ pub struct Plan {
 }
 
 /// One nominal touch.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TouchPoint {
     /// On the surface.
     pub point: Triple,
@@ -50,7 +50,7 @@ pub struct TouchPoint {
 }
 
 /// One move of the ball centre.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Move {
     /// Where it ends; a touch at its nominal contact.
     pub to: Triple,
@@ -67,7 +67,7 @@ pub struct Move {
 }
 
 /// An arc about the tool axis.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Arc {
     /// Its centre.
     pub center: Triple,
@@ -76,7 +76,7 @@ pub struct Arc {
 }
 
 /// The program as text.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ProgramText {
     /// Which control it is for.
@@ -90,7 +90,7 @@ pub struct ProgramText {
 }
 
 /// One row of the parameter table.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParameterRow {
     /// `CmdPrm.Flt[-53]`.
     pub code: String,
@@ -161,8 +161,8 @@ fn planned(job: &Job) -> Path {
     path
 }
 
-/// Makes the plan. `checker` holds what the check has found.
-pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
+/// Makes the plan; `value` is the job as it was given. `checker` holds what the check has found.
+pub fn make(job: &Job, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let path = planned(job);
     let run = part::run(&path, &actual_surfaces(job), &job.setup);
     report_run(job, &path, &run, &mut checker);
@@ -187,6 +187,7 @@ pub fn make(job: &Job, mut checker: Checker) -> Result<Plan, JobError> {
         feeds: &feeds,
         work_offset: job.work_offset,
         path: &path,
+        job: value,
     };
     (job.post.check)(&request, &mut checker);
     if checker.failed() {

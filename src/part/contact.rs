@@ -267,6 +267,43 @@ mod tests {
         assert_eq!(meet(true, 3.0, [7.5, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(0.0));
     }
 
+    /// A block from 0 to 20 in X and Y, its top at z = 0: the walls of one body, numbered x+, x−, y+, y−.
+    fn block(radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<(f64, usize)> {
+        let face = |point: [f64; 3], normal: Vec3, along: Vec3| {
+            let point = Vec3::from_array(point);
+            Surface::Flat(Wall { point, normal, along, extent: (0.0, 20.0), drawn_depth: 5.0, has_top: true, body: 0 })
+        };
+        let walls = [
+            face([20.0, 0.0, 0.0], Vec3::X, Vec3::Y),
+            face([0.0, 0.0, 0.0], -Vec3::X, Vec3::Y),
+            face([0.0, 20.0, 0.0], Vec3::Y, Vec3::X),
+            face([0.0, 0.0, 0.0], -Vec3::Y, Vec3::X),
+        ];
+        let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
+        first_contact(&walls, Vec3::Z, radius, from, to).map(|c| (c.center.distance(from), c.surface))
+    }
+
+    #[test]
+    fn a_block_is_met_at_faces_edges_and_corners() {
+        // A face, and nothing beside the block: what lies behind one wall only is free.
+        assert_eq!(block(3.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((17.0, 0)));
+        assert_eq!(block(3.0, [-40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((37.0, 1)));
+        assert_eq!(block(3.0, [-10.0, 24.0, -5.0], [40.0, 24.0, -5.0]), None);
+        assert_eq!(block(3.0, [10.0, 10.0, 30.0], [10.0, 10.0, -5.0]).map(|m| m.0), Some(27.0));
+        // The upright edge at (20, 20): passing 1.8 outside of one wall, it is met 2.4 before the other (3-4-5).
+        let (far, _) = block(3.0, [40.0, 21.8, -5.0], [-10.0, 21.8, -5.0]).unwrap();
+        assert!((far - (20.0 - 2.4)).abs() < 1e-9, "{far}");
+        // The top corner at (20, 20, 0): 1 beside, 2 above and 2 before it is 3 away (1-2-2-3).
+        let (far, _) = block(3.0, [40.0, 21.0, 2.0], [-10.0, 21.0, 2.0]).unwrap();
+        assert!((far - (20.0 - 2.0)).abs() < 1e-9, "{far}");
+        // Past the corner at a distance of more than the radius nothing is met; grazing is passing.
+        assert_eq!(block(3.0, [40.0, 22.5, 2.5], [-10.0, 22.5, 2.5]), None);
+        assert_eq!(block(3.0, [40.0, 23.0, -5.0], [-10.0, 23.0, -5.0]), None);
+        // A point stylus meets the face itself; a ball inside has met it at once.
+        assert_eq!(block(0.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((20.0, 0)));
+        assert_eq!(block(3.0, [10.0, 10.0, -5.0], [40.0, 10.0, -5.0]).map(|m| m.0), Some(0.0));
+    }
+
     fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
         let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0 });

@@ -13,7 +13,7 @@ mod words;
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::path::{Feeds, ParameterValue, Path, Setup};
-use crate::spec::Checker;
+use crate::spec::{Checker, Value};
 
 /// Every control, in the order of the form.
 pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
@@ -70,7 +70,12 @@ pub struct Request<'a> {
     pub work_offset: Option<i32>,
     /// What to print.
     pub path: &'a Path,
+    /// The job as it was given, for controls whose programs say it.
+    pub job: &'a Value,
 }
+
+/// What begins a comment that says a value of the job.
+pub const JOB_LINE: &str = "job ";
 
 /// A printed program.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,13 +104,50 @@ pub fn comment_text(text: &str) -> String {
         .collect()
 }
 
+/// The job as comment lines, `job cycle.width1 = 80`: everything but its name and the virtual part.
+fn job_lines(job: &Value) -> Vec<String> {
+    let mut lines = Vec::new();
+    if let Value::Map(entries) = job {
+        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part" | "format")) {
+            push_lines(key, value, &mut lines);
+        }
+    }
+    lines
+}
+
+fn push_lines(path: &str, value: &Value, lines: &mut Vec<String>) {
+    let text = match value {
+        Value::Map(entries) if !entries.is_empty() => {
+            return entries.iter().for_each(|(key, inner)| push_lines(&format!("{path}.{key}"), inner, lines));
+        }
+        Value::List(items) if !items.is_empty() => {
+            return items.iter().enumerate().for_each(|(i, inner)| push_lines(&format!("{path}[{i}]"), inner, lines));
+        }
+        Value::Map(_) => "{}".to_owned(),
+        Value::List(_) => "[]".to_owned(),
+        Value::Null => "null".to_owned(),
+        Value::Flag(on) => on.to_string(),
+        Value::Number(x) => x.to_string(),
+        // Words and tolerances: nothing that could end a comment.
+        Value::Text(text) => {
+            text.chars().map(|c| if matches!(c, '@' | '?') { c.to_string() } else { comment_text(&c.to_string()) }).collect()
+        }
+        Value::Other(_) => return,
+    };
+    // Only what a checked job can hold is told.
+    if path.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'[' | b']' | b'_')) {
+        lines.push(format!("{JOB_LINE}{path} = {text}"));
+    }
+}
+
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     if request.path.surfaces.iter().any(|s| matches!(s, crate::path::Surface::Unknown)) {
         let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
-    let reacts = request.path.parameters.iter().any(|p| p.code == 309 && p.value != ParameterValue::Whole(0));
+    let reacts =
+        request.path.parameters.iter().any(|p| p.accessor == "Q" && p.code == 309 && p.value != ParameterValue::Whole(0));
     let toleranced = request.path.parameters.iter().any(|p| matches!(p.value, ParameterValue::Text(_)));
     if reacts && toleranced {
         let message = "A program of plain moves does not check tolerances: it does not stop as Q309 says";

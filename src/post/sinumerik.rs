@@ -17,7 +17,7 @@ use crate::num::decimal;
 use crate::path::{Move, ParameterValue, Purpose, RAPID_RATE};
 use crate::post::expr::{self, Notation};
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, written};
+use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, job_lines, written};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -153,6 +153,9 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.comment("Protected moves are MEAS=1 G1 with a check; touches the same, the other way round");
     for note in notes {
         w.comment(note);
+    }
+    for line in job_lines(request.job) {
+        w.comment(&line);
     }
     w.line("DEF INT TP_MOVE");
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");

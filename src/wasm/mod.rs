@@ -58,13 +58,13 @@ pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> 
     job::export_table(&plan, &format.as_string().unwrap_or_default()).map_err(refused)
 }
 
-/// A job from text: job JSON or a program. Gives `{ job, findings }`; throws where no job can be made of it.
+/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; throws where no job can be made of it.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
     let text = text.as_string().unwrap_or_default();
     let (job, findings) = match js_sys::JSON::parse(&text) {
         // What JSON says is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
-        Ok(job) if job.is_object() => {
+        Ok(job) if job.is_object() && !js_sys::Array::is_array(&job) => {
             let findings = job::check(&from_js(&job));
             (job, findings)
         }

@@ -82,10 +82,7 @@ impl Machine {
                     }
                 }
                 Statement::Motion(motion) => {
-                    let mut to = at;
-                    for axis in 0..3 {
-                        to[axis] = motion.axes[axis].unwrap_or(to[axis]);
-                    }
+                    let mut to = [0, 1, 2].map(|axis| motion.axes[axis].unwrap_or(at[axis]));
                     if motion.measuring {
                         self.state = 0.0;
                         // The check two blocks on says whether this is meant to touch.

@@ -5,6 +5,7 @@
 //! by one, as in the Job Assignment: then everything follows from them, and the dimensions only fill the parameter table.
 
 mod corner;
+mod custom;
 pub mod field;
 mod pairs;
 mod picks;
@@ -23,6 +24,8 @@ pub use round::{Circle, Variant};
 pub use still::Still;
 pub use table::{code_of, table};
 pub use triple::{Outside, Triple};
+
+use custom::Custom;
 
 use std::fmt::Debug;
 
@@ -93,6 +96,7 @@ struct Ency<F> {
     form: F,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
+    custom: Vec<Custom>,
     /// What the actual part's sizes differ by.
     deltas: Vec<(String, f64)>,
 }
@@ -101,8 +105,9 @@ struct Ency<F> {
 pub fn read<F: Feature>(section: &mut Section<'_, '_>, form: fn(&mut Section<'_, '_>) -> F) -> Box<dyn Cycle> {
     let form = form(section);
     let properties = section.sub(&PROPERTIES, Properties::read);
-    let picks = picks::read(section).filter(|_| F::NUMBER > 1);
-    Box::new(Ency { form, properties, picks, deltas: Vec::new() })
+    let picks = if F::NUMBER > 1 { picks::read(section) } else { None };
+    let custom = custom::read(section);
+    Box::new(Ency { form, properties, picks, custom, deltas: Vec::new() })
 }
 
 /// Where picked touches put a cycle, given its loose form; none where they do not make one.
@@ -225,7 +230,10 @@ impl<F: Feature> Cycle for Ency<F> {
             spread: None,
             frame,
             formula,
-            parameters: table(&self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k)),
+            parameters: table(&self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k))
+                .into_iter()
+                .chain(self.custom.iter().map(Custom::row))
+                .collect(),
             picked: self.picks.is_some(),
             touches,
         }

@@ -1,21 +1,9 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
-use crate::cycle;
 use crate::job::JobError;
 use crate::job::catalog::default_job_in;
+use crate::job::import::{Imported, set};
 use crate::spec::{Checker, Value};
-
-/// A job made of a program, and what had to be said about it.
-#[derive(Debug)]
-pub struct Imported {
-    /// The job.
-    pub job: Value,
-    /// Notes: what was passed over, what could not be known.
-    pub findings: Vec<crate::spec::Finding>,
-}
-
-/// Longest text that is read.
-const LONGEST: usize = 4_000_000;
 
 /// Which parameter is which key of the cycle, and its default on the control.
 const PARAMETERS: &[(u32, &str, f64)] = &[
@@ -46,7 +34,7 @@ const EXTRUSION: &[(u32, &str, f64)] =
 /// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
-    let blocks = blocks(&text[..text.floor_char_boundary(LONGEST)]);
+    let blocks = blocks(text);
     let inch = blocks.iter().any(|b| {
         let upper = b.to_uppercase();
         upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
@@ -130,10 +118,8 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         checker.warning("units-unknown", "units", message);
     }
     if found == 0 {
-        let known = cycle::CYCLES.len();
-        let message = format!(
-            "No job can be made of this text: it is neither a job (JSON) nor a program with cycle 1411. {known} cycles are known"
-        );
+        let message = "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
+                       cycle 1411, nor one that this project wrote for SINUMERIK";
         checker.error("nothing-to-import", "", message);
         return Err(JobError { findings: checker.findings });
     }
@@ -248,27 +234,4 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
         }
     }
     found
-}
-
-/// Sets a value at a path such as `cycle.point1[2]`.
-fn set(job: &mut Value, path: &str, value: Value) {
-    let (key, rest) = path.split_once('.').map_or((path, None), |(k, r)| (k, Some(r)));
-    let (name, index) = match key.split_once('[') {
-        Some((name, index)) => (name, index.trim_end_matches(']').parse::<usize>().ok()),
-        None => (key, None),
-    };
-    let Value::Map(entries) = job else { return };
-    let place = match entries.iter().position(|(k, _)| k == name) {
-        Some(place) => place,
-        None => {
-            entries.push((name.to_owned(), Value::Map(Vec::new())));
-            entries.len() - 1
-        }
-    };
-    let target = &mut entries[place].1;
-    match (rest, index, target) {
-        (Some(rest), _, target) => set(target, rest, value),
-        (None, Some(i), Value::List(items)) if i < items.len() => items[i] = value,
-        (None, _, target) => *target = value,
-    }
 }

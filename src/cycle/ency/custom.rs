@@ -1,0 +1,86 @@
+//! The user's own codes: positive numbers that only the user's postprocessor knows. They go through as they are.
+
+use crate::path::{Parameter, ParameterValue};
+use crate::spec::{Section, Value};
+
+/// The most own codes a cycle may carry.
+const MOST: usize = 200;
+
+/// One own code.
+#[derive(Clone, Debug)]
+pub struct Custom {
+    code: i32,
+    accessor: &'static str,
+    value: ParameterValue,
+}
+
+impl Custom {
+    /// Its row of the table. Numbers are not converted: nobody here knows what they are.
+    pub fn row(&self) -> Parameter {
+        Parameter {
+            code: self.code,
+            accessor: self.accessor,
+            type_name: match self.accessor {
+                "Int" => "Integer",
+                "Bol" => "Boolean",
+                _ => "Double",
+            },
+            value: self.value.clone(),
+            meaning: "The user's own code".to_owned(),
+            field: Some("cycle.custom".to_owned()),
+            touch: None,
+        }
+    }
+}
+
+/// Reads `custom`: a list of `{ code, type, value }`, each code once. Every problem is reported.
+pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
+    let place = section.at("custom");
+    let items = match section.get("custom") {
+        None | Some(Value::Null) => return Vec::new(),
+        Some(Value::List(items)) if items.len() <= MOST => items,
+        Some(_) => {
+            let message = format!("custom must be a list of at most {MOST} own codes {{ code, type, value }}");
+            section.checker.error("wrong-type", place, message);
+            return Vec::new();
+        }
+    };
+    let mut codes: Vec<Custom> = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        let path = format!("{place}[{i}]");
+        if let Value::Map(entries) = item {
+            for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
+                let message = format!("An own code has code, type and value, and no \"{}\"", crate::spec::printable(key));
+                section.checker.error("unknown-key", path.clone(), message);
+            }
+        }
+        let code = match item.get("code") {
+            Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=1e6).contains(n) => *n as i32,
+            _ => {
+                let message = "An own code is a whole number from 1 to 1000000: negative ones are the system's";
+                section.checker.error("wrong-code", format!("{path}.code"), message);
+                continue;
+            }
+        };
+        let accessor = ["Int", "Flt", "Bol"].into_iter().find(|a| item.get("type") == Some(&Value::Text((*a).to_owned())));
+        let value = match (accessor, item.get("value")) {
+            (Some("Int"), Some(Value::Number(n))) if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) => {
+                ParameterValue::Whole(*n as i32)
+            }
+            (Some("Flt"), Some(Value::Number(x))) if x.is_finite() => ParameterValue::Number(*x),
+            (Some("Bol"), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
+            _ => {
+                let message =
+                    "An own code has a type, Int, Flt or Bol, and a value of it: a whole number, a number, true or false";
+                section.checker.error("wrong-type", path, message);
+                continue;
+            }
+        };
+        if codes.iter().any(|c| c.code == code) {
+            section.checker.error("code-twice", format!("{path}.code"), format!("Code {code} is there twice"));
+            continue;
+        }
+        codes.push(Custom { code, accessor: accessor.unwrap_or("Flt"), value });
+    }
+    codes
+}

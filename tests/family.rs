@@ -1,0 +1,604 @@
+//! The ENCY / SprutCAM family: rows as the source's pages have them, moves and measurements by hand, picked touches, and dumps
+//! that become the job again.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{job, number, planned, with};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use touchpath::cycle::CYCLES;
+use touchpath::job::{Plan, check, default_job, export_table, import, plan};
+use touchpath::spec::{Default, Field, Kind, Level, Value};
+
+fn cycle(text: &str) -> Value {
+    job(&format!(r#"{{ "format": 1, "cycle": {text} }}"#))
+}
+
+fn codes(plan: &Plan) -> Vec<String> {
+    plan.table.iter().map(|r| r.code.strip_prefix("CmdPrm.").unwrap().to_owned()).collect()
+}
+
+/// The rows of each page of the source, in its order: what stands before the touch points, how many touches, what stands behind.
+#[test]
+fn every_type_has_the_rows_of_its_page() {
+    let pages: &[(&str, i32, &str, i32, &str)] = &[
+        ("probe-on-off", 0, "Int[-2] Bol[-3]", 0, ""),
+        ("nc-action", 1, "Int[-2]", 0, ""),
+        ("surface", 2, "Int[-2] Flt[-50]", 1, "Flt[-56] Flt[-66]"),
+        ("hole", 3, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Int[-59] Flt[-60] Flt[-61] Int[-62]", 4, ""),
+        (
+            "hole-protected",
+            4,
+            "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59] Flt[-60] Flt[-61] Int[-62]",
+            4,
+            "Flt[-66]",
+        ),
+        ("boss", 5, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59] Flt[-60] Flt[-61] Int[-62]", 4, "Flt[-66]"),
+        ("internal-rectangle", 6, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-54] Flt[-55]", 4, ""),
+        (
+            "internal-rectangle-protected",
+            7,
+            "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-54] Flt[-55] Flt[-56] Flt[-57]",
+            4,
+            "Flt[-66]",
+        ),
+        ("external-rectangle", 8, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-54] Flt[-55] Flt[-56] Flt[-57]", 4, "Flt[-66]"),
+        ("web", 9, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-55] Flt[-56]", 2, "Flt[-66]"),
+        ("web-three-points", 10, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-56] Flt[-57]", 3, "Flt[-66]"),
+        ("groove", 11, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-55]", 2, ""),
+        ("groove-protected", 12, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-55] Flt[-56]", 2, "Flt[-66]"),
+        ("double-wall-internal-corner", 13, "Int[-2] Flt[-50] Flt[-56] Flt[-57] Int[-63] Int[-64] Flt[-65] Flt[-67]", 4, ""),
+        (
+            "double-wall-external-corner",
+            14,
+            "Int[-2] Flt[-50] Flt[-56] Flt[-57] Int[-63] Int[-64] Flt[-65] Flt[-67]",
+            4,
+            "Flt[-66]",
+        ),
+        ("triple-wall-internal-corner", 15, "Int[-2] Flt[-50] Flt[-56] Flt[-57] Flt[-58]", 3, ""),
+        ("triple-wall-external-corner", 16, "Int[-2] Flt[-50] Flt[-51] Flt[-56] Flt[-57] Flt[-58]", 3, ""),
+    ];
+    assert_eq!(pages.len() + 1, CYCLES.len(), "and 1411");
+    for (key, kind, before, touches, behind) in pages {
+        let plan = planned(&default_job(key).unwrap());
+        let mut expected = vec!["Int[-1]".to_owned()];
+        expected.extend(before.split(' ').map(str::to_owned));
+        for base in [-100, -200] {
+            expected.extend((0..6 * touches).map(|i| format!("Flt[{}]", base - i)));
+        }
+        expected.extend(behind.split(' ').filter(|c| !c.is_empty()).map(str::to_owned));
+        assert_eq!(codes(&plan), expected, "{key}");
+        assert_eq!(plan.table[0].value, touchpath::job::ParameterValue::Whole(*kind), "{key}");
+        assert_eq!(plan.touches.len(), *touches as usize, "{key}");
+    }
+    // The one Boolean, the fixed SubCode, the Integer behind a Flt, and a top clearance that is not checked.
+    let text = |t: &str| export_table(&planned(&cycle(t)), "text").unwrap();
+    assert_eq!(
+        text(r#"{ "type": "probe-on-off", "on": false }"#),
+        "CmdPrm.Int[-1] = 0\nCmdPrm.Int[-2] = -500\nCmdPrm.Bol[-3] = false\n"
+    );
+    assert!(!text(r#"{ "type": "groove", "topClearance": null }"#).contains("[-55]"));
+    let properties = r#"{ "type": "web", "properties": { "wcsMode": 1, "wcsNumber": 3, "reportFeature": 9 },
+        "custom": [{ "code": 101, "type": "Flt", "value": 2.5 }, { "code": 7, "type": "Bol", "value": true }] }"#;
+    let tail = "CmdPrm.Flt[-66] = 0\nCmdPrm.Int[-10] = 1\nCmdPrm.Int[-11] = 3\nCmdPrm.Int[-25] = 9\nCmdPrm.Flt[101] = 2.5\nCmdPrm.Bol[7] = true\n";
+    assert!(text(properties).ends_with(tail), "{}", text(properties));
+}
+
+/// Each move as "x y z feed step", the feed by its first letter (rEtract and rEturn by their second).
+fn walked(text: &str) -> Vec<String> {
+    planned(&cycle(text))
+        .moves
+        .iter()
+        .map(|m| {
+            let feed = match m.feed {
+                "retract" => "t",
+                "return" => "r",
+                other => &other[..1],
+            };
+            format!("{} {feed}{}", m.to.map(|x| touchpath::num::decimal(x, 3)).join(" "), m.step)
+        })
+        .collect()
+}
+
+/// By hand from the step lists: ball 6, so contacts are 3 in front of the surface.
+#[test]
+fn the_moves_of_each_kind_by_hand() {
+    // A hole of 40 with its top at 5: entry at 5 + 8, touches at 5 − 10, contacts 17 from the middle.
+    let hole = walked(
+        r#"{ "type": "hole", "origin": [0, 0, 5], "diameter": 40, "depth": 10, "topClearance": 8, "feedDistance": 20 }"#,
+    );
+    let expected = [
+        "0 0 33 a1",
+        "0 0 13 a1",
+        "0 0 -5 l1",
+        "17 0 -5 w3",
+        "0 0 -5 l3",
+        "-17 0 -5 w3",
+        "0 0 -5 l3",
+        "0 17 -5 w3",
+        "0 0 -5 l3",
+        "0 -17 -5 w3",
+        "0 0 -5 l3",
+        "0 0 13 l4",
+        "0 0 33 r5",
+    ];
+    assert_eq!(hole, expected);
+    let unchecked = walked(r#"{ "type": "groove", "width": 20, "depth": 10, "topClearance": null, "feedDistance": 20 }"#);
+    assert_eq!(unchecked, ["0 0 10 a2", "0 0 -10 a2", "7 0 -10 w3", "0 0 -10 l3", "-7 0 -10 w3", "0 0 -10 l3", "0 0 10 r5"]);
+    // A boss of 40, three touches from 90° on: over 20 + 8 from the middle, contact at 23.
+    let boss = walked(
+        r#"{ "type": "boss", "diameter": 40, "depth": 6, "topClearance": 9, "sideClearance": 8, "variant": 1, "startAngle": 90,
+        "angularStep": 90, "stepCount": 3, "feedDistance": 1 }"#,
+    );
+    let around = ["0 28 9 l2", "0 28 -6 l3", "0 23 -6 w4", "0 28 -6 l4", "0 28 9 l5", "0 0 9 l6"];
+    assert_eq!(boss[..8], [["0 0 10 a1", "0 0 9 a1"].as_slice(), around.as_slice()].concat());
+    assert_eq!(boss[8], "-28 0 9 l2");
+    // The web's left touch is against the first direction; the middle one straight down from the start.
+    let web = walked(
+        r#"{ "type": "web-three-points", "width": 30, "depth": 5, "sideClearance": 7, "middleClearance": 12, "feedDistance": 3 }"#,
+    );
+    assert_eq!(web[..4], ["0 0 15 a1", "0 0 12 a1", "-22 0 12 l2", "-22 0 -5 l3"]);
+    assert_eq!(web[14..], ["0 0 3 w8", "0 0 12 l8", "0 0 15 r9"]);
+    // A slope of 30° over X, clearance 10: up by 10·(cos 30°, sin 30°), back on the retract feed.
+    let slope = walked(r#"{ "type": "surface", "elevation": 30, "clearance": 10, "feedDistance": 4 }"#);
+    assert_eq!(slope, ["8.66 0 9 a1", "8.66 0 5 a1", "2.598 0 1.5 w2", "8.66 0 5 t3", "8.66 0 9 r4"]);
+    // Outside a corner: the start is (−c1, −c2), the first touches 20 and 25 from the corner.
+    let corner = walked(
+        r#"{ "type": "double-wall-external-corner", "clearance1": 10, "clearance2": 12, "distance1": 20, "distance2": 25,
+        "count1": 2, "count2": 1, "step1": 30, "feedDistance": 5 }"#,
+    );
+    let expected = [
+        "-10 -12 5 a1",
+        "-10 -12 0 a1",
+        "-10 20 0 l2",
+        "-3 20 0 w2",
+        "-10 20 0 l2",
+        "-10 50 0 l3",
+        "-3 50 0 w3",
+        "-10 50 0 l3",
+        "-10 -12 0 l5",
+        "25 -12 0 l6",
+        "25 -3 0 w6",
+        "25 -12 0 l6",
+        "-10 -12 0 l9",
+        "-10 -12 5 r10",
+    ];
+    assert_eq!(corner, expected);
+    // Three walls inside: one start, three touches. Outside: the start is the top clearance above the top side.
+    let inside = walked(
+        r#"{ "type": "triple-wall-internal-corner", "clearance1": 10, "clearance2": 11, "clearance3": 12, "feedDistance": 5 }"#,
+    );
+    let expected = [
+        "10 11 17 a1",
+        "10 11 12 a1",
+        "3 11 12 w2",
+        "10 11 12 l2",
+        "10 3 12 w3",
+        "10 11 12 l3",
+        "10 11 3 w4",
+        "10 11 12 l4",
+        "10 11 17 r5",
+    ];
+    assert_eq!(inside, expected);
+    let outside = walked(
+        r#"{ "type": "triple-wall-external-corner", "clearance1": 10, "clearance2": 11, "topClearance": 8, "depth": 6,
+        "distance1": 20, "distance2": 21, "topDistance1": 14, "topDistance2": 15, "feedDistance": 5 }"#,
+    );
+    let expected = [
+        "-10 -11 13 a1",
+        "-10 -11 8 a1",
+        "-10 20 -6 l2",
+        "-3 20 -6 w2",
+        "-10 20 -6 l2",
+        "-10 -11 8 l3",
+        "21 -11 -6 l4",
+        "21 -3 -6 w4",
+        "21 -11 -6 l4",
+        "-10 -11 8 l5",
+        "14 15 8 l6",
+        "14 15 3 w6",
+        "14 15 8 l6",
+        "-10 -11 8 l7",
+        "-10 -11 13 r8",
+    ];
+    assert_eq!(outside, expected);
+    assert_eq!(walked(r#"{ "type": "probe-on-off" }"#), [""; 0]);
+}
+
+fn value(plan: &Plan, code: &str) -> f64 {
+    plan.results.iter().find(|r| r.code == code).and_then(|r| r.value).unwrap_or_else(|| panic!("{code}"))
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-7
+}
+
+/// What each kind measures on a part that lies off, by formulas on paper.
+#[test]
+fn the_virtual_part_of_each_kind_by_hand() {
+    let off = |text: &str, part: &str| planned(&job(&format!(r#"{{ "format": 1, "cycle": {text}, "part": {part} }}"#)));
+    // A circle stays one: centre and diameter to the letter. Uncertainties of four touches: σ/√2 for the centre, σ for the size.
+    for kind in ["hole", "hole-protected", "boss"] {
+        let plan = off(
+            &format!(r#"{{ "type": "{kind}", "origin": [10, 20, 0], "diameter": 40 }}"#),
+            r#"{ "offset": [0.3, -0.2, 0], "sizes": { "diameter": 0.05 } }"#,
+        );
+        assert!(near(value(&plan, "center.x"), 10.3) && near(value(&plan, "center.y"), 19.8), "{kind}");
+        assert!(near(value(&plan, "diameter"), 40.05), "{kind}");
+        let sigma: Vec<f64> = plan.results.iter().take(3).map(|r| r.uncertainty.unwrap()).collect();
+        let half = 0.001 / 2f64.sqrt();
+        assert!(
+            (sigma[0] - half).abs() < 2e-6 && (sigma[1] - half).abs() < 2e-6 && (sigma[2] - 0.001).abs() < 2e-6,
+            "{sigma:?}"
+        );
+    }
+    // Turned by t the walls of a groove are (W − d)(1/cos t − 1) too far apart, those of a web (W + d)(1/cos t − 1).
+    let secant = 1.0 / 1f64.to_radians().cos() - 1.0;
+    let turned = r#"{ "rotation": 1 }"#;
+    assert!(near(value(&off(r#"{ "type": "groove", "width": 30 }"#, turned), "width"), 30.0 + 24.0 * secant));
+    assert!(near(value(&off(r#"{ "type": "web", "width": 30 }"#, turned), "width"), 30.0 + 36.0 * secant));
+    let block = off(r#"{ "type": "external-rectangle", "width1": 80, "width2": 50 }"#, turned);
+    assert!(near(value(&block, "width1"), 80.0 + 86.0 * secant) && near(value(&block, "width2"), 50.0 + 56.0 * secant));
+    assert!(block.results.iter().find(|r| r.code == "width1").unwrap().note.as_ref().unwrap().contains("(W + d)"));
+    // A groove along Y sees a shift in X only, one turned by 30° the part of it along its normal.
+    let groove =
+        off(r#"{ "type": "groove", "origin": [5, 6, 0], "rotation": 30, "width": 30 }"#, r#"{ "offset": [0.2, 0.1, 0] }"#);
+    let (sin, cos) = 30f64.to_radians().sin_cos();
+    let along = 0.2 * cos + 0.1 * sin;
+    assert!(near(value(&groove, "center.x"), 5.0 + along * cos) && near(value(&groove, "center.y"), 6.0 + along * sin));
+    let straight = off(r#"{ "type": "groove", "origin": [5, 6, 0], "width": 30 }"#, r#"{ "offset": [0.2, 0.1, 0] }"#);
+    assert!(near(value(&straight, "center.x"), 5.2) && straight.results.iter().all(|r| r.code != "center.y"));
+    // Heights.
+    let web = off(r#"{ "type": "web-three-points", "origin": [0, 0, 2] }"#, r#"{ "offset": [0, 0, 0.25] }"#);
+    assert!(near(value(&web, "height"), 2.25));
+    let top = off(r#"{ "type": "surface", "origin": [1, 2, 3] }"#, r#"{ "offset": [0, 0, -0.4] }"#);
+    assert!(near(value(&top, "point.z"), 2.6) && near(value(&top, "deviation"), -0.4));
+    for kind in ["triple-wall-internal-corner", "triple-wall-external-corner"] {
+        let plan = off(
+            &format!(r#"{{ "type": "{kind}", "origin": [10, 20, 30], "rotation": 25, "angle": 75 }}"#),
+            r#"{ "offset": [0.3, -0.2, 0.1] }"#,
+        );
+        let corner = ["corner.x", "corner.y", "corner.z"].map(|c| value(&plan, c));
+        assert!(near(corner[0], 10.3) && near(corner[1], 19.8) && near(corner[2], 30.1), "{kind} {corner:?}");
+    }
+    // A corner that measures its own angles has no error, turned and with another angle.
+    let corner = off(
+        r#"{ "type": "double-wall-external-corner", "origin": [10, 20, 0], "rotation": 25, "angle": 75, "count1": 2, "count2": 3 }"#,
+        r#"{ "offset": [0.3, -0.2, 0], "rotation": 0.4, "sizes": { "angle": 0.3 } }"#,
+    );
+    let (sin, cos) = 0.4f64.to_radians().sin_cos();
+    assert!(
+        near(value(&corner, "corner.x"), 10.0 * cos - 20.0 * sin + 0.3)
+            && near(value(&corner, "corner.y"), 10.0 * sin + 20.0 * cos - 0.2)
+    );
+    assert!(near(value(&corner, "angle"), 75.3) && near(value(&corner, "rotation"), 0.4), "{:?}", corner.results);
+}
+
+/// A wrong word is found where the part stands in the way: a crossing below the top of a block, a ball that does not go in.
+#[test]
+fn dimensions_that_do_not_go_together_are_refused() {
+    let found = |text: &str| -> Vec<String> {
+        check(&cycle(text)).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+    };
+    assert_eq!(found(r#"{ "type": "boss", "topClearance": 3 }"#), ["crossing-too-low cycle.topClearance"]);
+    assert_eq!(found(r#"{ "type": "boss", "sideClearance": 3 }"#), ["clearance-too-small cycle.sideClearance"]);
+    assert_eq!(found(r#"{ "type": "hole", "diameter": 6 }"#), ["ball-too-wide cycle.diameter"]);
+    assert_eq!(found(r#"{ "type": "hole-protected", "diameter": 10 }"#), ["approach-beyond-wall cycle.sideClearance"]);
+    assert_eq!(found(r#"{ "type": "groove", "width": 5 }"#), ["ball-too-wide cycle.width"]);
+    assert_eq!(found(r#"{ "type": "web-three-points", "middleClearance": 2 }"#).len(), 2);
+    assert_eq!(found(r#"{ "type": "surface", "clearance": 2 }"#), ["clearance-too-small cycle.clearance"]);
+    assert_eq!(
+        found(r#"{ "type": "triple-wall-external-corner", "topClearance": 2 }"#),
+        ["clearance-too-small cycle.topClearance"]
+    );
+    assert_eq!(
+        found(r#"{ "type": "double-wall-external-corner", "count1": 9, "count2": 8 }"#),
+        ["too-many-touches cycle.count1"]
+    );
+    assert_eq!(found(r#"{ "type": "hole", "variant": 1, "stepCount": 17 }"#), ["out-of-range cycle.stepCount"]);
+    // An internal corner of three walls with a sharp angle: the ball meets the other wall.
+    assert_eq!(
+        found(r#"{ "type": "triple-wall-internal-corner", "angle": 150, "clearance1": 40, "clearance2": 4 }"#),
+        ["touch-beyond-corner cycle.clearance2"]
+    );
+    // Touches two of which are one give no circle: said, and the results are null.
+    let twice = cycle(r#"{ "type": "hole", "variant": 1, "stepCount": 4, "angularStep": 180 }"#);
+    assert!(check(&twice).iter().any(|f| f.code == "no-circle" && f.level == Level::Warning));
+    assert!(planned(&twice).results.iter().all(|r| r.value.is_none()));
+}
+
+fn picked(kind: &str, rest: &str, touches: &[([f64; 3], [f64; 3])]) -> Value {
+    let touches: Vec<String> = touches.iter().map(|(p, v)| format!(r#"{{ "point": {p:?}, "vector": {v:?} }}"#)).collect();
+    cycle(&format!(r#"{{ "type": "{kind}", {rest} "touches": [{}] }}"#, touches.join(", ")))
+}
+
+const POCKET: [([f64; 3], [f64; 3]); 4] = [
+    ([40.0, 5.0, -10.0], [-1.0, 0.0, 0.0]),
+    ([-40.0, -6.0, -10.0], [1.0, 0.0, 0.0]),
+    ([7.0, 25.0, -10.0], [0.0, -1.0, 0.0]),
+    ([-9.0, -25.0, -10.0], [0.0, 1.0, 0.0]),
+];
+
+#[test]
+fn picked_touches_replace_the_dimensions() {
+    let plan = planned(&picked("internal-rectangle-protected", "", &POCKET));
+    for (touch, (point, vector)) in plan.touches.iter().zip(POCKET) {
+        assert_eq!((touch.point, touch.vector), (point, vector));
+    }
+    // The middle is between the walls, the top side the depth above the touches, the start the top clearance above that.
+    assert_eq!(plan.moves[1].to, [0.0, 0.0, 10.0]);
+    assert_eq!(plan.moves[2].to, [32.0, 5.0, 10.0]);
+    assert!(near(value(&plan, "width1"), 80.0) && near(value(&plan, "center.y"), 0.0));
+    // The picks decide, the form only fills the table, and the difference is told.
+    let other = picked("internal-rectangle-protected", r#""width1": 90, "rotation": 45, "origin": [500, 0, 0],"#, &POCKET);
+    let plan = planned(&other);
+    assert!(near(value(&plan, "width1"), 80.0));
+    assert!(plan.findings.iter().any(|f| f.code == "picks-differ" && f.path == "cycle.width1"), "{:?}", plan.findings);
+    assert!(export_table(&plan, "text").unwrap().contains("Flt[-53] = 90\n"));
+    // A vector within a thousandth of unit length is normalised.
+    let mut long = POCKET;
+    long[0].1 = [-1.0009, 0.0, 0.0];
+    assert_eq!(planned(&picked("internal-rectangle-protected", "", &long)).touches[0].vector, [-1.0, 0.0, 0.0]);
+    // The whole contract: any order of walls of an inner corner, one start.
+    let corner = [([0.0, 20.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
+    let rest = r#""count1": 1, "count2": 1, "clearance1": 15, "clearance2": 20,"#;
+    assert_eq!(planned(&picked("double-wall-internal-corner", rest, &corner)).moves[1].to, [15.0, 20.0, 0.0]);
+}
+
+#[test]
+fn picks_that_make_no_feature_are_refused() {
+    let found = |job: &Value| -> Vec<String> {
+        check(job).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+    };
+    let with_pick = |k: usize, point: [f64; 3], vector: [f64; 3]| {
+        let mut picks = POCKET;
+        picks[k] = (point, vector);
+        found(&picked("internal-rectangle-protected", "", &picks))
+    };
+    assert_eq!(with_pick(0, POCKET[0].0, [-1.002, 0.0, 0.0]), ["vector-not-unit cycle.touches[0].vector"]);
+    assert_eq!(with_pick(0, POCKET[0].0, [0.0, 0.0, 0.0]), ["vector-not-unit cycle.touches[0].vector"]);
+    let askew = ["vectors-not-opposite cycle.touches[1].vector", "pairs-not-square cycle.touches[2].vector"];
+    assert_eq!(with_pick(0, POCKET[0].0, [-0.8, 0.6, 0.0]), askew);
+    assert_eq!(with_pick(0, POCKET[0].0, [-0.8, 0.0, 0.6])[0], "vector-not-in-plane cycle.touches[0].vector");
+    // Both vectors of a pair turned round: the sign check of an internal feature.
+    let mut outside = POCKET;
+    for pick in &mut outside[..2] {
+        pick.1 = pick.1.map(|x| -x);
+    }
+    let wrong = ["vector-wrong-way cycle.touches[0].vector", "vector-wrong-way cycle.touches[1].vector"];
+    assert_eq!(found(&picked("internal-rectangle-protected", "", &outside)), wrong);
+    let all_round = POCKET.map(|(p, v)| (p, v.map(|x| -x)));
+    assert_eq!(found(&picked("internal-rectangle-protected", "", &all_round)).len(), 4);
+    assert_eq!(found(&picked("external-rectangle", "", &POCKET)).len(), 4);
+    assert_eq!(found(&picked("external-rectangle", "", &all_round)), [""; 0]);
+    let circle = |inwards: f64| -> Vec<([f64; 3], [f64; 3])> {
+        [0f64, 180.0, 90.0, 270.0]
+            .map(|a| {
+                let (sin, cos) = a.to_radians().sin_cos();
+                ([20.0 * cos, 20.0 * sin, -10.0], [cos * inwards, sin * inwards, 0.0])
+            })
+            .to_vec()
+    };
+    assert_eq!(found(&picked("hole", "", &circle(-1.0))), [""; 0]);
+    assert_eq!(found(&picked("hole", "", &circle(1.0))).len(), 4);
+    assert_eq!(found(&picked("boss", "", &circle(1.0))), [""; 0]);
+    let mut dented = circle(-1.0);
+    dented[2].0[1] = 19.0;
+    assert_eq!(found(&picked("hole", "", &dented)), ["not-on-one-circle cycle.touches[2]"]);
+    // A start that is not one point is told with both readings.
+    let corner = [([0.0, 21.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
+    let rest = r#""count1": 1, "count2": 1, "clearance1": 15, "clearance2": 20,"#;
+    let two = picked("double-wall-internal-corner", rest, &corner);
+    assert_eq!(found(&two), ["starts-disagree cycle.touches"]);
+    let message = &check(&two)[0].message;
+    assert!(message.contains("[15, 21, 0]") && message.contains("[15, 20, 0]"), "{message}");
+    let outer = [([0.0, 20.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
+    assert_eq!(found(&picked("double-wall-external-corner", r#""count1": 1, "count2": 1,"#, &outer)).len(), 2);
+    // Counts, shapes, types.
+    assert_eq!(found(&picked("internal-rectangle-protected", "", &POCKET[..3])), ["wrong-count cycle.touches"]);
+    assert_eq!(found(&picked("web", "", &[])), ["too-many-touches cycle.touches"]);
+    assert_eq!(
+        found(&cycle(r#"{ "type": "web", "touches": [7, { "point": [1, 2], "vector": [1, 0, 0], "x": 1 }] }"#)).len(),
+        4
+    );
+    assert_eq!(found(&cycle(r#"{ "type": "web", "touches": "all" }"#)), ["wrong-type cycle.touches"]);
+    assert_eq!(found(&cycle(r#"{ "type": "nc-action", "touches": [] }"#)), ["unknown-key cycle.touches"]);
+    let custom = r#"{ "type": "web", "custom": [{ "code": -5, "type": "Int", "value": 1 }, { "code": 5, "type": "Int", "value": 1.5 },
+        { "code": 6, "type": "Flt", "value": 1 }, { "code": 6, "type": "Flt", "value": 1, "y\nG0 Z-9": 1 }] }"#;
+    let wrong = [
+        "wrong-code cycle.custom[0].code",
+        "wrong-type cycle.custom[1]",
+        "unknown-key cycle.custom[3]",
+        "code-twice cycle.custom[3].code",
+    ];
+    assert_eq!(found(&cycle(custom)), wrong);
+}
+
+/// A number as a form would be written with: three decimals.
+fn written(low: f64, high: f64) -> BoxedStrategy<Value> {
+    ((low * 1000.0) as i64..=(high * 1000.0) as i64).prop_map(|n| number(n as f64 / 1000.0)).boxed()
+}
+
+fn field_value(field: &'static Field) -> BoxedStrategy<Value> {
+    let (low, high) = field.usual.unwrap_or((field.hard.min.max(-170.0), field.hard.max.min(170.0)));
+    match field.kind {
+        Kind::Length if field.null.is_some() => prop_oneof![3 => written(low, high.min(300.0)), 1 => Just(Value::Null)].boxed(),
+        Kind::Length => written(low.max(0.01), high.min(300.0)),
+        // A top side has no direction in the plane that its vector would keep.
+        Kind::Angle if field.key == "elevation" => written(1.0, 80.0),
+        Kind::Angle => written(low, high),
+        Kind::Count => {
+            (field.hard.min.max(-99.0) as i32..=field.hard.max.min(9.0) as i32).prop_map(|n| number(f64::from(n))).boxed()
+        }
+        Kind::Flag => any::<bool>().prop_map(Value::Flag).boxed(),
+        Kind::Code(codes) => (0..codes.len()).prop_map(move |i| number(f64::from(codes[i].value))).boxed(),
+        Kind::Point => proptest::collection::vec(written(-200.0, 200.0), 3).prop_map(Value::List).boxed(),
+        _ => Just(Value::Null).boxed(),
+    }
+}
+
+/// A job of the family as its dump could bring it back: defaults around the cycle, but for stylus and plane.
+fn dumped_job() -> impl Strategy<Value = Value> {
+    (0..CYCLES.len()).prop_filter("of the family", |i| CYCLES[*i].number.is_some()).prop_flat_map(|i| {
+        let def = CYCLES[i];
+        let fields: Vec<_> = def.fields.iter().map(field_value).collect();
+        let has_properties = !def.sections.is_empty();
+        (fields, any::<bool>(), 0..3usize, written(0.5, 8.0)).prop_map(move |(values, properties, plane, ball)| {
+            let mut job = default_job(def.key).unwrap();
+            for (field, value) in def.fields.iter().zip(values) {
+                job = with(&job, &format!("cycle.{}", field.key), value);
+            }
+            if properties && has_properties {
+                let all: Vec<(String, Value)> = def.sections[0]
+                    .fields
+                    .iter()
+                    .enumerate()
+                    .map(|(i, f)| (f.key.to_owned(), if i % 3 == 0 { number(i as f64) } else { Value::Null }))
+                    .collect();
+                job = with(&job, "cycle.properties", Value::Map(all));
+                let own = vec![("code", number(31.0)), ("type", Value::Text("Flt".into())), ("value", number(0.25))];
+                let own = Value::Map(own.into_iter().map(|(k, v)| (k.to_owned(), v)).collect());
+                job = with(&job, "cycle.custom", Value::List(vec![own]));
+            }
+            // The plane is seen in the vectors where no surface lies square to its tool axis alone, the ball in compensated points.
+            if def.place.is_some() && def.key != "surface" {
+                job = with(&job, "plane", Value::Text(["G17", "G18", "G19"][plane].to_owned()));
+            }
+            let compensated = job.get("cycle").and_then(|c| c.get("compensateDimensions")) == Some(&Value::Flag(true));
+            if compensated { with(&job, "stylus.diameter", ball) } else { job }
+        })
+    })
+}
+
+/// Everything but order.
+fn sorted(value: &Value) -> Value {
+    match value {
+        Value::Map(entries) => {
+            let mut entries: Vec<(String, Value)> = entries.iter().map(|(k, v)| (k.clone(), sorted(v))).collect();
+            entries.sort_by(|a, b| a.0.cmp(&b.0));
+            Value::Map(entries)
+        }
+        other => other.clone(),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Job, dump, job: the same, in each of the three forms.
+    #[test]
+    fn a_dump_becomes_the_job_again(job in dumped_job()) {
+        let Ok(planned) = plan(&job) else { return Ok(()) };
+        for format in ["text", "csv", "json"] {
+            let dump = export_table(&planned, format).unwrap();
+            let imported = import(&dump).map_err(|e| TestCaseError::fail(format!("{e} {dump}")))?;
+            prop_assert_eq!(sorted(&imported.job), sorted(&job), "{} {:?}\n{}", format, imported.findings, dump);
+            prop_assert!(imported.findings.iter().any(|f| f.code == "not-in-dump" && f.path == "feeds"));
+            // Mutilated dumps are read or refused; nothing panics.
+            let middle = dump.floor_char_boundary(dump.len() / 2);
+            let _ = import(&dump[..middle]).map(|i| check(&i.job));
+            let _ = import(&dump[middle..]).map(|i| check(&i.job));
+            let _ = import(&dump.replace('-', "")).map(|i| check(&i.job));
+            let _ = import(&dump.replace("0", "9")).map(|i| check(&i.job));
+        }
+    }
+
+    /// Nothing that is pasted in panics.
+    #[test]
+    fn nothing_pasted_panics(text in "(CmdPrm\\. ?(Int|Flt|Bol) ?\\[-?[0-9]{1,4}\\] ?[=,:;] ?[-0-9.,eE]{0,8}\n?){0,40}", tail in ".{0,60}") {
+        let _ = import(&format!("CmdPrm.Int[-1] = 7\n{text}{tail}")).map(|i| check(&i.job));
+        let _ = import(&format!("MEAS=1 {text}\n{tail}"));
+        let _ = import(&text);
+    }
+}
+
+/// The property says something only if enough jobs have a plan, of every type.
+#[test]
+fn every_type_takes_part_in_the_round_trip() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    let mut seen = std::collections::BTreeMap::new();
+    for _ in 0..600 {
+        let job = dumped_job().new_tree(&mut runner).unwrap().current();
+        if plan(&job).is_ok() {
+            *seen.entry(format!("{:?}", job.get("cycle").unwrap().get("type"))).or_insert(0) += 1;
+        }
+    }
+    assert_eq!(seen.len(), 17, "{seen:?}");
+    assert!(seen.values().all(|n| *n >= 2), "{seen:?}");
+}
+
+/// A dump as logs have it: spaces, decimal commas, another order, codes of the user's own, an older version without -66 and -200.
+#[test]
+fn a_real_life_dump_is_read() {
+    let dump = "EXTCYCLE 500 CALL(52)\n  CmdPrm. Flt [-55] : 10,5\n CmdPrm.Flt[-50]=20\nCmdPrm.Int[-1]   =  7 ; type\n\
+        CmdPrm.Int[-2] = 4711\nCmdPrm.Flt[-51] = 12,0\n  Flt[-53] = 80\n Flt[-54] = 50 mm\n Flt[-56] = 8\n Flt[-57] = 9\n\
+        CmdPrm. Flt [-100] = 50\n Flt[-101] = 20\n Flt[-102] = -12\n Flt[-103] = -1\n Flt[-104] = 0\n Flt[-105] = 0\n\
+        Flt[-106] = -30\n Flt[-107] = 20\n Flt[-108] = -12\n Flt[-109] = 1\n Flt[-110] = 0\n Flt[-111] = 0\n\
+        Flt[-112] = 10\n Flt[-113] = 45\n Flt[-114] = -12\n Flt[-115] = 0\n Flt[-116] = -1\n Flt[-117] = 0\n\
+        Flt[-118] = 10\n Flt[-119] = -5\n Flt[-120] = -12\n Flt[-121] = 0\n Flt[-122] = 1\n Flt[-123] = 0\nInt[105] = 3\nInt[-77] = 1\n";
+    let imported = import(dump).unwrap();
+    let plan = planned(&imported.job);
+    let cycle = imported.job.get("cycle").unwrap();
+    let wanted = job(r#"{ "origin": [10, 20, 0], "rotation": 0, "width1": 80, "width2": 50, "depth": 12, "topClearance": 10.5,
+        "sideClearance1": 8, "sideClearance2": 9, "feedDistance": 20, "subCode": 4711, "compensateDimensions": false }"#);
+    let Value::Map(wanted) = wanted else { unreachable!() };
+    for (key, value) in wanted {
+        assert_eq!(cycle.get(&key), Some(&value), "{key}");
+    }
+    assert_eq!(cycle.get("touches"), None);
+    assert!(export_table(&plan, "text").unwrap().ends_with("CmdPrm.Int[105] = 3\n"));
+    let said: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(said, ["unknown-code", "not-in-dump", "not-in-dump"]);
+    assert!(imported.findings[0].message.contains("-77"));
+    // What is missing is said, code by code, and defaults stand in.
+    let short = import(&dump.replace("CmdPrm.Flt[-51] = 12,0\n", "")).unwrap();
+    assert!(short.findings.iter().any(|f| f.code == "missing-code" && f.path == "cycle.depth"));
+    let flag = import(&format!("{dump}CmdPrm.Flt[-66] = 2\n")).unwrap();
+    assert!(flag.findings.iter().any(|f| f.code == "not-a-flag" && f.path == "cycle.compensateDimensions"));
+    // The Int accessor for -66 is as good, and then the used points are ball centres of a ball that nobody told.
+    let balls = import(&format!("{dump}CmdPrm.Int[-66] = 1\n")).unwrap();
+    assert!(balls.findings.iter().any(|f| f.code == "ball-unknown"));
+    assert_eq!(balls.job.get("cycle").unwrap().get("compensateDimensions"), Some(&Value::Flag(true)));
+    // Types of the frame output, and several cycles.
+    let several = import(&format!(
+        "Int[-1]=0\nInt[-2]=-500\nBol[-3]=true\nInt[-1]=17\n{}",
+        &dump[dump.find("CmdPrm.Int[-1]").unwrap()..]
+    ))
+    .unwrap();
+    let said: Vec<&str> = several.findings.iter().map(|f| f.code.as_str()).collect();
+    assert!(said.contains(&"unknown-type") && said.contains(&"several-cycles"), "{said:?}");
+    assert_eq!(several.job.get("cycle").unwrap().get("subCode"), Some(&number(4711.0)));
+    assert!(import("Int[-1] = 99\n").unwrap_err().findings.iter().any(|f| f.code == "unknown-type"));
+    let on = import("CmdPrm.Int[-1] = 0\nCmdPrm.Int[-2] = -500\nCmdPrm.Bol[-3] = false\n").unwrap();
+    assert_eq!(on.job.get("cycle").unwrap().get("on"), Some(&Value::Flag(false)));
+    // A vector that points the wrong way becomes a job that says so.
+    let wrong = import(&dump.replace("Flt[-103] = -1", "Flt[-103] = 1")).unwrap();
+    assert!(wrong.findings.iter().any(|f| f.code == "touches-unsound"));
+    assert!(check(&wrong.job).iter().any(|f| f.level == Level::Error && f.path.starts_with("cycle.touches")));
+}
+
+/// Picked touches survive a dump as picked touches.
+#[test]
+fn picked_touches_come_back_as_picked() {
+    let pocket = picked("internal-rectangle-protected", r#""width1": 80, "width2": 50, "#, &POCKET);
+    let first = planned(&pocket);
+    let imported = import(&export_table(&first, "text").unwrap()).unwrap();
+    assert!(imported.findings.iter().any(|f| f.code == "touches-kept"), "{:?}", imported.findings);
+    let second = planned(&imported.job);
+    assert_eq!(second.touches, first.touches);
+    assert_eq!(second.moves, first.moves);
+    assert_eq!(second.table, first.table);
+}
+
+#[test]
+fn defaults_are_complete() {
+    for def in CYCLES {
+        let job = default_job(def.key).unwrap();
+        for field in def.fields {
+            assert!(job.get("cycle").unwrap().get(field.key).is_some(), "{} {}", def.key, field.key);
+            assert!(!field.help.is_empty() && !field.group.is_empty(), "{} {}", def.key, field.key);
+            assert!(!matches!(field.default, Default::Text("")), "{} {}", def.key, field.key);
+        }
+    }
+}
