@@ -83,6 +83,16 @@ export class Store extends EventTarget {
     this.changed();
   }
 
+  /** Takes a key out of the job. */
+  drop(path: string): void {
+    const keys = steps(path);
+    const last = keys.pop() as string;
+    const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
+    if (place) delete (place as Draft)[last];
+    this.forget(path);
+    this.changed();
+  }
+
   /** Another cycle; the rest of the job stays, and the form that was left is kept. */
   choose(type: Cycle["type"]): void {
     const old = this.draft.cycle as Draft;
@@ -225,6 +235,8 @@ export class Store extends EventTarget {
     for (const section of entry?.sections ?? [])
       each((copy.cycle as Draft)[section.key] as Draft | undefined, section.fields);
     each((copy.part as Draft | undefined)?.sizes as Draft | undefined, fields);
+    const touches = (copy.cycle as Draft).touches;
+    if (Array.isArray(touches)) for (const touch of touches as Draft[]) touch.point = convert(touch.point);
     return copy;
   }
 }

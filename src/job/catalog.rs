@@ -36,6 +36,10 @@ pub struct CycleEntry {
     pub title: &'static str,
     /// Whose cycle it is.
     pub source: &'static str,
+    /// Its type number in the source's parameter table, where it has one.
+    pub number: Option<i32>,
+    /// Whether its touches may be picked one by one (`cycle.touches`).
+    pub touches: bool,
     /// Page of the manual.
     pub doc: &'static str,
     /// Its form.
@@ -136,6 +140,8 @@ pub struct PostEntry {
     pub extension: &'static str,
     /// Highest number of a work offset that a program can write; 0 is none.
     pub work_offsets: i32,
+    /// How its work offsets are called, from number 1.
+    pub work_offset_words: Vec<String>,
     /// Which cycle in which form.
     pub cycles: Vec<SupportEntry>,
 }
@@ -167,6 +173,7 @@ pub fn catalog() -> Catalog {
                 title: post.title,
                 extension: post.extension,
                 work_offsets: post.work_offsets,
+                work_offset_words: (1..=post.work_offsets).map(post.work_offset_word).collect(),
                 cycles: CYCLES
                     .iter()
                     .flat_map(|def| {
@@ -244,6 +251,8 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         key: def.key,
         title: def.title,
         source: def.source,
+        number: def.number,
+        touches: def.place.is_some(),
         doc: def.doc,
         fields: entries(def.fields),
         sections: def

@@ -13,13 +13,15 @@ pub struct Camera {
     pub size: Spot,
 }
 
-/// Room around a fitted scene, pixels.
-const MARGIN: f64 = 36.0;
+/// Room around a fitted scene, pixels: for axes and numbers, and in a small picture without them.
+pub const MARGIN: f64 = 36.0;
+/// The same in a small picture.
+pub const SMALL_MARGIN: f64 = 8.0;
 
 impl Camera {
-    /// A window that shows `bounds` with some room around.
-    pub fn fit(size: Spot, [low, high]: [Spot; 2]) -> Self {
-        let room = |i: usize| (size[i] - 2.0 * MARGIN).max(20.0) / (high[i] - low[i]).max(1e-3);
+    /// A window that shows `bounds` with so many pixels around.
+    pub fn fit(size: Spot, [low, high]: [Spot; 2], margin: f64) -> Self {
+        let room = |i: usize| (size[i] - 2.0 * margin).max(20.0) / (high[i] - low[i]).max(1e-3);
         let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
         Camera { scale: room(0).min(room(1)), middle, size }
     }
@@ -60,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_fitted_scene_lies_inside_and_zoom_keeps_the_spot_under_the_pointer() {
-        let mut camera = Camera::fit([400.0, 300.0], [[-40.0, -25.0], [40.0, 25.0]]);
+        let mut camera = Camera::fit([400.0, 300.0], [[-40.0, -25.0], [40.0, 25.0]], MARGIN);
         let corner = camera.pixel([-40.0, 25.0]);
         assert!((corner[0] - MARGIN).abs() < 1e-9 && corner[1] >= MARGIN, "{corner:?}");
         let pixel = [100.0, 50.0];

@@ -65,6 +65,8 @@ pub struct Painter {
     context: CanvasRenderingContext2d,
     /// The colours.
     pub theme: Theme,
+    /// Whether it is a small picture: no axes, no numbers, no handles.
+    pub small: bool,
     ratio: f64,
 }
 
@@ -73,7 +75,7 @@ impl Painter {
     pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
         use wasm_bindgen::JsCast;
         let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
-        Some(Painter { canvas, context, theme: Theme::default(), ratio: 1.0 })
+        Some(Painter { canvas, context, theme: Theme::default(), small: false, ratio: 1.0 })
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
@@ -113,6 +115,9 @@ impl Painter {
             if deviates {
                 self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
             }
+        }
+        if self.small {
+            return;
         }
         if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
             let center = camera.pixel(center);
@@ -183,6 +188,14 @@ impl Painter {
         c.set_stroke_style_str(colour);
         c.set_line_width(1.0);
         self.dash(&[]);
+        if wall.strip {
+            c.begin_path();
+            for pair in wall.corners.chunks(2) {
+                let [from, to] = [0, 1].map(|i| camera.pixel(pair[i]));
+                c.move_to(from[0], from[1]);
+                c.line_to(to[0], to[1]);
+            }
+        }
         c.stroke();
         c.set_global_alpha(1.0);
     }
@@ -243,6 +256,9 @@ impl Painter {
             }
             let contact = camera.pixel(touch.contact);
             self.disc(contact, 3.5, &self.theme.touch);
+            if self.small {
+                continue;
+            }
             // Behind the surface, where the path is not; numbers on the same spot stand side by side.
             let mut place = [contact[0] - touch.inward[0] * 16.0, contact[1] + touch.inward[1] * 16.0];
             while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 11.0) {

@@ -89,6 +89,8 @@ pub struct WallShape {
     pub edge: Option<([Spot; 2], Spot)>,
     /// Whether it is of the actual part; else of the nominal one.
     pub actual: bool,
+    /// Whether it is one strip of a round wall, whose sides are no edges.
+    pub strip: bool,
 }
 
 /// One touch.
@@ -152,7 +154,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         Surface::Flat(wall) => vec![wall_shape(wall, path.frame.w, &spot, actual)],
         Surface::Unknown => Vec::new(),
         Surface::Round(round) => {
-            strips(round, path.frame.w, path.frame.u).iter().map(|w| wall_shape(w, path.frame.w, &spot, actual)).collect()
+            let shape = |w: &Wall| WallShape { strip: true, ..wall_shape(w, path.frame.w, &spot, actual) };
+            strips(round, path.frame.w, path.frame.u).iter().map(shape).collect()
         }
     };
     let walls = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
@@ -276,7 +279,7 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
         };
         (line, material)
     });
-    WallShape { corners, edge, actual }
+    WallShape { corners, edge, actual, strip: false }
 }
 
 impl Scene {

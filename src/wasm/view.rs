@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::job;
 use crate::spec::Value;
-use crate::view::camera::Camera;
+use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
 use crate::view::scene::{self, Actual, Projection, Scene, Spot};
 use crate::wasm::input::from_js;
@@ -79,6 +79,14 @@ impl View {
         true
     }
 
+    /// Shows a job as a small picture: isometric, without axes, numbers and handles.
+    #[wasm_bindgen(js_name = showSmall)]
+    pub fn show_small(&mut self, job: &JsValue) -> bool {
+        self.painter.small = true;
+        self.projection = Projection::Isometric;
+        self.show(job)
+    }
+
     /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
     /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
     #[wasm_bindgen(js_name = showLentoax)]
@@ -86,7 +94,7 @@ impl View {
         let Ok(query) = job::lentoax_query(&from_js(query)) else { return false };
         let arrows = scene::lengths(&query);
         self.shown = None;
-        let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]]);
+        let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]], MARGIN);
         self.painter.draw_arrows(&arrows, &camera);
         true
     }
@@ -107,7 +115,8 @@ impl View {
     /// Fits the whole scene into the canvas.
     pub fn fit(&mut self) {
         if let Some(shown) = &self.shown {
-            self.camera = Camera::fit(self.camera.size, shown.scene.bounds());
+            let margin = if self.painter.small { SMALL_MARGIN } else { MARGIN };
+            self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), margin);
         }
         self.moved = false;
         self.draw();

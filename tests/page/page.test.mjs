@@ -374,6 +374,137 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
   assert.deepEqual(problems, []);
 });
 
+test("the gallery: small pictures, search by name or number, a cycle chosen", async () => {
+  await page.getByRole("button", { name: "Gallery" }).click();
+  const cards = page.locator("tp-gallery li:visible");
+  assert.equal(await cards.count(), 18);
+  const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
+    all.map((canvas) => {
+      const data = new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      return data.filter((pixel) => pixel !== data[0]).length;
+    }),
+  );
+  assert.equal(drawn.length, 16, "two types have no motion");
+  assert.ok(
+    drawn.every((count) => count > 150),
+    `${drawn}`,
+  );
+  const search = page.getByLabel("Search the cycles");
+  await search.fill("corner");
+  assert.equal(await cards.count(), 4);
+  await search.fill("1");
+  assert.deepEqual(await cards.locator("b").allTextContents(), ["NC action"]);
+  await search.fill("16");
+  assert.deepEqual(await cards.locator("b").allTextContents(), ["Triple wall external corner"]);
+  await cards.first().getByRole("button").click();
+  assert.equal(await field("cycle.type").inputValue(), "triple-wall-external-corner");
+  assert.match(await program(), /type 16: Triple wall external corner/);
+  assert.deepEqual(problems, []);
+});
+
+test("every cycle has a plan on the page, and its steps light up with the move", async () => {
+  for (const { type, steps } of await page.evaluate(() =>
+    document.querySelector("touchpath-app").store.catalog.cycles.map(({ type, steps }) => ({ type, steps })),
+  )) {
+    await field("cycle.type").selectOption(type);
+    assert.equal(await page.locator("tp-findings .error").count(), 0, type);
+    assert.equal(await page.locator(".documented li").count(), steps.length, type);
+    if (steps.length === 0) continue;
+    const moves = Number(await page.locator("#scrub").getAttribute("max"));
+    for (const move of [1, moves]) {
+      await page.locator("#scrub").fill(String(move));
+      const said = (await page.locator(".scrub output").textContent()) ?? "";
+      const lit = await page.locator(".documented li.lit").allTextContents();
+      assert.deepEqual(lit, [steps[Number(/step (\d+)/.exec(said)[1]) - 1]], type);
+    }
+  }
+  assert.deepEqual(problems, []);
+});
+
+test("the table: groups that fold, a filter", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const rows = page.locator("tp-table tbody tr:not(.group)");
+  assert.deepEqual(
+    (await page.locator("tp-table tr.group button").allTextContents()).map((t) => t.replace(/\s+/g, " ").trim()),
+    ["▾ System 2", "▾ Dimensions 8", "▾ Touches 24", "▾ Original touches 24"],
+  );
+  assert.equal(await rows.count(), 58);
+  await page.getByRole("button", { name: /^▾ Touches/ }).click();
+  assert.equal(await rows.count(), 34);
+  assert.equal(
+    await page
+      .getByRole("button", { name: /Touches 24/ })
+      .first()
+      .getAttribute("aria-expanded"),
+    "false",
+  );
+  const filter = page.getByLabel("Filter the parameters");
+  await filter.fill("clearance");
+  assert.equal(await rows.count(), 3);
+  await filter.fill("[-118]");
+  assert.match((await rows.textContent()) ?? "", /Fourth: touch point, X/);
+  assert.deepEqual(problems, []);
+});
+
+test("a dump is pasted in and becomes the job again; nonsense stays where it was pasted", async () => {
+  await field("cycle.type").selectOption("hole-protected");
+  await field("cycle.diameter").fill("52.5");
+  await field("cycle.origin[0]").fill("12");
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  await page.getByRole("button", { name: "Copy as text" }).click();
+  await page.getByText("Copied").waitFor();
+  const dump = await page.evaluate(() => navigator.clipboard.readText());
+  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Paste" }).click();
+  await page.locator("#paste").fill("G1 X0");
+  await page.getByRole("button", { name: "Read it" }).click();
+  assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
+  assert.equal(await page.locator("#paste").inputValue(), "G1 X0");
+  await page.locator("#paste").fill(dump.replaceAll(".Flt[", ". Flt [").replaceAll("52.5", "52,5"));
+  await page.getByRole("button", { name: "Read it" }).click();
+  assert.equal(await field("cycle.diameter").inputValue(), "52.5");
+  assert.equal(await field("cycle.origin[0]").inputValue(), "12");
+  assert.match((await page.locator(".note").textContent()) ?? "", /does not say feeds.*does not say the stylus/);
+  assert.equal(await page.locator("#paste").count(), 0);
+  assert.deepEqual(problems, []);
+});
+
+test("touches are picked one by one and given back", async () => {
+  await page.getByRole("button", { name: "Pick touches one by one" }).click();
+  const before = await program();
+  await page.getByLabel("Point of touch 1, X").fill("45");
+  assert.match(await program(), /G38\.2 X47 F150/);
+  assert.match((await page.locator(`[id="e-cycle.width1"]`).textContent()) ?? "", /85 mm between the picked touches/);
+  await page.getByLabel("Vector of touch 1, X").fill("1");
+  assert.match((await page.locator(".picks").textContent()) ?? "", /must be opposite|points the wrong way/);
+  await page.getByRole("button", { name: "Back to the dimensions" }).click();
+  assert.equal(await program(), before);
+  assert.deepEqual(problems, []);
+});
+
+test("SINUMERIK: the probe's length decides, the program comes back", async () => {
+  await field("control.post").selectOption("sinumerik");
+  await field("control.workOffset").selectOption({ label: "G505 (5)" });
+  assert.match(await program(), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
+  assert.match(await program(), /\$P_UIFR\[5,X,TR\]=/);
+  await field("tool.type").fill("500");
+  assert.match((await page.locator("tp-findings").textContent()) ?? "", /L1 acts along \+Y/);
+  await field("tool.type").fill("710");
+  await page.getByRole("button", { name: "Tool lengths" }).click();
+  await page.getByRole("button", { name: "Add ROT" }).click();
+  await page.getByLabel("Step 1: angle").fill("60");
+  await page.getByRole("button", { name: "Take into the job" }).click();
+  assert.match((await page.locator("tp-form").textContent()) ?? "", /Frame: ROT Z60/);
+  assert.equal(await page.locator("tp-findings .error").count(), 0, "a turn about the tool axis leaves L1 where it is");
+  const text = await program();
+  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Paste" }).click();
+  await page.locator("#paste").fill(text);
+  await page.getByRole("button", { name: "Read it" }).click();
+  assert.equal(await program(), text, "what was written comes back byte for byte");
+  assert.deepEqual(problems, []);
+});
+
 test("a file that is nothing is refused and the form stays", async () => {
   await field("cycle.width1").fill("71");
   await page
@@ -404,12 +535,20 @@ for (const colorScheme of ["light", "dark"]) {
       await field("cycle.depth").fill("10");
       await field("cycle.type").selectOption("probing-two-circles");
       assert.deepEqual(await violations(), []);
+      await field("cycle.type").selectOption("web-three-points");
+      await field("control.post").selectOption("sinumerik");
+      await page.getByRole("button", { name: "Pick touches one by one" }).click();
+      await page.getByRole("button", { name: "Paste" }).click();
+      assert.deepEqual(await violations(), []);
+      await page.getByRole("button", { name: "Cancel" }).click();
       if (width < 900) {
         for (const name of ["Program", "Parameters", "Results"]) {
           await page.getByRole("tab", { name }).click();
           assert.deepEqual(await violations(), []);
         }
       }
+      await page.getByRole("button", { name: "Gallery" }).click();
+      assert.deepEqual(await violations(), []);
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       );

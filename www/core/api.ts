@@ -54,7 +54,7 @@ export interface Api {
   evaluate(job: Job, measured: Measured): ResultRow[];
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
-  /** A job from text: job JSON, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
+  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program for SINUMERIK that was written here, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;

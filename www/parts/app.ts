@@ -4,6 +4,7 @@ import { Store } from "../store.js";
 import styles from "../style.css?inline";
 import "./findings.js";
 import "./form.js";
+import "./gallery.js";
 import "./lentoax.js";
 import "./picture.js";
 import "./program.js";
@@ -19,7 +20,9 @@ class App extends LitElement {
   private readonly store = new Store();
   private tab: Tab = "setup";
   /** The probing cycles, or SINUMERIK's LENTOAX. */
-  private tool: "cycles" | "lengths" = "cycles";
+  private tool: "gallery" | "cycles" | "lengths" = "cycles";
+  /** Whether a text can be pasted in, and what is there of it. */
+  private pasting = false;
   private told = "";
   private readonly wide = matchMedia("(min-width: 900px)");
   private readonly relayout = () => this.requestUpdate();
@@ -44,16 +47,27 @@ class App extends LitElement {
         <h1>Touchpath</h1>
         <p>Touch-probe cycles, seen before the machine moves</p>
         <nav aria-label="Tools">
+          <button type="button" aria-pressed=${this.tool === "gallery" ? "true" : "false"} @click=${() => this.use("gallery")}>Gallery</button>
           <button type="button" aria-pressed=${this.tool === "cycles" ? "true" : "false"} @click=${() => this.use("cycles")}>Cycles</button>
           <button type="button" aria-pressed=${this.tool === "lengths" ? "true" : "false"} @click=${() => this.use("lengths")}>Tool lengths</button>
         </nav>
         <span class="gap"></span>
         <button type="button" @click=${() => this.store.reset()}>Reset</button>
         <button type="button" @click=${this.saveJob}>Save job</button>
-        <label class="button">Open job<input type="file" accept=".json,.h,.H,.txt,.nc,.i,application/json,text/plain" @change=${this.openJob} /></label>
+        <button type="button" aria-expanded=${this.pasting ? "true" : "false"} @click=${() => this.paste(!this.pasting)}>Paste</button>
+        <label class="button">Open job<input type="file" accept=".json,.h,.H,.txt,.csv,.nc,.i,.mpf,.MPF,application/json,text/plain" @change=${this.openJob} /></label>
         <small>${version()}</small>
       </header>
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${this.hush}>OK</button></p>` : nothing}
+      ${
+        this.pasting
+          ? html`<section class="paste" aria-label="Paste">
+        <label for="paste">A dump of CmdPrm codes, a program with cycle 1411, a SINUMERIK program that was written here, or a job</label>
+        <textarea id="paste" rows="6" spellcheck="false"></textarea>
+        <div class="tools"><button type="button" @click=${this.readPasted}>Read it</button><button type="button" @click=${() => this.paste(false)}>Cancel</button></div>
+      </section>`
+          : nothing
+      }
       <main ?hidden=${this.tool !== "cycles"} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
         <section class="picture" aria-label="Picture">
           <tp-picture .store=${this.store}></tp-picture>
@@ -72,7 +86,8 @@ class App extends LitElement {
         <section class="table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
         <section class="results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
       </main>
-      ${this.tool === "lengths" ? html`<tp-lentoax role="main"></tp-lentoax>` : nothing}
+      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${this.store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
+      ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${this.store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
     `;
   }
 
@@ -99,7 +114,7 @@ class App extends LitElement {
     field?.focus();
   }
 
-  private use(tool: "cycles" | "lengths"): void {
+  private use(tool: "gallery" | "cycles" | "lengths"): void {
     this.tool = tool;
     this.requestUpdate();
   }
@@ -122,13 +137,32 @@ class App extends LitElement {
     const input = event.target as HTMLInputElement;
     const text = await input.files?.[0]?.text();
     input.value = "";
-    try {
-      const notes = this.store.open(text ?? "").filter((f) => f.level !== "error");
-      this.told = notes.map((f) => f.message).join(" ");
-    } catch (thrown) {
-      this.told = thrown instanceof JobError ? thrown.message : "This file cannot be read";
-    }
+    this.take(text ?? "");
+  }
+
+  private paste(open: boolean): void {
+    this.pasting = open;
     this.requestUpdate();
+    if (open) this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>("#paste")?.focus());
+  }
+
+  /** What was pasted stays where it is until it could be read. */
+  private readPasted(): void {
+    const text = this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
+    if (this.take(text)) this.paste(false);
+  }
+
+  private take(text: string): boolean {
+    try {
+      const notes = this.store.open(text).filter((f) => f.level !== "error");
+      this.told = notes.map((f) => f.message).join(" ");
+      this.use("cycles");
+      return true;
+    } catch (thrown) {
+      this.told = thrown instanceof JobError ? thrown.message : "This text cannot be read";
+      this.requestUpdate();
+      return false;
+    }
   }
 }
 

@@ -9,6 +9,24 @@ interface Placed {
   path: string;
 }
 
+/** A number of a picked touch. */
+const TOUCH: FieldEntry = {
+  key: "",
+  label: "",
+  help: "",
+  kind: "number",
+  unit: "length",
+  range: null,
+  above: false,
+  usual: null,
+  default: 0,
+  null: null,
+  choices: [],
+  code: null,
+  group: "",
+  size: false,
+};
+
 /** The form, drawn from the catalog. */
 class FormPart extends Part {
   /** Forms inside the form that may be left out, by heading. */
@@ -31,8 +49,10 @@ class FormPart extends Part {
         </fieldset>
         ${this.groups().map(
           ([name, fields]) =>
-            html`<fieldset><legend>${name}</legend>${this.switch(name)}${fields.map((placed) => this.field(placed))}</fieldset>`,
+            html`<fieldset><legend>${name}</legend>${this.switch(name)}${fields.map((placed) => this.field(placed))}
+              ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}</fieldset>`,
         )}
+        ${cycle.touches ? this.touches() : nothing}
       </form>
     `;
   }
@@ -57,6 +77,7 @@ class FormPart extends Part {
     for (const { path, fields } of sections) {
       // A cycle with a touch probe table of its own has its own feeds and search length.
       if (own && path === "feeds") continue;
+      if (path === "tool" && this.store.get("control.post") !== "sinumerik") continue;
       for (const field of fields) {
         if (!(own && field.key === "overtravel")) add(path ? `${path}.${field.key}` : field.key, field);
       }
@@ -67,7 +88,7 @@ class FormPart extends Part {
       add(`part.sizes.${field.key}`, { ...field, label, help, default: 0, code: null }, "Virtual part");
     }
     // The postprocessor's own fields are rarely touched.
-    const order = (name: string) => (name === "Postprocessor" ? 1 : name === "Virtual part" ? 2 : 0);
+    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === "Virtual part" ? 2 : 0);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
   }
 
@@ -75,9 +96,47 @@ class FormPart extends Part {
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
-    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f)]));
+    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f) ?? null]));
     return html`<div class="field wide"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
       @change=${(e: Event) => this.store.set(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
+  }
+
+  /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
+  private frame(): TemplateResult {
+    const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
+    const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
+    return html`<div class="field wide"><p class="help">Frame: ${words || "none"}. Tool lengths, above, has a button that takes its question
+      into the job.</p>${frame.length ? html`<button type="button" @click=${() => this.store.set("tool.frame", [])}>No frame</button>` : nothing}
+      ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
+  }
+
+  /** The touches, picked one by one; else they follow from the dimensions. */
+  private touches(): TemplateResult {
+    const picks = this.store.get("cycle.touches") as { point: unknown[]; vector: unknown[] }[] | null | undefined;
+    const take = () => {
+      const touches = this.store.plan.touches.map(({ point, vector }) => ({ point: [...point], vector: [...vector] }));
+      this.store.set("cycle.touches", touches);
+    };
+    const point: FieldEntry = { ...TOUCH, unit: "length", label: "Point" };
+    const vector: FieldEntry = { ...TOUCH, unit: "none", label: "Vector" };
+    return html`<fieldset><legend>Picked touches</legend>
+      <div class="field wide">
+        <p class="help">The Job Assignment's own picks: points on the surface and outward normals. They replace the points that the dimensions give.</p>
+        ${
+          picks
+            ? html`<button type="button" @click=${() => this.store.drop("cycle.touches")}>Back to the dimensions</button>`
+            : html`<button type="button" ?disabled=${this.store.stale} @click=${take}>Pick touches one by one</button>`
+        }
+        ${this.problems("cycle.touches")}
+        <ol class="picks">${(picks ?? []).map((_, k) => {
+          const at = `cycle.touches[${k}]`;
+          const row = (field: FieldEntry, key: string) =>
+            html`<div class="point" role="group" aria-label=${`${field.label} of touch ${k + 1}`}>${["X", "Y", "Z"].map(
+              (axis, i) => this.number(field, `${at}.${key}[${i}]`, `${field.label} of touch ${k + 1}, ${axis}`),
+            )}</div>`;
+          return html`<li>${row(point, "point")}${row(vector, "vector")}${this.problems(at)}${this.problems(`${at}.vector`)}</li>`;
+        })}</ol>
+      </div></fieldset>`;
   }
 
   private field(placed: Placed): TemplateResult {
@@ -170,7 +229,7 @@ class FormPart extends Part {
     const value = this.store.get(path) ?? null;
     const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    const word = (n: number) => (n <= 6 ? `G${53 + n}` : `G59.${n - 6}`);
+    const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
     const options = [null, ...Array.from({ length: most }, (_, i) => i + 1)];
     return html`<div class="field">
       <label for=${`f-${path}`}>${field.label}</label>

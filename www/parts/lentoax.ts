@@ -8,7 +8,7 @@ import {
   lentoaxWords,
   View,
 } from "../core/browser.js";
-import { parseNumber } from "../store.js";
+import { parseNumber, type Store } from "../store.js";
 
 const GROUPS: [string, number][] = [
   ["Milling tools (100 to 199)", 120],
@@ -30,6 +30,7 @@ type Step = NonNullable<LentoaxQuery["frame"]>[number];
 
 /** The second tool: which tool length acts on which axis. */
 class LentoaxPart extends LitElement {
+  store?: Store;
   private query: Required<LentoaxQuery> = {
     plane: "G17",
     toolType: 710,
@@ -246,11 +247,19 @@ class LentoaxPart extends LitElement {
         )}</tbody>
       </table>
       <h2>Ask the control itself</h2>
-      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><span role="status" class="told">${this.told}</span></div>
+      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><button type="button" @click=${this.take}>Take into the job</button><span role="status" class="told">${this.told}</span></div>
       <pre class="code" tabindex="0">${words.program}</pre>
       <p class="help">The call is the manual's; the check after it is ours, for a probe whose L1 has to lie along the tool axis, and was not run on a control.
         The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.</p>
     `;
+  }
+
+  /** The job's probe is this tool, in this plane and frame: what a SINUMERIK makes of it is checked there. */
+  private take(): void {
+    const { plane, toolType, frame, sd42900, sd42940, sd42950 } = this.query;
+    this.store?.set("plane", plane);
+    this.store?.set("tool", { type: toolType, frame: structuredClone(frame), sd42900, sd42940, sd42950 });
+    this.dispatchEvent(new CustomEvent("taken", { bubbles: true }));
   }
 
   private change(make: () => void): void {

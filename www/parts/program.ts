@@ -10,7 +10,18 @@ class ProgramPart extends Part {
     const lines = program.text.replace(/\n$/, "").split("\n");
     const moves = new Map(program.moveLines.map((line, move) => [line, move]));
     const lit = this.store.highlight === null ? -1 : program.moveLines[this.store.highlight];
+    const step = this.store.highlight === null ? 0 : (this.store.plan.moves[this.store.highlight]?.step ?? 0);
+    const { steps } = this.store.cycle;
     return html`
+      ${
+        steps.length
+          ? html`<details class="documented" open><summary>Documented steps</summary>
+        <ol>${steps.map(
+          (text, i) => html`<li class=${i + 1 === step ? "lit" : ""} aria-current=${i + 1 === step ? "step" : "false"}
+          @mouseenter=${() => this.first(i + 1)} @mouseleave=${() => this.store.point(null)}>${text}</li>`,
+        )}</ol></details>`
+          : ""
+      }
       <div class="tools">
         <button type="button" @click=${this.copy}>Copy</button>
         <button type="button" @click=${this.save}>Save .${program.extension}</button>
@@ -29,13 +40,20 @@ class ProgramPart extends Part {
 
   protected override updated(): void {
     if (this.matches(":hover")) return;
+    this.querySelector<HTMLElement>(".documented .lit")?.scrollIntoView({ block: "nearest" });
     const lit = this.querySelector<HTMLElement>("[aria-selected=true]");
     const box = this.querySelector<HTMLElement>(".code");
     if (!lit || !box) return;
-    const above = lit.offsetTop - box.offsetTop;
+    const above = lit.offsetTop;
     if (above < box.scrollTop || above + lit.offsetHeight > box.scrollTop + box.clientHeight) {
       box.scrollTop = above - box.clientHeight / 2;
     }
+  }
+
+  /** Points at the first move of a step. */
+  private first(step: number): void {
+    const move = this.store.plan.moves.findIndex((m) => m.step === step);
+    this.store.point(move < 0 ? null : move);
   }
 
   private key(event: KeyboardEvent): void {

@@ -1,36 +1,74 @@
-import { html, type TemplateResult } from "lit";
-import { exportTable, type Job } from "../core/browser.js";
+import { html, nothing, type TemplateResult } from "lit";
+import { exportTable, type Job, type ParameterRow } from "../core/browser.js";
 import { Part } from "./part.js";
 
-/** The parameter table of the source. Rows of a touch light up with it. */
+const GROUPS = ["System", "Dimensions", "Touches", "Original touches", "Properties and own codes", "Cycle"] as const;
+type Group = (typeof GROUPS)[number];
+
+/** Where a row belongs, by its code. */
+function groupOf(row: ParameterRow): Group {
+  const code = Number(/\[(-?\d+)\]/.exec(row.code)?.[1] ?? Number.NaN);
+  if (Number.isNaN(code)) return "Cycle";
+  if (code <= -200) return "Original touches";
+  if (code <= -100) return "Touches";
+  if (code <= -50) return "Dimensions";
+  return code <= -10 || code > 0 ? "Properties and own codes" : "System";
+}
+
+/** The parameter table of the source, by groups. Rows of a touch light up with it. */
 class TablePart extends Part {
   private told = "";
+  private filter = "";
+  private readonly closed = new Set<Group>();
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
     const lit = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
-    const moveOf = (touch: number) => plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
+    const wanted = this.filter.trim().toLowerCase();
+    const rows = plan.table.filter((row) => `${row.code} ${row.meaning}`.toLowerCase().includes(wanted));
+    const groups = GROUPS.map((name) => ({ name, rows: rows.filter((row) => groupOf(row) === name) }));
     return html`
       <div class="tools">
         <button type="button" @click=${this.copy}>Copy as text</button>
         <button type="button" @click=${this.save}>Save .csv</button>
-        <span role="status" class="told">${this.told}</span>
+        <input class="filter" type="search" placeholder="Filter: code or word" aria-label="Filter the parameters" .value=${this.filter}
+          @input=${(e: Event) => {
+            this.filter = (e.target as HTMLInputElement).value;
+            this.requestUpdate();
+          }} />
+        <span role="status" class="told">${this.told || (wanted ? `${rows.length} of ${plan.table.length}` : "")}</span>
       </div>
       <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label="Parameter table">
         <table>
           <thead><tr><th>Code</th><th>Type</th><th class="n">Value</th><th>Meaning</th></tr></thead>
-          <tbody @mouseleave=${() => this.store.point(null)}>
-            ${plan.table.map((row) => {
-              const touch = row.touch;
-              return html`<tr class=${touch !== null && touch === lit ? "lit" : ""} @mouseenter=${() => this.store.point(touch === null ? null : moveOf(touch))}>
-                <td><code>${row.code}</code></td><td>${row.type}</td><td class="n">${row.value}</td>
-                <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${row.meaning}</a>` : row.meaning}</td>
-              </tr>`;
+          ${groups
+            .filter((group) => group.rows.length > 0)
+            .map(({ name, rows }) => {
+              const open = wanted !== "" || !this.closed.has(name);
+              return html`<tbody @mouseleave=${() => this.store.point(null)}>
+                <tr class="group"><th colspan="4" scope="rowgroup"><button type="button" aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name)}
+                  >${open ? "▾" : "▸"} ${name} <small>${rows.length}</small></button></th></tr>
+                ${open ? rows.map((row) => this.row(row, lit)) : nothing}
+              </tbody>`;
             })}
-          </tbody>
         </table>
       </div>
     `;
+  }
+
+  private row(row: ParameterRow, lit: number | null): TemplateResult {
+    const touch = row.touch;
+    const move =
+      touch === null ? null : this.store.plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
+    return html`<tr class=${touch !== null && touch === lit ? "lit" : ""} @mouseenter=${() => this.store.point(move)}>
+      <td><code>${row.code}</code></td><td>${row.type}</td><td class="n">${String(row.value)}</td>
+      <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${row.meaning}</a>` : row.meaning}</td>
+    </tr>`;
+  }
+
+  private fold(name: Group): void {
+    if (!this.closed.delete(name)) this.closed.add(name);
+    this.requestUpdate();
   }
 
   private async copy(): Promise<void> {

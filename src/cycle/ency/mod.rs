@@ -205,8 +205,8 @@ impl<F: Feature> Cycle for Ency<F> {
                 let message = format!(
                     "{} is {} in the form, and {} between the picked touches: the touches count, the table has the form's",
                     field.label,
-                    checker.number(given),
-                    checker.number(*size)
+                    checker.length(given),
+                    checker.length(*size)
                 );
                 checker.warning("picks-differ", format!("cycle.{key}"), message);
             }

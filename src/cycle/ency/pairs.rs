@@ -260,7 +260,7 @@ impl Shape for Pairs {
                     normal: touch.vector,
                     along,
                     extent: (-extent, extent),
-                    drawn_depth: if is_top { 1e-3 } else { self.depth + on.setup.radius },
+                    drawn_depth: if is_top { half(0) } else { self.depth + on.setup.radius },
                     has_top: !is_top,
                     body: if self.internal { k } else { 0 },
                 })

@@ -231,18 +231,20 @@ impl Shape for Triple {
             .map(|(k, touch)| {
                 let length = touch.point.distance(on.frame.origin) + margin;
                 let level = k == 2;
-                let (along, extent) = match sides.get(k) {
-                    Some(side) => (on.frame.direction(side.along.0, side.along.1), (0.0, length)),
-                    None => (on.frame.u, if self.internal() { (0.0, length) } else { (-length, length) }),
-                };
+                let [one, two] = sides.map(|s| on.frame.direction(s.along.0, s.along.1));
+                let along = if k == 0 { one } else { two };
                 // Drawn through the corner, but met where the touch says.
                 let origin = on.frame.origin;
-                let point = origin + touch.vector * (touch.point - origin).dot(touch.vector);
+                let mut point = origin + touch.vector * (touch.point - origin).dot(touch.vector);
+                if level {
+                    // From the corner along both walls: a level surface is drawn to both sides of its point.
+                    point += (one - touch.vector * one.dot(touch.vector)) * (length / 2.0);
+                }
                 Surface::Flat(Wall {
                     point,
                     normal: touch.vector,
                     along,
-                    extent,
+                    extent: (0.0, length),
                     drawn_depth: if level {
                         length / 2.0
                     } else {

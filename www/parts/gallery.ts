@@ -1,0 +1,85 @@
+import { html, type TemplateResult } from "lit";
+import { type CycleEntry, defaultJob, View } from "../core/browser.js";
+import { Part } from "./part.js";
+
+/** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
+class GalleryPart extends Part {
+  protected override follows = ["change"];
+  private query = "";
+  private readonly views = new Map<string, View>();
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly recolour = () => this.paint(true);
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.dark.addEventListener("change", this.recolour);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.dark.removeEventListener("change", this.recolour);
+    for (const view of this.views.values()) view.free();
+    this.views.clear();
+  }
+
+  override render(): TemplateResult {
+    const found = this.store.catalog.cycles.filter((cycle) => this.finds(cycle));
+    return html`
+      <div class="tools">
+        <input class="filter" type="search" placeholder="Search: name or type number" aria-label="Search the cycles" .value=${this.query}
+          @input=${(e: Event) => {
+            this.query = (e.target as HTMLInputElement).value;
+            this.requestUpdate();
+          }} />
+        <span role="status" class="told">${found.length} of ${this.store.catalog.cycles.length} cycles</span>
+      </div>
+      <ul class="cards">
+        ${this.store.catalog.cycles.map(
+          (cycle) => html`<li ?hidden=${!found.includes(cycle)}>
+          <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
+            ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">rows of the table, no motion</span>`}
+            <b>${cycle.title}</b>
+            <small>${cycle.source}</small>
+          </button></li>`,
+        )}
+      </ul>
+    `;
+  }
+
+  protected override firstUpdated(): void {
+    this.paint(false);
+    this.querySelector<HTMLInputElement>("input")?.focus();
+  }
+
+  /** A number is a type's; words must all be in the name or the source. */
+  private finds(cycle: CycleEntry): boolean {
+    const text = `${cycle.title} ${cycle.source} ${cycle.type}`.toLowerCase();
+    const words = this.query.toLowerCase().split(/\s+/).filter(Boolean);
+    return words.every((word) => (/^\d+$/.test(word) ? new RegExp(`\\b${word}\\b`).test(text) : text.includes(word)));
+  }
+
+  private choose(cycle: CycleEntry): void {
+    this.store.choose(cycle.type);
+    this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
+  }
+
+  private paint(again: boolean): void {
+    const style = getComputedStyle(this);
+    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
+    const theme = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()]));
+    for (const button of this.querySelectorAll<HTMLElement>("button[data-type]")) {
+      const type = button.dataset.type as CycleEntry["type"];
+      const canvas = button.querySelector("canvas");
+      if (!canvas) continue;
+      const known = this.views.get(type);
+      const view = known ?? new View(canvas);
+      this.views.set(type, view);
+      view.setTheme(theme);
+      if (known && again) continue;
+      view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1);
+      view.showSmall(defaultJob(type));
+    }
+  }
+}
+
+customElements.define("tp-gallery", GalleryPart);
