@@ -6,7 +6,7 @@ import { build } from "./build.mjs";
 import { at, run } from "./lib.mjs";
 
 await build();
-const { check, moveColumns, plan } = await import("touchpath");
+const { catalog, check, importJob, lentoax, moveColumns, plan } = await import("touchpath");
 
 const corner = (count1, count2, part) => ({
   format: 1,
@@ -23,6 +23,16 @@ const jobs = {
   "type 13, 4 touches": corner(2, 2),
   "type 13, 16 touches": corner(8, 8),
   "type 13, 16 touches, part": corner(8, 8, true),
+  "type 7, SINUMERIK": {
+    format: 1,
+    cycle: { type: "internal-rectangle-protected" },
+    control: { post: "sinumerik", workOffset: 1 },
+  },
+  "1411, SINUMERIK": {
+    format: 1,
+    cycle: { type: "probing-two-circles", probePoints: 8 },
+    control: { post: "sinumerik" },
+  },
 };
 
 /** Median microseconds of a call. */
@@ -76,6 +86,50 @@ const ratio = (label, a, b) => {
 ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 touches");
 ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part", "type 13, 16 touches");
 ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
+
+// Every type of the family against its number of touches, in WebAssembly. A corner needs two, one a wall.
+const counted = (cycle, n) => {
+  const keys = cycle.fields.map((field) => field.key);
+  if (keys.includes("stepCount")) return { variant: 1, stepCount: n, angularStep: 360 / Math.max(n, 3) };
+  if (keys.includes("count1"))
+    return n < 2 ? null : { count1: Math.ceil(n / 2), count2: Math.floor(n / 2), step1: 3, step2: 3 };
+  return undefined;
+};
+const steps = [1, 2, 3, 4, 6, 8, 10, 12, 14, 16];
+console.log("\nPlan time against touches in WebAssembly, median, µs (16 / 4 touches where a type has both)");
+console.log("type".padEnd(36), ...steps.map((n) => String(n).padStart(7)), "  16 / 4");
+for (const cycle of catalog()
+  .cycles.filter((c) => c.number !== null)
+  .sort((a, b) => a.number - b.number)) {
+  const times = steps.map((n) => {
+    const extra = counted(cycle, n);
+    if (extra === null) return null;
+    const job = { format: 1, cycle: { type: cycle.type, ...extra } };
+    const touches = plan(job).touches.length;
+    return touches === n ? time(() => plan(job)) : null;
+  });
+  const none = { format: 1, cycle: { type: cycle.type } };
+  if (plan(none).touches.length === 0) times[0] = time(() => plan(none));
+  const [four, sixteen] = [times[3], times[9]];
+  const ratio = four && sixteen ? (sixteen / four).toFixed(2) : "";
+  console.log(
+    `${cycle.number} ${cycle.title}`.padEnd(36),
+    ...times.map((t) => (t === null ? "" : t.toFixed(0)).padStart(7)),
+    ratio.padStart(8),
+  );
+}
+
+console.log("\nOthers in WebAssembly, median, µs");
+const program = plan(jobs["type 7, SINUMERIK"]).program.text;
+const dump = plan(jobs["type 7, 4 touches"])
+  .table.map((row) => `${row.code} = ${row.value}`)
+  .join("\n");
+const others = {
+  "LENTOAX, ROT Z60": () => lentoax({ frame: [{ rot: "Z", angle: 60 }] }),
+  "dump of type 7 to job": () => importJob(dump),
+  "SINUMERIK program to job": () => importJob(program),
+};
+for (const [name, work] of Object.entries(others)) console.log(name.padEnd(36), time(work).toFixed(1).padStart(8));
 
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
 const sizes = {

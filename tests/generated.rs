@@ -5,9 +5,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 use touchpath::cycle::{CYCLES, CycleDef};
-use touchpath::job::{catalog, default_job, plan};
+use touchpath::job::{catalog, default_job, plan, scene_parts};
 use touchpath::num::decimal;
 use touchpath::spec::{Default, Field, Kind};
+use touchpath::view::scene::{self, Actual, Projection, Stroke};
 
 fn keep(path: &str, text: &str) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
@@ -49,9 +50,83 @@ fn range(field: &Field) -> String {
     }
 }
 
+/// The default job, seen isometrically: the same scene as on the page, with numbers on the touches.
+fn picture(def: &CycleDef) -> Option<String> {
+    const WIDTH: f64 = 480.0;
+    const MARGIN: f64 = 28.0;
+    let (job, path, surfaces, run) = scene_parts(&default_job(def.key).unwrap()).unwrap();
+    if path.moves.is_empty() {
+        return None;
+    }
+    let actual = Actual { surfaces: &[], run: &run, origin: path.frame.origin, direction: path.frame.u, line: None };
+    assert!(!surfaces.is_empty());
+    let feeds = path.feeds.unwrap_or(job.feeds);
+    let scene = scene::build(&path, &job.setup, &feeds, &actual, Projection::Isometric);
+    let [low, high] = scene.bounds();
+    let scale = ((WIDTH - 2.0 * MARGIN) / (high[0] - low[0])).min(360.0 / (high[1] - low[1]));
+    let height = (high[1] - low[1]) * scale + 2.0 * MARGIN;
+    let left = (WIDTH - (high[0] - low[0]) * scale) / 2.0;
+    let at = |p: [f64; 2]| {
+        let (x, y) = (left + (p[0] - low[0]) * scale, height - MARGIN - (p[1] - low[1]) * scale);
+        format!("{},{}", decimal(x, 1), decimal(y, 1))
+    };
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {0}\" width=\"{WIDTH}\" height=\"{0}\" font-family=\"sans-serif\" \
+         font-size=\"13\" font-weight=\"600\">\n<title>{1}: the path of the default job</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" \
+         fill=\"#fff\"/>\n",
+        decimal(height, 0),
+        def.title
+    );
+    for wall in &scene.walls {
+        let corners: Vec<String> = wall.corners.map(at).to_vec();
+        let stroke = if wall.strip { "none" } else { "#8a94a3" };
+        writeln!(svg, "<polygon points=\"{}\" fill=\"#334\" fill-opacity=\".07\" stroke=\"{stroke}\"/>", corners.join(" "))
+            .unwrap();
+        if wall.strip {
+            for edge in corners.chunks(2) {
+                writeln!(svg, "<polyline points=\"{}\" stroke=\"#8a94a3\"/>", edge.join(" ")).unwrap();
+            }
+        }
+    }
+    for line in &scene.lines {
+        let (colour, width) = match line.stroke {
+            Stroke::Position => ("#15803d", 2.5),
+            Stroke::Link => ("#6b7280", 1.8),
+            Stroke::Touch => ("#cf2a20", 2.0),
+            Stroke::Overtravel => ("#cf2a20", 0.7),
+        };
+        let (from, to) = (at(line.from), at(line.to));
+        if from != to {
+            writeln!(
+                svg,
+                "<polyline points=\"{from} {to}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
+            )
+            .unwrap();
+        }
+    }
+    for (k, touch) in scene.touches.iter().enumerate() {
+        let ball = at(touch.ball).replacen(',', "\" cy=\"", 1);
+        writeln!(svg, "<circle cx=\"{ball}\" r=\"{}\" fill=\"none\" stroke=\"#2563eb\"/>", decimal(scene.radius * scale, 1))
+            .unwrap();
+        let contact = at(touch.contact).replacen(',', "\" cy=\"", 1);
+        writeln!(svg, "<circle cx=\"{contact}\" r=\"3\" fill=\"#cf2a20\"/>").unwrap();
+        let name = at([touch.contact[0] - touch.inward[0] * 14.0 / scale, touch.contact[1] - touch.inward[1] * 14.0 / scale]);
+        let name = name.replacen(',', "\" y=\"", 1);
+        writeln!(svg, "<text x=\"{name}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1).unwrap();
+    }
+    svg.push_str("</svg>\n");
+    Some(svg)
+}
+
 fn manual(def: &CycleDef) -> String {
     let mut page = format!("# {}\n\n{}. In a job: `\"type\": \"{}\"`.\n\n", def.title, def.source, def.key);
-    page.push_str("## Steps\n\nThe documented steps, in our words. A move's `step` is a number of this list.\n\n");
+    if def.steps.is_empty() {
+        page.push_str("Rows of the parameter table; nothing moves.\n");
+    } else {
+        let legend = "Green: approach and return. Grey: links. Red: touches. Blue: the ball at its contacts.";
+        write!(page, "![The path of the default job]({}.svg)\n\n{legend}\n\n", def.key).unwrap();
+        page.push_str("## Steps\n\nThe documented steps, in our words. A move's `step` is a number of this list.\n\n");
+    }
     for (i, step) in def.steps.iter().enumerate() {
         writeln!(page, "{}. {step}.", i + 1).unwrap();
     }
@@ -59,7 +134,14 @@ fn manual(def: &CycleDef) -> String {
     page.push_str("| key | name | unit | range | default | code | what it does |\n|---|---|---|---|---|---|---|\n");
     let sections = def.sections.iter().flat_map(|s| s.fields.iter().map(move |f| (format!("{}.{}", s.key, f.key), f)));
     for (key, field) in def.fields.iter().map(|f| (f.key.to_owned(), f)).chain(sections) {
-        let code = if field.code.is_empty() { String::new() } else { format!("`{}`", field.code) };
+        // What has no code of the source is our own way to say where the touches are.
+        let code = if field.code.is_empty() && def.number.is_some() {
+            "ours".to_owned()
+        } else if field.code.is_empty() {
+            String::new()
+        } else {
+            format!("`{}`", field.code)
+        };
         writeln!(
             page,
             "| `{key}` | {} | {} | {} | {} | {code} | {} |",
@@ -70,6 +152,13 @@ fn manual(def: &CycleDef) -> String {
             field.help
         )
         .unwrap();
+    }
+    if def.place.is_some() {
+        page.push_str(
+            "\nBesides these: `touches`, a list of `{ \"point\": [X, Y, Z], \"vector\": [i, j, k] }`, are the Job Assignment's own picks, codes \
+             -200 and following; they replace the points that the dimensions give. `custom`, a list of `{ \"code\", \"type\", \"value\" }`, are \
+             the user's own positive codes.\n",
+        );
     }
     page.push_str("\n## Results\n\n| code | unit | what it is |\n|---|---|---|\n");
     for row in &plan(&default_job(def.key).unwrap()).unwrap().results {
@@ -97,6 +186,9 @@ fn manual(def: &CycleDef) -> String {
 fn the_manual_is_what_the_crate_says() {
     for def in CYCLES {
         keep(def.doc, &manual(def));
+        if let Some(picture) = picture(def) {
+            keep(&def.doc.replace(".md", ".svg"), &picture);
+        }
     }
     assert_eq!(catalog().cycles.len(), CYCLES.len());
 }

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2, outside",
         "To clearance 1 before the first point of wall 1, touch, and back",
@@ -42,7 +42,10 @@ pub static DEF: CycleDef = CycleDef {
          along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.",
         "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -77,8 +80,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 14;
-    const NAME: &'static str = "double wall external corner probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (14, "double wall external corner probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Corner {

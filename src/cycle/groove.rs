@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "With the top clearance checked: to the feed distance above it, down to it over the middle, then down to the middle at the depth",
         "With the top clearance not checked: to the feed distance above the middle at the depth, then down to it",
@@ -35,7 +35,10 @@ pub static DEF: CycleDef = CycleDef {
          given where the walls are parallel to an axis.",
         "The top clearance that is not checked is left out of the parameter table: how the source stores it is not documented.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -53,8 +56,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 11;
-    const NAME: &'static str = "groove probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (11, "groove probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Pairs {

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         "Over the place the side clearance away from the touch point, at the height of the start",
@@ -38,7 +38,10 @@ pub static DEF: CycleDef = CycleDef {
         "The circle is one of least squares through the ball centres, larger or smaller by the ball radius. Programs of plain \
          arithmetic take its normal equations.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -62,8 +65,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 4;
-    const NAME: &'static str = "hole probing protected";
+    fn kind(&self) -> (i32, &'static str) {
+        (4, "hole probing protected")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         let variant = match self.variant {

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         "Over the place the side clearance away from the touch point, at the height of the start",
@@ -38,7 +38,10 @@ pub static DEF: CycleDef = CycleDef {
         "The control adds the ball radius along the probing direction, so a turned feature reads too wide: by (W - d)(1/cos t - 1) \
          for a width W, a ball diameter d and a turn t.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -63,8 +66,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 7;
-    const NAME: &'static str = "internal rectangle probing protected";
+    fn kind(&self) -> (i32, &'static str) {
+        (7, "internal rectangle probing protected")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         let side = |key: (&'static str, &'static str), width, clearance| Side { width_key: key, width, clearance };

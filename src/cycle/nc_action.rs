@@ -16,7 +16,10 @@ pub static DEF: CycleDef = CycleDef {
     place: None,
     steps: &[],
     readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -27,8 +30,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 1;
-    const NAME: &'static str = "NC action";
+    fn kind(&self) -> (i32, &'static str) {
+        (1, "NC action")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Still)

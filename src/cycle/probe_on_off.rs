@@ -19,7 +19,10 @@ pub static DEF: CycleDef = CycleDef {
         "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is its \
                  builder's word, and is not guessed.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -31,8 +34,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 0;
-    const NAME: &'static str = "probe on/off";
+    fn kind(&self) -> (i32, &'static str) {
+        (0, "probe on/off")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Still)

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the clearance in front of the touch point along its target vector",
         "Touch",
@@ -31,7 +31,10 @@ pub static DEF: CycleDef = CycleDef {
         "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
         "Rotation and elevation are ours: the source has the target vector only.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -52,8 +55,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 2;
-    const NAME: &'static str = "surface probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (2, "surface probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Point { clearance: self.clearance, elevation: self.elevation })

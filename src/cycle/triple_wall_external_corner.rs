@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: outside, clearance 1 from wall 1 and clearance 2 from wall 2, top clearance above the top side",
         "To clearance 1 before the point of wall 1, touch, and back",
@@ -36,7 +36,10 @@ pub static DEF: CycleDef = CycleDef {
         "The distances to the touches are ours: the source has the touch points only.",
         "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -70,8 +73,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 16;
-    const NAME: &'static str = "triple wall external corner probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (16, "triple wall external corner probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         let outside = Outside {

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: each clearance away from its surface",
         "Touch the first wall, and back",
@@ -33,7 +33,10 @@ pub static DEF: CycleDef = CycleDef {
         "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
         "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -57,8 +60,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 15;
-    const NAME: &'static str = "triple wall internal corner probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (15, "triple wall internal corner probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Triple { angle: self.angle, clearances: [self.clearance1, self.clearance2, self.clearance3], outside: None })

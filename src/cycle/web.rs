@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: over the middle, top clearance above the top side",
         "Over the place the side clearance away from the touch point, at the height of the start",
@@ -39,7 +39,10 @@ pub static DEF: CycleDef = CycleDef {
         "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is not \
          given where the walls are parallel to an axis.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -60,8 +63,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 9;
-    const NAME: &'static str = "web probing";
+    fn kind(&self) -> (i32, &'static str) {
+        (9, "web probing")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Pairs {

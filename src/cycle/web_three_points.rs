@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(section, Form::read, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the middle clearance above the middle touch point",
         "Over the place the side clearance away from the left touch point, at the height of the start",
@@ -42,7 +42,10 @@ pub static DEF: CycleDef = CycleDef {
         "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is not \
          given where the walls are parallel to an axis.",
     ],
-    read: |section| ency::read(section, Form::read),
+    read: |section| {
+        let form = Box::new(Form::read(section));
+        ency::read(section, form)
+    },
 };
 
 form! {
@@ -65,8 +68,13 @@ form! {
 }
 
 impl Feature for Form {
-    const NUMBER: i32 = 10;
-    const NAME: &'static str = "web probing (three points)";
+    fn kind(&self) -> (i32, &'static str) {
+        (10, "web probing (three points)")
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
 
     fn shape(&self) -> Box<dyn Shape> {
         Box::new(Pairs {

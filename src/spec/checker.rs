@@ -226,6 +226,7 @@ impl<'a, 'c> Section<'a, 'c> {
 }
 
 impl Checked for Option<f64> {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field)
     }
@@ -242,6 +243,7 @@ impl Checked for Option<f64> {
 }
 
 impl Checked for f64 {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).expect("a field that is a number has a number as default")
     }
@@ -258,6 +260,7 @@ impl Checked for f64 {
 }
 
 impl Checked for Nominal {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = match field.default {
             Default::Number(x) => Nominal::number(x),
@@ -274,6 +277,7 @@ impl Checked for Nominal {
 }
 
 impl Checked for [Nominal; 3] {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = default_point(field).map(Nominal::number);
         let path = section.at(field.key);
@@ -306,6 +310,7 @@ fn default_point(field: &Field) -> [f64; 3] {
 }
 
 impl Checked for i32 {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         f64::take(section, field) as i32
     }
@@ -316,6 +321,7 @@ impl Checked for i32 {
 }
 
 impl Checked for Option<i32> {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         section.number_or_null(field).map(|x| x as i32)
     }
@@ -326,6 +332,7 @@ impl Checked for Option<i32> {
 }
 
 impl Checked for bool {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = matches!(field.default, Default::Flag(true));
         match section.get(field.key) {
@@ -346,6 +353,7 @@ impl Checked for bool {
 }
 
 impl Checked for Vec3 {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = Vec3::from_array(default_point(field));
         let Some(value) = section.get(field.key) else {
@@ -384,6 +392,7 @@ impl Checked for Vec3 {
 }
 
 impl Checked for String {
+    #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = || match field.default {
             Default::Text(text) => text.to_owned(),

@@ -39,11 +39,12 @@ use crate::spec::{Checker, Section, Shown, SubForm, Values};
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
 /// The form of a cycle.
-pub trait Feature: Values + Clone + Debug + 'static {
-    /// Its type number, code −1.
-    const NUMBER: i32;
-    /// What the source calls it in the parameter table.
-    const NAME: &'static str;
+pub trait Feature: Values + Debug {
+    /// Its type number, code −1, and what the source calls it in the parameter table.
+    fn kind(&self) -> (i32, &'static str);
+
+    /// A copy of it.
+    fn copy(&self) -> Box<dyn Feature>;
 
     /// What its dimensions make of it.
     fn shape(&self) -> Box<dyn Shape>;
@@ -91,9 +92,9 @@ pub struct Seated<'a> {
 }
 
 /// A cycle of the family with checked values.
-#[derive(Clone, Debug)]
-struct Ency<F> {
-    form: F,
+#[derive(Debug)]
+struct Ency {
+    form: Box<dyn Feature>,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
     custom: Vec<Custom>,
@@ -101,32 +102,37 @@ struct Ency<F> {
     deltas: Vec<(String, f64)>,
 }
 
-/// Reads a cycle of the family.
-pub fn read<F: Feature>(section: &mut Section<'_, '_>, form: fn(&mut Section<'_, '_>) -> F) -> Box<dyn Cycle> {
-    let form = form(section);
+impl Clone for Ency {
+    fn clone(&self) -> Self {
+        Ency {
+            form: self.form.copy(),
+            properties: self.properties.clone(),
+            picks: self.picks.clone(),
+            custom: self.custom.clone(),
+            deltas: self.deltas.clone(),
+        }
+    }
+}
+
+/// Reads what every cycle of the family may have besides its form.
+pub fn read(section: &mut Section<'_, '_>, form: Box<dyn Feature>) -> Box<dyn Cycle> {
     let properties = section.sub(&PROPERTIES, Properties::read);
-    let picks = if F::NUMBER > 1 { picks::read(section) } else { None };
+    let picks = if form.kind().0 > 1 { picks::read(section) } else { None };
     let custom = custom::read(section);
     Box::new(Ency { form, properties, picks, custom, deltas: Vec::new() })
 }
 
-/// Where picked touches put a cycle, given its loose form; none where they do not make one.
-pub fn place<F: Feature>(
-    section: &mut Section<'_, '_>,
-    form: fn(&mut Section<'_, '_>) -> F,
-    picks: &[Pick],
-    plane: Plane,
-) -> Option<Placement> {
-    let shape = form(section).shape();
+/// Where picked touches put a shape; none where they do not make one.
+pub fn place(shape: &dyn Shape, picks: &[Pick], plane: Plane) -> Option<Placement> {
     let mut checker = Checker::default();
     shape.check(picks, plane, &mut checker);
     (!checker.failed()).then(|| shape.place(picks, plane))
 }
 
-impl<F: Feature> Ency<F> {
+impl Ency {
     /// The form as the picks have it.
-    fn placed(&self, plane: Plane) -> F {
-        let mut form = self.form.clone();
+    fn placed(&self, plane: Plane) -> Box<dyn Feature> {
+        let mut form = self.form.copy();
         if let Some(picks) = &self.picks {
             let placement = self.form.shape().place(picks, plane);
             form.put("origin", Shown::Point(placement.origin));
@@ -138,7 +144,7 @@ impl<F: Feature> Ency<F> {
         form
     }
 
-    fn frame(form: &F, plane: Plane) -> Frame {
+    fn frame(form: &dyn Feature, plane: Plane) -> Frame {
         let origin = form.values().into_iter().find_map(|(_, value)| match value {
             Shown::Point(point) => Some(point),
             _ => None,
@@ -150,13 +156,13 @@ impl<F: Feature> Ency<F> {
     /// The shape and its touches: nominal, or with the actual part's sizes.
     fn seat(&self, setup: &Setup) -> (Box<dyn Shape>, Frame, Vec<Touch>) {
         let nominal = self.placed(setup.plane);
-        let mut form = nominal.clone();
+        let mut form = nominal.copy();
         for (key, delta) in &self.deltas {
             if let Some(size) = form.number(key) {
                 form.put(key, Shown::Number(size + delta));
             }
         }
-        let frame = Self::frame(&form, setup.plane);
+        let frame = Self::frame(&*form, setup.plane);
         let shape = form.shape();
         let mut touches = shape.touches(&frame);
         if let Some(picks) = &self.picks {
@@ -180,7 +186,7 @@ impl<F: Feature> Ency<F> {
     }
 }
 
-impl<F: Feature> Cycle for Ency<F> {
+impl Cycle for Ency {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         let shape = self.form.shape();
         shape.rules(setup, checker);
@@ -230,7 +236,7 @@ impl<F: Feature> Cycle for Ency<F> {
             spread: None,
             frame,
             formula,
-            parameters: table(&self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k))
+            parameters: table(&*self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k))
                 .into_iter()
                 .chain(self.custom.iter().map(Custom::row))
                 .collect(),

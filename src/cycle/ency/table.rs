@@ -7,29 +7,30 @@ use crate::spec::{Field, Kind, Shown, Values};
 
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
-pub fn table<F: Feature>(
-    form: &F,
+pub fn table(
+    form: &dyn Feature,
     properties: Option<&Properties>,
     touches: &[Touch],
     setup: &Setup,
     name: impl Fn(usize) -> String,
 ) -> Vec<Parameter> {
+    let (number, kind_name) = form.kind();
     let kind = Parameter {
         code: -1,
         accessor: "Int",
         type_name: "Integer",
-        value: ParameterValue::Whole(F::NUMBER),
-        meaning: format!("Probing cycle type: {} = {}", F::NUMBER, F::NAME),
+        value: ParameterValue::Whole(number),
+        meaning: format!("Probing cycle type: {number} = {kind_name}"),
         field: Some("cycle.type".to_owned()),
         touch: None,
     };
     let mut own: Vec<Parameter> = form.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
     own.sort_by_key(|p| -p.code);
-    let late = |p: &Parameter| p.code == -66 || (F::NUMBER == 2 && p.code == -56);
+    let late = |p: &Parameter| p.code == -66 || (number == 2 && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
     let compensated = last.iter().any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
     let mut rows = vec![kind];
-    if F::NUMBER == 0 {
+    if number == 0 {
         rows.push(Parameter {
             code: -2,
             value: ParameterValue::Whole(-500),
