@@ -513,6 +513,57 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Picking the very touches that the dimensions give changes nothing, wherever the form says the feature is; and a part that
+    /// lies off, or has other sizes, is measured the same.
+    #[test]
+    fn picking_what_the_dimensions_give_changes_nothing(job in dumped_job(), dx in -0.3..0.3f64, dy in -0.3..0.3f64, grown in -0.2..0.2f64) {
+        let Ok(first) = plan(&job) else { return Ok(()) };
+        if first.touches.is_empty() {
+            return Ok(());
+        }
+        let triple = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
+        let picks = first
+            .touches
+            .iter()
+            .map(|t| Value::Map(vec![("point".to_owned(), triple(t.point)), ("vector".to_owned(), triple(t.vector))]))
+            .collect();
+        let picked = with(&job, "cycle.touches", Value::List(picks));
+        let picked = with(&with(&picked, "cycle.origin", triple([17.0, -3.0, 8.0])), "cycle.rotation", number(11.0));
+        let def = CYCLES.iter().find(|c| Some(&Value::Text(c.key.to_owned())) == job.get("cycle").unwrap().get("type")).unwrap();
+        let size = def.fields.iter().find(|f| f.size);
+        let off = |job: &Value| {
+            let job = with(job, "part.offset", triple([dx, dy, 0.0]));
+            match size {
+                Some(field) => plan(&with(&job, &format!("part.sizes.{}", field.key), number(grown))),
+                None => plan(&job),
+            }
+        };
+        let second = plan(&picked).map_err(|e| TestCaseError::fail(format!("{e}")))?;
+        for (a, b) in [(Ok(first), Ok(second)), (off(&job), off(&picked))] {
+            let (Ok(a), Ok(b)) = (&a, &b) else {
+                prop_assert_eq!(a.is_ok(), b.is_ok(), "{:?} {:?}", a.err(), b.err());
+                continue;
+            };
+            prop_assert_eq!(a.moves.len(), b.moves.len());
+            for (m, n) in a.moves.iter().zip(&b.moves) {
+                prop_assert!((0..3).all(|i| (m.to[i] - n.to[i]).abs() < 1e-5), "{:?} {:?}", m, n);
+                prop_assert_eq!((m.kind, m.feed, m.step, m.touch), (n.kind, n.feed, n.step, n.touch));
+            }
+            for (r, s) in a.results.iter().zip(&b.results) {
+                prop_assert_eq!(&r.code, &s.code);
+                let same = match (r.value, s.value) {
+                    (Some(r), Some(s)) => (r - s).abs() < 1e-5,
+                    (r, s) => r.is_some() == s.is_some(),
+                };
+                prop_assert!(same, "{:?} {:?}", r, s);
+            }
+        }
+    }
+}
+
 /// The property says something only if enough jobs have a plan, of every type.
 #[test]
 fn every_type_takes_part_in_the_round_trip() {

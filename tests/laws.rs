@@ -273,12 +273,13 @@ proptest! {
 
     /// Nothing that is handed over can panic, whole or as a part of a good job.
     #[test]
-    fn nothing_panics(value in anything(), which in 0usize..40) {
+    fn nothing_panics(value in anything(), which in 0usize..160) {
         let _ = check(&value);
         let job = default_job(CYCLES[which % CYCLES.len()].key).unwrap();
         let paths = ["format", "name", "units", "plane", "stylus", "stylus.diameter", "feeds", "feeds.work", "overtravel", "cycle",
             "cycle.type", "cycle.origin", "cycle.rotation", "cycle.angle", "cycle.width1", "cycle.count1", "control",
-            "control.post", "control.workOffset", "part", "part.offset", "part.sizes", "part.sizes.width1", "bogus"];
+            "control.post", "control.workOffset", "part", "part.offset", "part.sizes", "part.sizes.width1", "bogus",
+            "cycle.touches", "cycle.properties", "cycle.custom", "cycle.topClearance", "cycle.stepCount", "tool", "tool.frame", "tool.type"];
         let broken = with(&job, paths[which % paths.len()], value.clone());
         let _ = plan(&broken);
         let _ = touchpath::job::evaluate(&job, &value);

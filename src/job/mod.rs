@@ -14,6 +14,7 @@ mod import;
 mod lentoax;
 pub mod mpf;
 mod plan;
+mod schema;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use export::export_table;
@@ -21,6 +22,7 @@ pub use form::{Job, SECTIONS};
 pub use import::{Imported, import};
 pub use lentoax::lentoax_query;
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
+pub use schema::job_schema;
 
 use crate::spec::{Checker, Finding, Value};
 

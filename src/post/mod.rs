@@ -104,21 +104,27 @@ pub fn comment_text(text: &str) -> String {
         .collect()
 }
 
-/// The job as comment lines, `job cycle.width1 = 80`: everything but its name and the virtual part.
+/// The job as comment lines, `job cycle.width1 = 80`: everything but its name and the virtual part, by the alphabet, since the order
+/// of a job's keys says nothing.
 fn job_lines(job: &Value) -> Vec<String> {
     let mut lines = Vec::new();
-    if let Value::Map(entries) = job {
-        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part" | "format")) {
-            push_lines(key, value, &mut lines);
-        }
+    for (key, value) in by_key(job).into_iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part" | "format")) {
+        push_lines(key, value, &mut lines);
     }
     lines
+}
+
+fn by_key(value: &Value) -> Vec<&(String, Value)> {
+    let Value::Map(entries) = value else { return Vec::new() };
+    let mut entries: Vec<&(String, Value)> = entries.iter().collect();
+    entries.sort_by(|a, b| a.0.cmp(&b.0));
+    entries
 }
 
 fn push_lines(path: &str, value: &Value, lines: &mut Vec<String>) {
     let text = match value {
         Value::Map(entries) if !entries.is_empty() => {
-            return entries.iter().for_each(|(key, inner)| push_lines(&format!("{path}.{key}"), inner, lines));
+            return by_key(value).into_iter().for_each(|(key, inner)| push_lines(&format!("{path}.{key}"), inner, lines));
         }
         Value::List(items) if !items.is_empty() => {
             return items.iter().enumerate().for_each(|(i, inner)| push_lines(&format!("{path}[{i}]"), inner, lines));

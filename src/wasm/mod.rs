@@ -58,6 +58,12 @@ pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> 
     job::export_table(&plan, &format.as_string().unwrap_or_default()).map_err(refused)
 }
 
+/// JSON Schema (2020-12) of a job.
+#[wasm_bindgen(js_name = jobSchema)]
+pub fn job_schema() -> JsValue {
+    value_to_js(&job::job_schema())
+}
+
 /// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; throws where no job can be made of it.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {

@@ -1,11 +1,12 @@
 // The package as somebody uses it: by its own name from the repository, and installed from its tarball.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { Ajv2020 } from "ajv/dist/2020.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 let folder;
@@ -17,7 +18,17 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 test("by its own name from the repository", async () => {
   const touchpath = await import("touchpath");
-  for (const name of ["catalog", "defaultJob", "check", "plan", "evaluate", "moveColumns", "importJob", "version"]) {
+  for (const name of [
+    "catalog",
+    "defaultJob",
+    "check",
+    "plan",
+    "evaluate",
+    "moveColumns",
+    "importJob",
+    "jobSchema",
+    "version",
+  ]) {
     assert.equal(typeof touchpath[name], "function", name);
   }
   const { defaultJob, check, plan, moveColumns, JobError, version } = touchpath;
@@ -52,9 +63,16 @@ test("by its own name from the repository", async () => {
 
 test("every job of the repository plans as the crate plans it", async () => {
   const { plan } = await import("touchpath");
-  const job = JSON.parse(readFileSync(join(root, "tests/jobs/pocket.json"), "utf8"));
-  const snapshot = readFileSync(join(root, "tests/snapshots/pocket.snap"), "utf8");
-  assert.ok(snapshot.endsWith(plan(job).program.text), "the program in wasm is the native one, byte for byte");
+  const names = readdirSync(join(root, "tests/jobs")).map((file) => file.replace(".json", ""));
+  assert.ok(names.length > 40);
+  for (const name of names) {
+    const job = JSON.parse(readFileSync(join(root, `tests/jobs/${name}.json`), "utf8"));
+    const snapshot = readFileSync(join(root, `tests/snapshots/${name}.snap`), "utf8");
+    assert.ok(
+      snapshot.endsWith(plan(job).program.text),
+      `${name}: the program in wasm is the native one, byte for byte`,
+    );
+  }
 });
 
 test("jobs and programs are imported", async () => {
@@ -69,6 +87,50 @@ test("jobs and programs are imported", async () => {
   const text = plan(circles).program.text;
   assert.equal(plan(importJob(text).job).program.text, text);
   for (const nothing of ["", "G1 X0", "{", "7", undefined]) assert.throws(() => importJob(nothing), JobError);
+});
+
+test("a dump becomes the job again, and so does a program for SINUMERIK", async () => {
+  const { catalog, defaultJob, exportTable, importJob, plan } = await import("touchpath");
+  for (const { type, number } of catalog().cycles) {
+    if (number === null) continue;
+    const job = defaultJob(type);
+    job.cycle.custom = [{ code: 7, type: "Flt", value: 0.5 }];
+    for (const format of ["text", "csv", "json"]) {
+      assert.deepEqual(importJob(exportTable(job, format)).job, job, `${type} ${format}`);
+    }
+    job.control.post = "sinumerik";
+    const { text } = plan(job).program;
+    assert.equal(plan(importJob(text).job).program.text, text, type);
+  }
+});
+
+test("the schema takes every good job and refuses what is none", async () => {
+  const { catalog, defaultJob, jobSchema } = await import("touchpath");
+  const validate = new Ajv2020({ strict: false }).compile(jobSchema());
+  for (const { type } of catalog().cycles)
+    assert.ok(validate(defaultJob(type)), `${type}: ${JSON.stringify(validate.errors)}`);
+  for (const file of readdirSync(join(root, "tests/jobs"))) {
+    const job = JSON.parse(readFileSync(join(root, "tests/jobs", file), "utf8"));
+    assert.ok(validate(job), `${file}: ${JSON.stringify(validate.errors)}`);
+  }
+  const job = () => defaultJob("hole");
+  const broken = [
+    {},
+    { ...job(), format: 2 },
+    { ...job(), mine: 1 },
+    { ...job(), units: "cm" },
+    { ...job(), cycle: { type: "holes" } },
+    { ...job(), cycle: { type: "hole", width1: 4 } },
+    { ...job(), cycle: { type: "hole", diameter: 0 } },
+    { ...job(), cycle: { type: "hole", diameter: "40" } },
+    { ...job(), cycle: { type: "hole", origin: [1, 2] } },
+    { ...job(), cycle: { type: "hole", stepCount: 17 } },
+    { ...job(), cycle: { type: "hole", touches: [{ point: [1, 2, 3] }] } },
+    { ...job(), feeds: { work: null } },
+    { ...job(), tool: { frame: [{ rot: "X" }] } },
+  ];
+  for (const value of broken) assert.ok(!validate(value), JSON.stringify(value).slice(0, 200));
+  assert.ok(validate({ ...job(), feeds: { longLink: null }, cycle: { type: "hole", topClearance: null } }));
 });
 
 test("the parameter table as text", async () => {

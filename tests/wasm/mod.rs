@@ -45,7 +45,7 @@ fn a_default_job_makes_a_plain_plan() {
     let row = text(&Array::from(&get(&plan, "table")).get(4));
     assert_eq!(
         row,
-        r#"{"code":"CmdPrm.Flt[-53]","type":"Double","value":80,"meaning":"Width 1, from touch point 1 to touch point 2","field":"cycle.width1","touch":null}"#
+        r#"{"code":"CmdPrm.Flt[-53]","type":"Double","value":80,"meaning":"Width 1, from touch point 1 to touch point 2, along the first direction of the rectangle","field":"cycle.width1","touch":null}"#
     );
     assert_eq!(text(&get(&plan, "findings")), "[]");
     assert!(get(&get(&plan, "program"), "text").as_string().unwrap().starts_with("(Job: PROBE)\n"));
@@ -85,6 +85,7 @@ fn what_json_cannot_say_is_found() {
             "unknown-key feeds.stylus",
             "unknown-key feeds.feeds",
             "unknown-key feeds.control",
+            "unknown-key feeds.tool",
             "unknown-key feeds.part",
             "unknown-key feeds.cycle"
         ]

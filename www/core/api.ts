@@ -34,6 +34,7 @@ export interface Raw {
   evaluate(job: unknown, measured: unknown): unknown;
   moveColumns(job: unknown): unknown;
   importJob(text: unknown): unknown;
+  jobSchema(): unknown;
   exportTable(job: unknown, format: unknown): unknown;
   lentoax(query: unknown): unknown;
   lentoaxWords(query: unknown): unknown;
@@ -56,6 +57,8 @@ export interface Api {
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program for SINUMERIK that was written here, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
+  /** JSON Schema (2020-12) of a job: what it looks like. What depends on units, or on several fields together, only `check` knows. */
+  jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
@@ -91,6 +94,7 @@ export function dress(raw: Raw): Api {
     evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
     moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
     importJob: (text) => orJobError(() => raw.importJob(text)),
+    jobSchema: () => raw.jobSchema() as Record<string, unknown>,
     exportTable: (job, format) => orJobError(() => raw.exportTable(job, format)),
     lentoax: (query) => orJobError(() => raw.lentoax(query)),
     lentoaxWords: (query) => orJobError(() => raw.lentoaxWords(query)),

@@ -14,6 +14,7 @@ export const {
   evaluate,
   moveColumns,
   importJob,
+  jobSchema,
   exportTable,
   lentoax,
   lentoaxWords,
