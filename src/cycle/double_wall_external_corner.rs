@@ -3,7 +3,7 @@
 //! Both walls of an outside corner, each touched once or more, from one start point outside.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Corner, Feature, Shape, field};
+use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::geom::Vec3;
 use crate::spec::{Field, form};
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2, outside",
         "To clearance 1 before the first point of wall 1, touch, and back",
@@ -30,21 +30,18 @@ pub static DEF: CycleDef = CycleDef {
         "Up by the feed distance",
     ],
     readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "The last lift uses the return feed: the source names no feed there.",
-        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
-         shift with tool compensation\". The points from code -200 never move.",
-        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
-         clockwise from it.",
+        words::HEIGHTS,
+        words::NORMAL,
+        words::LAST_LIFT,
+        words::COMPENSATION,
+        words::WALLS,
         "The distances from the corner to the first touches are ours: the source has the touch points only.",
-        "A wall with two touches or more is the line of total least squares through the ball centres, offset by the ball radius \
-         along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.",
-        "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.",
+        words::LINES,
+        words::TURN,
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (14, "double wall external corner probing"), form, shape)
     },
 };
 
@@ -79,23 +76,13 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (14, "double wall external corner probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Corner {
-            internal: false,
-            angle: self.angle,
-            clearances: [self.clearance1, self.clearance2],
-            counts: [self.count1.max(1) as usize, self.count2.max(1) as usize],
-            steps: [self.step1, self.step2],
-            distances: Some([self.distance1, self.distance2]),
-        })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Corner {
+        internal: false,
+        angle: form.angle,
+        clearances: [form.clearance1, form.clearance2],
+        counts: [form.count1.max(1) as usize, form.count2.max(1) as usize],
+        steps: [form.step1, form.step2],
+        distances: Some([form.distance1, form.distance2]),
+    })
 }

@@ -4,7 +4,7 @@
 //! of the touches between the first and the last move.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Corner, Feature, Shape, field};
+use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::geom::Vec3;
 use crate::spec::{Field, form};
 
@@ -17,7 +17,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
         "Touch the first point of wall 1, and back",
@@ -30,19 +30,10 @@ pub static DEF: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "The last lift uses the return feed: the source names no feed there.",
-        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
-         clockwise from it.",
-        "A wall with two touches or more is the line of total least squares through the ball centres, offset by the ball radius \
-         along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.",
-        "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.",
-    ],
+    readings: &[words::HEIGHTS, words::NORMAL, words::LAST_LIFT, words::WALLS, words::LINES, words::TURN],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (13, "double wall internal corner probing"), form, shape)
     },
 };
 
@@ -72,23 +63,13 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (13, "double wall internal corner probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Corner {
-            internal: true,
-            angle: self.angle,
-            clearances: [self.clearance1, self.clearance2],
-            counts: [self.count1.max(1) as usize, self.count2.max(1) as usize],
-            steps: [self.step1, self.step2],
-            distances: None,
-        })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Corner {
+        internal: true,
+        angle: form.angle,
+        clearances: [form.clearance1, form.clearance2],
+        counts: [form.count1.max(1) as usize, form.count2.max(1) as usize],
+        steps: [form.step1, form.step2],
+        distances: None,
+    })
 }

@@ -3,7 +3,7 @@
 //! All touches from the centre, which the ball enters from above or goes to straight away.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Circle, Feature, Shape, Variant, field};
+use crate::cycle::ency::{self, Circle, Shape, Variant, field, words};
 use crate::geom::Vec3;
 use crate::spec::form;
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
         "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
@@ -25,18 +25,17 @@ pub static DEF: CycleDef = CycleDef {
         "Up to the feed distance",
     ],
     readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "Where the source names no feed, ways back use the long link feed.",
-        "Rectangular: touch point 2 lies opposite 1, 3 a quarter turn counter-clockwise from 1, 4 opposite 3.",
-        "Angular: touch point k lies at start angle + (k - 1) angular steps, counter-clockwise from the first direction.",
-        "The circle is one of least squares through the ball centres, larger or smaller by the ball radius. Programs of plain \
-         arithmetic take its normal equations.",
-        "The top clearance that is not checked is left out of the parameter table: how the source stores it is not documented.",
+        words::HEIGHTS,
+        words::NORMAL,
+        words::WAY_BACK,
+        words::RECTANGULAR,
+        words::ANGULAR,
+        words::CIRCLE,
+        words::UNCHECKED,
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (3, "hole probing"), form, shape)
     },
 };
 
@@ -57,27 +56,17 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (3, "hole probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        let variant = match self.variant {
-            0 => Variant::Rectangular,
-            _ => Variant::Angular { start: self.start_angle, step: self.angular_step, count: self.step_count.max(1) as usize },
-        };
-        Box::new(Circle {
-            internal: true,
-            diameter: self.diameter,
-            variant,
-            depth: self.depth,
-            top: self.top_clearance,
-            clearance: None,
-        })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    let variant = match form.variant {
+        0 => Variant::Rectangular,
+        _ => Variant::Angular { start: form.start_angle, step: form.angular_step, count: form.step_count.max(1) as usize },
+    };
+    Box::new(Circle {
+        internal: true,
+        diameter: form.diameter,
+        variant,
+        depth: form.depth,
+        top: form.top_clearance,
+        clearance: None,
+    })
 }

@@ -1,7 +1,7 @@
 //! NC action: ENCY / SprutCAM type 1. Rows of the table, no motion.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Shape, Still, field};
+use crate::cycle::ency::{self, Still, field};
 use crate::spec::form;
 
 pub static DEF: CycleDef = CycleDef {
@@ -17,8 +17,8 @@ pub static DEF: CycleDef = CycleDef {
     steps: &[],
     readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (1, "NC action"), form, |_| Box::new(Still))
     },
 };
 
@@ -26,19 +26,5 @@ form! {
     /// The form of type 1.
     pub struct Form {
         sub_code: i32 = field::sub_code(),
-    }
-}
-
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (1, "NC action")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Still)
     }
 }

@@ -1,7 +1,7 @@
 //! Probe on/off: ENCY / SprutCAM type 0. Rows of the table, no motion.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Shape, Still};
+use crate::cycle::ency::{self, Still};
 use crate::spec::{Field, form};
 
 pub static DEF: CycleDef = CycleDef {
@@ -20,8 +20,8 @@ pub static DEF: CycleDef = CycleDef {
                  builder's word, and is not guessed.",
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (0, "probe on/off"), form, |_| Box::new(Still))
     },
 };
 
@@ -30,19 +30,5 @@ form! {
     pub struct Form {
         /// Whether the probe is switched on; else off.
         on: bool = Field::flag("on", "On", true).code("CmdPrm.Bol[-3]").group("Postprocessor"),
-    }
-}
-
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (0, "probe on/off")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Still)
     }
 }

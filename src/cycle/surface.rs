@@ -3,7 +3,7 @@
 //! One touch along the target vector, on a wall, a top side or anything between.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Point, Shape, field};
+use crate::cycle::ency::{self, Point, Shape, field, words};
 use crate::geom::Vec3;
 use crate::spec::{Field, form};
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the clearance in front of the touch point along its target vector",
         "Touch",
@@ -25,15 +25,14 @@ pub static DEF: CycleDef = CycleDef {
     ],
     readings: &[
         "The clearance is measured from the surface to the ball centre; the feed distance is along the tool axis.",
-        "The target vector is the outward normal of the surface: from the material into free space.",
-        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
-         shift with tool compensation\". The points from code -200 never move.",
+        words::NORMAL_OF_SURFACE,
+        words::COMPENSATION,
         "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
         "Rotation and elevation are ours: the source has the target vector only.",
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (2, "surface probing"), form, shape)
     },
 };
 
@@ -54,16 +53,6 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (2, "surface probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Point { clearance: self.clearance, elevation: self.elevation })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Point { clearance: form.clearance, elevation: form.elevation })
 }

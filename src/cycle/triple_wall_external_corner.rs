@@ -3,7 +3,7 @@
 //! Two walls and the top side of a block, each touched once.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Outside, Shape, Triple, field};
+use crate::cycle::ency::{self, Outside, Shape, Triple, field, words};
 use crate::geom::Vec3;
 use crate::spec::{Field, form};
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: outside, clearance 1 from wall 1 and clearance 2 from wall 2, top clearance above the top side",
         "To clearance 1 before the point of wall 1, touch, and back",
@@ -28,17 +28,16 @@ pub static DEF: CycleDef = CycleDef {
         "Up by the feed distance",
     ],
     readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "The last lift uses the return feed: the source names no feed there.",
-        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
-         clockwise from it.",
+        words::HEIGHTS,
+        words::NORMAL,
+        words::LAST_LIFT,
+        words::WALLS,
         "The distances to the touches are ours: the source has the touch points only.",
-        "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
+        words::PLANES,
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (16, "triple wall external corner probing"), form, shape)
     },
 };
 
@@ -72,25 +71,15 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (16, "triple wall external corner probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        let outside = Outside {
-            depth: self.depth,
-            distances: [self.distance1, self.distance2],
-            inwards: [self.top_distance1, self.top_distance2],
-        };
-        Box::new(Triple {
-            angle: self.angle,
-            clearances: [self.clearance1, self.clearance2, self.top_clearance],
-            outside: Some(outside),
-        })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    let outside = Outside {
+        depth: form.depth,
+        distances: [form.distance1, form.distance2],
+        inwards: [form.top_distance1, form.top_distance2],
+    };
+    Box::new(Triple {
+        angle: form.angle,
+        clearances: [form.clearance1, form.clearance2, form.top_clearance],
+        outside: Some(outside),
+    })
 }

@@ -3,7 +3,7 @@
 //! Two walls and the floor of a pocket, each touched once from one start point inside.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Shape, Triple, field};
+use crate::cycle::ency::{self, Shape, Triple, field, words};
 use crate::geom::Vec3;
 use crate::spec::{Field, form};
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: each clearance away from its surface",
         "Touch the first wall, and back",
@@ -25,17 +25,16 @@ pub static DEF: CycleDef = CycleDef {
         "Up by the feed distance",
     ],
     readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "The last lift uses the return feed: the source names no feed there.",
-        "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
-         clockwise from it.",
+        words::HEIGHTS,
+        words::NORMAL,
+        words::LAST_LIFT,
+        words::WALLS,
         "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
-        "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.",
+        words::PLANES,
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (15, "triple wall internal corner probing"), form, shape)
     },
 };
 
@@ -59,16 +58,6 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (15, "triple wall internal corner probing")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Triple { angle: self.angle, clearances: [self.clearance1, self.clearance2, self.clearance3], outside: None })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Triple { angle: form.angle, clearances: [form.clearance1, form.clearance2, form.clearance3], outside: None })
 }

@@ -3,7 +3,7 @@
 //! A rib, touched on both sides and on top.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Feature, Pairs, Shape, Side, field};
+use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
 use crate::geom::Vec3;
 use crate::spec::form;
 
@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*Form::read(section).shape(), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the middle clearance above the middle touch point",
         "Over the place the side clearance away from the left touch point, at the height of the start",
@@ -29,22 +29,19 @@ pub static DEF: CycleDef = CycleDef {
         "Up by the feed distance",
     ],
     readings: &[
-        "Clearances are measured from the wall to the ball centre, heights are of the ball centre.",
-        "The target vector is the outward normal of the wall: from the material into free space.",
-        "Sideways returns use the long link feed and the last lift the return feed: the source names no feed there.",
-        "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
-         shift with tool compensation\". The points from code -200 never move.",
+        words::HEIGHTS,
+        words::NORMAL,
+        words::FEEDS,
+        words::COMPENSATION,
         "The source's steps name a top clearance that this cycle has no code for: the ball crosses at the height of the start, the middle \
          clearance above the top side.",
         "The left touch point is the one against the first direction, the right one in it.",
-        "The control takes the ball radius off along the probing direction, so a turned feature reads too wide: by (W + d)(1/cos t - 1) \
-         for a width W, a ball diameter d and a turn t.",
-        "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is not \
-         given where the walls are parallel to an axis.",
+        words::COSINE_OUTSIDE,
+        words::SINGLE,
     ],
     read: |section| {
-        let form = Box::new(Form::read(section));
-        ency::read(section, form)
+        let form = Form::read(section);
+        ency::read(section, (10, "web probing (three points)"), form, shape)
     },
 };
 
@@ -67,26 +64,16 @@ form! {
     }
 }
 
-impl Feature for Form {
-    fn kind(&self) -> (i32, &'static str) {
-        (10, "web probing (three points)")
-    }
-
-    fn copy(&self) -> Box<dyn Feature> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        Box::new(Pairs {
-            internal: false,
-            sides: vec![Side {
-                width_key: ("width", "Width"),
-                width: self.width,
-                clearance: Some(("sideClearance", "Side clearance", self.side_clearance)),
-            }],
-            depth: self.depth,
-            top: Some(self.middle_clearance),
-            middle: Some(self.middle_clearance),
-        })
-    }
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Pairs {
+        internal: false,
+        sides: vec![Side {
+            width_key: ("width", "Width"),
+            width: form.width,
+            clearance: Some(("sideClearance", "Side clearance", form.side_clearance)),
+        }],
+        depth: form.depth,
+        top: Some(form.middle_clearance),
+        middle: Some(form.middle_clearance),
+    })
 }

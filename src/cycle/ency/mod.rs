@@ -7,6 +7,7 @@
 mod corner;
 mod custom;
 pub mod field;
+mod forms;
 mod pairs;
 mod picks;
 mod point;
@@ -14,15 +15,18 @@ mod round;
 mod still;
 mod table;
 mod triple;
+pub mod words;
 
 pub use corner::Corner;
 pub use field::Properties;
+pub use forms::{PairProtected, RectangleProtected, RoundProtected};
 pub use pairs::{Pairs, Side};
 pub use picks::{Pick, Placement};
 pub use point::Point;
 pub use round::{Circle, Variant};
 pub use still::Still;
-pub use table::{code_of, table};
+pub use table::code_of;
+use table::table;
 pub use triple::{Outside, Triple};
 
 use custom::Custom;
@@ -33,13 +37,13 @@ use crate::cycle::Cycle;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feed, MAX_TOUCHES, Path, Setup, Surface, Touch, Tracer};
-use crate::spec::{Checker, Section, Shown, SubForm, Values};
+use crate::spec::{Checker, Field, Section, Shown, SubForm, Values};
 
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
 /// The form of a cycle.
-pub trait Feature: Values + Debug {
+trait Feature: Values + Debug {
     /// Its type number, code −1, and what the source calls it in the parameter table.
     fn kind(&self) -> (i32, &'static str);
 
@@ -114,8 +118,50 @@ impl Clone for Ency {
     }
 }
 
+/// A form, the type number and name of its cycle, and the shape it makes.
+#[derive(Clone, Debug)]
+struct Made<F> {
+    form: F,
+    kind: (i32, &'static str),
+    shape: fn(&F) -> Box<dyn Shape>,
+}
+
+impl<F: Values> Values for Made<F> {
+    fn values(&self) -> Vec<(&'static Field, Shown)> {
+        self.form.values()
+    }
+
+    fn put(&mut self, key: &str, value: Shown) {
+        self.form.put(key, value);
+    }
+}
+
+impl<F: Values + Clone + Debug + 'static> Feature for Made<F> {
+    fn kind(&self) -> (i32, &'static str) {
+        self.kind
+    }
+
+    fn copy(&self) -> Box<dyn Feature> {
+        Box::new(self.clone())
+    }
+
+    fn shape(&self) -> Box<dyn Shape> {
+        (self.shape)(&self.form)
+    }
+}
+
+/// Makes a cycle of a form: its type number, what the source calls it in the parameter table, and the shape of its dimensions.
+pub fn read<F: Values + Clone + Debug + 'static>(
+    section: &mut Section<'_, '_>,
+    kind: (i32, &'static str),
+    form: F,
+    shape: fn(&F) -> Box<dyn Shape>,
+) -> Box<dyn Cycle> {
+    read_rest(section, Box::new(Made { form, kind, shape }))
+}
+
 /// Reads what every cycle of the family may have besides its form.
-pub fn read(section: &mut Section<'_, '_>, form: Box<dyn Feature>) -> Box<dyn Cycle> {
+fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Feature>) -> Box<dyn Cycle> {
     let properties = section.sub(&PROPERTIES, Properties::read);
     let picks = if form.kind().0 > 1 { picks::read(section) } else { None };
     let custom = custom::read(section);

@@ -7,7 +7,7 @@ use crate::spec::{Field, Kind, Shown, Values};
 
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
-pub fn table(
+pub(super) fn table(
     form: &dyn Feature,
     properties: Option<&Properties>,
     touches: &[Touch],

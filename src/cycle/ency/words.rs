@@ -1,0 +1,43 @@
+//! What the manual says of several cycles: steps they share, and what is our reading.
+
+pub const OVER: &str = "Over the place the side clearance away from the touch point, at the height of the start";
+pub const DOWN: &str = "Down by top clearance and depth";
+pub const TOUCH: &str = "Touch, and back to where the touch began";
+pub const UP: &str = "Up by top clearance and depth";
+pub const BACK: &str = "Back to the start";
+pub const LIFT: &str = "Up by the feed distance";
+
+pub const HEIGHTS: &str = "Clearances are measured from the wall to the ball centre, heights are of the ball centre.";
+pub const NORMAL: &str = "The target vector is the outward normal of the wall: from the material into free space.";
+pub const NORMAL_OF_SURFACE: &str =
+    "The target vector is the outward normal of the surface: from the material into free space.";
+pub const FEEDS: &str =
+    "Sideways returns use the long link feed and the last lift the return feed: the source names no feed there.";
+pub const LAST_LIFT: &str = "The last lift uses the return feed: the source names no feed there.";
+pub const WAY_BACK: &str = "Where the source names no feed, ways back use the long link feed.";
+pub const COMPENSATION: &str = "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
+                                shift with tool compensation\". The points from code -200 never move.";
+pub const UNCHECKED: &str =
+    "The top clearance that is not checked is left out of the parameter table: how the source stores it is not documented.";
+pub const RECTANGLE: &str = "Touch point 1 is the wall in the first direction, 2 its opposite, 3 the wall a quarter turn counter-clockwise from 1, \
+                             4 its opposite.";
+pub const PAIR: &str = "Touch point 1 is the wall in the first direction, 2 its opposite.";
+pub const RECTANGULAR: &str =
+    "Rectangular: touch point 2 lies opposite 1, 3 a quarter turn counter-clockwise from 1, 4 opposite 3.";
+pub const ANGULAR: &str =
+    "Angular: touch point k lies at start angle + (k - 1) angular steps, counter-clockwise from the first direction.";
+pub const CIRCLE: &str = "The circle is one of least squares through the ball centres, larger or smaller by the ball radius. Programs of plain \
+                          arithmetic take its normal equations.";
+pub const COSINE_INSIDE: &str = "The control adds the ball radius along the probing direction, so a turned feature reads too wide: by \
+                                 (W - d)(1/cos t - 1) for a width W, a ball diameter d and a turn t.";
+pub const COSINE_OUTSIDE: &str = "The control takes the ball radius off along the probing direction, so a turned feature reads too wide: by \
+                                  (W + d)(1/cos t - 1) for a width W, a ball diameter d and a turn t.";
+pub const SINGLE: &str = "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is \
+                          not given where the walls are parallel to an axis.";
+pub const WALLS: &str = "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
+                         clockwise from it.";
+pub const LINES: &str = "A wall with two touches or more is the line of total least squares through the ball centres, offset by the ball radius \
+                         along its own normal; a wall with one touch keeps its nominal direction, and what needs its angle is not given.";
+pub const TURN: &str = "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.";
+pub const PLANES: &str =
+    "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.";
