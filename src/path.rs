@@ -181,6 +181,8 @@ pub struct Round {
     pub hole: bool,
     /// How deep below the top it is drawn.
     pub drawn_depth: f64,
+    /// Whether a hole is in a plate: material lies around it as far as anybody moves. Else nothing is known beyond its rim.
+    pub plate: bool,
 }
 
 /// A surface of the feature.

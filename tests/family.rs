@@ -286,7 +286,7 @@ fn dimensions_that_do_not_go_together_are_refused() {
     assert_eq!(found(r#"{ "type": "hole", "diameter": 6 }"#), ["ball-too-wide cycle.diameter"]);
     assert_eq!(found(r#"{ "type": "hole-protected", "diameter": 10 }"#), ["approach-beyond-wall cycle.sideClearance"]);
     assert_eq!(found(r#"{ "type": "groove", "width": 5 }"#), ["ball-too-wide cycle.width"]);
-    assert_eq!(found(r#"{ "type": "web-three-points", "middleClearance": 2 }"#).len(), 2);
+    assert_eq!(found(r#"{ "type": "web-three-points", "middleClearance": 2 }"#), ["clearance-too-small cycle.middleClearance"]);
     assert_eq!(found(r#"{ "type": "surface", "clearance": 2 }"#), ["clearance-too-small cycle.clearance"]);
     assert_eq!(
         found(r#"{ "type": "triple-wall-external-corner", "topClearance": 2 }"#),
@@ -340,10 +340,51 @@ fn picked_touches_replace_the_dimensions() {
     let mut long = POCKET;
     long[0].1 = [-1.0009, 0.0, 0.0];
     assert_eq!(planned(&picked("internal-rectangle-protected", "", &long)).touches[0].vector, [-1.0, 0.0, 0.0]);
-    // The whole contract: any order of walls of an inner corner, one start.
+    // An inner corner: one start.
     let corner = [([0.0, 20.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let rest = r#""count1": 1, "count2": 1, "clearance1": 15, "clearance2": 20,"#;
     assert_eq!(planned(&picked("double-wall-internal-corner", rest, &corner)).moves[1].to, [15.0, 20.0, 0.0]);
+}
+
+/// Walls named the other way round: the same corner with its sides exchanged is measured as the same corner.
+#[test]
+fn a_corner_may_be_picked_with_its_walls_in_either_order() {
+    let part = r#"{ "offset": [0.3, -0.2, 0], "rotation": 0.4, "sizes": { "angle": 0.2 } }"#;
+    for kind in ["double-wall-internal-corner", "double-wall-external-corner"] {
+        let text = format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "origin": [10, 20, -4], "rotation": 25, "angle": 75, "count1": 2, "count2": 2 }},
+            "part": {part} }}"#
+        );
+        let first = planned(&job(&text));
+        let order = [2, 3, 0, 1];
+        let picks: Vec<_> = order.iter().map(|&k| (first.touches[k].point, first.touches[k].vector)).collect();
+        let picked = picked(kind, r#""count1": 2, "count2": 2,"#, &picks);
+        let second = planned(&with(&picked, "part", job(part)));
+        for code in ["corner.x", "corner.y", "angle", "rotation"] {
+            assert!((value(&first, code) - value(&second, code)).abs() < 1e-7, "{kind} {code}");
+        }
+        assert_eq!(
+            second.moves[1].to.map(|x| (x * 1e6).round()),
+            first.moves[1].to.map(|x| (x * 1e6).round()),
+            "{kind}: one start"
+        );
+    }
+    let inner = [([15.0, 0.0, 0.0], [0.0, 1.0, 0.0]), ([0.0, 15.0, 0.0], [1.0, 0.0, 0.0])];
+    let plan = planned(&picked("double-wall-internal-corner", r#""count1": 1, "count2": 1,"#, &inner));
+    assert_eq!(plan.moves[1].to, [15.0, 15.0, 0.0]);
+    for kind in ["triple-wall-internal-corner", "triple-wall-external-corner"] {
+        let first = planned(&cycle(&format!(r#"{{ "type": "{kind}", "rotation": 40, "angle": 100 }}"#)));
+        let picks: Vec<_> = [1, 0, 2].iter().map(|&k| (first.touches[k].point, first.touches[k].vector)).collect();
+        let second = planned(&with(&picked(kind, "", &picks), "part.offset", common::point([0.2, 0.1, -0.3])));
+        for (code, off) in [("corner.x", 0.2), ("corner.y", 0.1), ("corner.z", -0.3)] {
+            assert!(near(value(&second, code), off), "{kind} {code}");
+        }
+        assert_eq!(
+            second.moves[1].to.map(|x| (x * 1e6).round()),
+            first.moves[1].to.map(|x| (x * 1e6).round()),
+            "{kind}: one start"
+        );
+    }
 }
 
 #[test]
@@ -386,6 +427,23 @@ fn picks_that_make_no_feature_are_refused() {
     let mut dented = circle(-1.0);
     dented[2].0[1] = 19.0;
     assert_eq!(found(&picked("hole", "", &dented)), ["not-on-one-circle cycle.touches[2]"]);
+    // Cycles that touch from the middle need touches straight in front of it.
+    assert_eq!(found(&picked("internal-rectangle", "", &POCKET))[0], "touch-aside cycle.touches[0].point");
+    let mut low = circle(-1.0);
+    low[1].0[2] = -15.0;
+    assert_eq!(found(&picked("hole", "", &low)), ["touch-aside cycle.touches[1].point"]);
+    let mut clockwise = circle(-1.0);
+    clockwise.swap(2, 3);
+    assert_eq!(found(&picked("hole", "", &clockwise)), ["not-rectangular cycle.touches[2].vector"]);
+    assert_eq!(found(&picked("hole", r#""variant": 1,"#, &clockwise)), [""; 0]);
+    // Two touches on one spot say nothing of a wall's direction.
+    let spot = [
+        ([0.0, 15.0, 0.0], [-1.0, 0.0, 0.0]),
+        ([0.0, 15.0, 0.0], [-1.0, 0.0, 0.0]),
+        ([15.0, 0.0, 0.0], [0.0, -1.0, 0.0]),
+        ([35.0, 0.0, 0.0], [0.0, -1.0, 0.0]),
+    ];
+    assert_eq!(found(&picked("double-wall-external-corner", "", &spot)), ["touches-coincide cycle.touches[1]"]);
     // A start that is not one point is told with both readings.
     let corner = [([0.0, 21.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let rest = r#""count1": 1, "count2": 1, "clearance1": 15, "clearance2": 20,"#;
@@ -627,6 +685,67 @@ fn a_real_life_dump_is_read() {
     let wrong = import(&dump.replace("Flt[-103] = -1", "Flt[-103] = 1")).unwrap();
     assert!(wrong.findings.iter().any(|f| f.code == "touches-unsound"));
     assert!(check(&wrong.job).iter().any(|f| f.level == Level::Error && f.path.starts_with("cycle.touches")));
+}
+
+/// What a dump is read from does not depend on the default ball: clearances that only a smaller one allows, another plane, three
+/// decimals, a ball between the blocks.
+#[test]
+fn a_dump_is_placed_whatever_the_ball() {
+    let dump = |text: &str| export_table(&planned(&job(text)), "text").unwrap();
+    let small = dump(
+        r#"{ "format": 1, "plane": "G18", "stylus": { "diameter": 2 }, "cycle": { "type": "internal-rectangle-protected",
+        "origin": [10, 20, 5], "sideClearance1": 2, "sideClearance2": 2 } }"#,
+    );
+    let imported = import(&small).unwrap();
+    assert_eq!(imported.job.get("plane"), Some(&Value::Text("G18".to_owned())));
+    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&common::point([10.0, 20.0, 5.0])));
+    assert!(imported.findings.iter().all(|f| f.code != "touches-unsound"));
+    planned(&with(&imported.job, "stylus.diameter", number(2.0)));
+    // Three decimals, as many post-processors print.
+    let corner = dump(
+        r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "origin": [10, 20, 0], "rotation": 30, "angle": 80,
+        "count1": 3, "step1": 60 } }"#,
+    );
+    let rounded: String = corner
+        .lines()
+        .map(|line| {
+            let (code, value) = line.split_once(" = ").unwrap();
+            format!("{code} = {}\n", (value.parse::<f64>().unwrap() * 1000.0).round() / 1000.0)
+        })
+        .collect();
+    let plan = planned(&import(&rounded).unwrap().job);
+    assert!((value(&plan, "corner.x") - 10.0).abs() < 0.02 && (value(&plan, "corner.y") - 20.0).abs() < 0.02);
+    // A web fits several planes: that is said.
+    let web = import(&dump(r#"{ "format": 1, "cycle": { "type": "web" } }"#)).unwrap();
+    assert!(web.findings.iter().any(|f| f.code == "plane-unknown" && f.message.contains("G17 is taken")));
+    // More than a ball between used and original points: the used ones count.
+    let moved: String =
+        dump(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "compensateDimensions": true } }"#)
+            .lines()
+            .map(|line| {
+                let (code, value) = line.split_once(" = ").unwrap();
+                let shift = ["[-100]", "[-106]", "[-112]", "[-118]"].iter().any(|c| code.ends_with(c));
+                format!("{code} = {}\n", value.parse::<f64>().unwrap() + if shift { 5.0 } else { 0.0 })
+            })
+            .collect();
+    let imported = import(&moved).unwrap();
+    assert!(imported.findings.iter().any(|f| f.code == "ball-unknown"));
+    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&common::point([5.0, 0.0, 0.0])));
+}
+
+/// Codes of the user's own in any state make no job in error.
+#[test]
+fn own_codes_are_kept_as_well_as_can_be() {
+    let dump = export_table(&planned(&default_job("web").unwrap()), "text").unwrap();
+    let many: String = (0..400).map(|i| format!("Int[{}] = {i}\n", i + 100)).collect();
+    for own in ["Int[5] = 1\nFlt[5] = 2\n", "Int[6] = 2.5\n", many.as_str(), "TouchPoint[1] = 2.5\n", "Flt[0] = 3\n"] {
+        let imported = import(&format!("{dump}{own}")).unwrap();
+        planned(&imported.job);
+    }
+    // A large hostile text is read in a moment: linear, not quadratic.
+    for hostile in ["Flt[1]1 ", "int[", "Int[-1]=7 ", "[", "Flt[-50]", "{\"code\":\"Int[-1]\" "] {
+        let _ = import(&format!("Int[-1]=7 {}", hostile.repeat(300_000)));
+    }
 }
 
 /// Picked touches survive a dump as picked touches.

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2, outside",
         "To clearance 1 before the first point of wall 1, touch, and back",

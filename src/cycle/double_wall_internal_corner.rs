@@ -17,7 +17,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
         "Touch the first point of wall 1, and back",

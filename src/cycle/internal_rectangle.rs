@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
         "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",

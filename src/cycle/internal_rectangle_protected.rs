@@ -14,7 +14,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: RectangleProtected::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&RectangleProtected::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(RectangleProtected::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         words::OVER,

@@ -80,8 +80,9 @@ pub struct CycleDef {
     pub read: fn(&mut Section<'_, '_>) -> Box<dyn Cycle>,
 }
 
-/// Reads a loose form and says where picked touches put the feature; none where they do not make one.
-pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<Placement>;
+/// Reads a loose form and says where picked touches put the feature, and which touches its dimensions give there; none where they do
+/// not make one.
+pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<(Placement, Vec<Pick>)>;
 
 /// A cycle with checked dimensions. All lengths in mm, angles in degrees as in the form.
 pub trait Cycle: Debug {
@@ -96,7 +97,7 @@ pub trait Cycle: Debug {
 
     /// The same cycle with `delta` (mm or degrees) added to the size named `key`; none where there is no such size, or
     /// where nothing of the feature would be left.
-    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
+    fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
 
     /// Adds what is more than arithmetic: verdicts, and rows that single touches give. `triggers` has one entry a touch.
     fn judge(&self, _setup: &Setup, _path: &Path, _triggers: &[Option<Vec3>], _rows: &mut Vec<ResultRow>) {}

@@ -16,7 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&Form::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: each clearance away from its surface",
         "Touch the first wall, and back",

@@ -405,12 +405,13 @@ impl Cycle for TwoCircles {
                     radius: object.nominal_diameter() / 2.0,
                     hole: object.hole,
                     drawn_depth: top.max(w) - w + setup.radius,
+                    plate: false,
                 })
             })
             .collect()
     }
 
-    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+    fn resized(&self, _setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
         let mut resized = self.clone();
         let size = match key {
             "diameter1" => &mut resized.form.diameter1,

@@ -14,7 +14,7 @@ pub static DEF: CycleDef = CycleDef {
     fields: PairProtected::FIELDS,
     sections: &[ency::PROPERTIES],
     home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(&*shape(&PairProtected::read(section)), picks, plane)),
+    place: Some(|section, picks, plane| ency::place(PairProtected::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: over the middle, top clearance above the top side",
         words::OVER,

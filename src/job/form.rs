@@ -178,7 +178,7 @@ impl Job {
         check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
         check_length(checker, post, &length);
         check_name(checker, &general.name);
-        let sizes = read_sizes(checker, value, cycle.as_ref());
+        let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
 
         let (def, cycle) = cycle?;
         if checker.failed() {
@@ -343,6 +343,7 @@ fn read_sizes(
     checker: &mut Checker,
     value: &Value,
     cycle: Option<&(&'static CycleDef, Box<dyn Cycle>)>,
+    setup: &Setup,
 ) -> Option<Box<dyn Cycle>> {
     let (def, cycle) = cycle?;
     let sizes = value.get("part")?.get("sizes")?;
@@ -367,10 +368,11 @@ fn read_sizes(
         let Some(delta) = section.number(given, &reach, &path) else {
             continue;
         };
-        if delta == 0.0 {
+        // A cycle that is in error has no sizes to change.
+        if delta == 0.0 || !checker.sound(&["cycle"]) {
             continue;
         }
-        match actual.as_deref().unwrap_or(&**cycle).resized(key, delta) {
+        match actual.as_deref().unwrap_or(&**cycle).resized(setup, key, delta) {
             Some(resized) => actual = Some(resized),
             None => checker.error("out-of-range", path, format!("Nothing would be left of {}", field.label)),
         }

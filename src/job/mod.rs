@@ -19,7 +19,7 @@ mod schema;
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use export::export_table;
 pub use form::{Job, SECTIONS};
-pub use import::{Imported, import};
+pub use import::{Imported, import, is_dump};
 pub use lentoax::lentoax_query;
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
 pub use schema::job_schema;

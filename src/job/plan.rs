@@ -293,6 +293,11 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
             checker.warning("no-contact", field, message);
         }
     }
+    for &k in &run.edges {
+        let message =
+            format!("Touch {} meets an edge of the part, not the face of its wall: its trigger says little of the wall", k + 1);
+        checker.warning("edge-contact", field, message);
+    }
     for &(k, wall) in &run.strays {
         let message =
             format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);

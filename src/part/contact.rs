@@ -12,6 +12,8 @@ pub struct Contact {
     pub center: Vec3,
     /// Index of the surface that is met.
     pub surface: usize,
+    /// Whether it is met at an edge, a corner or a rim, not square to its face.
+    pub edge: bool,
 }
 
 /// A ball that stands this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
@@ -26,11 +28,14 @@ const SKIN: f64 = 1e-7;
 pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
     let meetings = surfaces.iter().enumerate().filter_map(|(i, surface)| match surface {
         Surface::Flat(_) => Body::beginning(surfaces, up, i)?.meet(radius, from, to),
-        Surface::Round(round) => meet_round(round, up, radius, from, to).map(|fraction| (fraction, i)),
+        Surface::Round(round) => meet_round(round, up, radius, from, to).map(|fraction| {
+            let height = (from + (to - from) * fraction - round.center).dot(up);
+            (fraction, i, height > SKIN)
+        }),
         Surface::Unknown => None,
     });
-    let (fraction, surface) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(Contact { fraction, center: from + (to - from) * fraction, surface })
+    let (fraction, surface, edge) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Contact { fraction, center: from + (to - from) * fraction, surface, edge })
 }
 
 /// The fraction of the way at which the ball meets a hole or a stud. Of a hole only the wall and its rim are known, not how
@@ -40,8 +45,12 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     let (start, way) = (flat(from - round.center), flat(to - from));
     let (h0, h1) = ((from - round.center).dot(up), (to - round.center).dot(up));
     // Distance in front of the wall: from inside a hole, from outside otherwise.
-    let inside = round.hole && start.length() <= round.radius;
+    let inside = round.hole && start.length() <= round.radius + SKIN;
     let front = if inside { round.radius - start.length() } else { start.length() - round.radius };
+    if round.plate && !inside && h0.min(h1) < radius - SKIN {
+        // Over the plate, or in it: its top side is met on the way down.
+        return if h0 < radius - SKIN { Some(0.0) } else { (h1 < h0).then(|| ((h0 - radius) / (h0 - h1)).clamp(0.0, 1.0)) };
+    }
     // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
     let reach = |h: f64| {
         if h <= 0.0 {
@@ -94,6 +103,8 @@ struct Gap {
     distance: f64,
     direction: Vec3,
     surface: usize,
+    /// Whether the nearest point lies inside a face.
+    face: bool,
 }
 
 impl Body {
@@ -134,9 +145,14 @@ impl Body {
         let behind = |q: Vec3| faces.iter().all(|(n, d, _)| n.dot(q) - d <= 1e-9);
         let over = |i: usize| faces[i].0.dot(p) - faces[i].1;
         let nearest = (0..self.count).max_by(|&i, &j| over(i).total_cmp(&over(j))).unwrap_or(0);
-        let gap = |way: Vec3, surface: usize| Gap { distance: way.length(), direction: way.normalize_or_zero(), surface };
+        let gap = |way: Vec3, surface: usize| Gap {
+            distance: way.length(),
+            direction: way.normalize_or_zero(),
+            surface,
+            face: false,
+        };
         if over(nearest) <= 0.0 || behind(p - faces[nearest].0 * over(nearest)) {
-            return Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2 };
+            return Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2, face: true };
         }
         let mut found: Option<Gap> = None;
         let mut take = |way: Vec3, surface: usize| {
@@ -175,13 +191,13 @@ impl Body {
                 }
             }
         }
-        found.unwrap_or(Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2 })
+        found.unwrap_or(Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2, face: true })
     }
 
-    /// The fraction of the way at which a ball meets the body, and the surface. The distance of a point that moves in a straight
+    /// The fraction of the way at which a ball meets the body, the surface, and whether it is at an edge. The distance of a point that moves in a straight
     /// line from a convex body is a convex function of the way, so that Newton's steps from its start never pass the first
     /// place where it is the radius; on a face the first step is exact.
-    fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize)> {
+    fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
         let way = to - from;
         let reach = |limit: f64| {
             let mut t = 0.0;
@@ -189,7 +205,7 @@ impl Body {
                 let gap = self.gap(from + way * t);
                 let left = gap.distance - limit;
                 if left <= 1e-12 {
-                    return Some((t, gap.surface));
+                    return Some((t, gap.surface, !gap.face));
                 }
                 let slope = gap.direction.dot(way);
                 if slope >= 0.0 {
@@ -200,7 +216,8 @@ impl Body {
                     return None;
                 }
             }
-            Some((t, self.gap(from + way * t).surface))
+            let gap = self.gap(from + way * t);
+            Some((t, gap.surface, !gap.face))
         };
         // A ball that only grazes the body goes on.
         reach(radius - SKIN)?;
@@ -306,7 +323,7 @@ mod tests {
 
     fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
-        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0 });
+        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0, plate: false });
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
         first_contact(&[surface], Vec3::Z, 3.0, from, to).map(|c| c.center.distance(from))
     }

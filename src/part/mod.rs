@@ -29,6 +29,8 @@ pub struct Run {
     pub triggers: Vec<Option<Vec3>>,
     /// Touches that meet another surface than theirs first, and which one.
     pub strays: Vec<(usize, usize)>,
+    /// Touches that meet an edge, a corner or a rim of the part: where they trigger says little of their wall.
+    pub edges: Vec<usize>,
     /// The first move that is not a touch and yet meets the part: its index, and where the ball centre is then. The machine
     /// stops there, or breaks; nothing after it is run.
     pub collision: Option<(usize, Vec3)>,
@@ -56,7 +58,7 @@ pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;
     let mut triggers = vec![None; path.touches.len()];
-    let mut strays = Vec::new();
+    let (mut strays, mut edges) = (Vec::new(), Vec::new());
     let mut at: Option<Vec3> = None;
     for (index, step) in path.moves.iter().enumerate() {
         // The way to the first place is not known: only the place itself is looked at.
@@ -68,6 +70,9 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 if let Some(contact) = contact.filter(|c| c.surface != path.touches[k].group) {
                     strays.push((k, contact.surface));
                 }
+                if contact.is_some_and(|c| c.edge) {
+                    edges.push(k);
+                }
                 triggers[k] = contact.map(|c| c.center);
                 at = Some(contact.map_or(end, |c| c.center));
             }
@@ -75,7 +80,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = first_contact(surfaces, up, setup.radius, stand, way_point) {
-                        return Run { triggers, strays, collision: Some((index, contact.center)) };
+                        return Run { triggers, strays, edges, collision: Some((index, contact.center)) };
                     }
                     stand = way_point;
                 }
@@ -83,5 +88,5 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
             }
         }
     }
-    Run { triggers, strays, collision: None }
+    Run { triggers, strays, edges, collision: None }
 }

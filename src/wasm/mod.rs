@@ -58,6 +58,10 @@ pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> 
     job::export_table(&plan, &format.as_string().unwrap_or_default()).map_err(refused)
 }
 
+fn has(object: &JsValue, key: &str) -> bool {
+    js_sys::Reflect::has(object, &key.into()).unwrap_or(false)
+}
+
 /// JSON Schema (2020-12) of a job.
 #[wasm_bindgen(js_name = jobSchema)]
 pub fn job_schema() -> JsValue {
@@ -70,7 +74,8 @@ pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
     let text = text.as_string().unwrap_or_default();
     let (job, findings) = match js_sys::JSON::parse(&text) {
         // What JSON says is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
-        Ok(job) if job.is_object() && !js_sys::Array::is_array(&job) => {
+        // An object of codes is a dump.
+        Ok(job) if job.is_object() && !js_sys::Array::is_array(&job) && (has(&job, "cycle") || !job::is_dump(&text)) => {
             let findings = job::check(&from_js(&job));
             (job, findings)
         }

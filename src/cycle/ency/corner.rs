@@ -1,7 +1,8 @@
 //! Corners of two walls, each touched once or more.
 //!
 //! In the frame (u, v) wall 1 runs from the corner along +v, wall 2 along (sin A, cos A), A being the angle between them: inside
-//! an internal corner, in the material of an external one.
+//! an internal corner, in the material of an external one. Picked touches may name the walls the other way round: then all is
+//! mirrored at the u axis, and the angle counts negative here.
 
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
@@ -15,7 +16,7 @@ use crate::spec::Checker;
 pub struct Corner {
     /// Whether the material lies around it.
     pub internal: bool,
-    /// Between the walls, degrees.
+    /// Between the walls, degrees; negative where they are named the other way round.
     pub angle: f64,
     /// From the wall to the ball centre where its touches begin, mm.
     pub clearances: [f64; 2],
@@ -45,22 +46,24 @@ pub fn walls(internal: bool, angle: f64, clearances: [f64; 2], distances: Option
     let (sin, cos) = angle.to_radians().sin_cos();
     let [c1, c2] = clearances;
     let side = if internal { 1.0 } else { -1.0 };
+    let hand = sin.signum();
     let feet = [(c2 + c1 * cos) / sin, (c1 + c2 * cos) / sin];
-    let first = distances.unwrap_or(feet);
+    let first = distances.unwrap_or(feet.map(|foot| foot * hand));
     let sides = [
-        Side { along: (0.0, 1.0), normal: (side, 0.0), first: first[0] },
-        Side { along: (sin, cos), normal: (-cos * side, sin * side), first: first[1] },
+        Side { along: (0.0, hand), normal: (side, 0.0), first: first[0] },
+        Side { along: (sin * hand, cos * hand), normal: (-cos * side, sin * side), first: first[1] },
     ];
     (sides, (c1 * side, feet[0] * side))
 }
 
 /// The direction along a wall, away from the corner, from its outward normal.
-fn along(internal: bool, wall: usize, normal: (f64, f64)) -> (f64, f64) {
-    // Counter-clockwise from the normal of wall 1 inside, clockwise from that of wall 2; outside the other way round.
-    if internal == (wall == 0) { (-normal.1, normal.0) } else { (normal.1, -normal.0) }
+fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f64, f64) {
+    // Counter-clockwise from the normal of wall 1 inside, clockwise from that of wall 2; outside, and mirrored, the other way round.
+    if (internal == (wall == 0)) != mirrored { (-normal.1, normal.0) } else { (normal.1, -normal.0) }
 }
 
-/// The corner's direction and angle from the normals of its walls: degrees.
+/// The corner's direction and angle from the normals of its walls: degrees; the angle is negative where wall 2 lies
+/// counter-clockwise from wall 1.
 pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, f64) {
     let side = if internal { 1.0 } else { -1.0 };
     let [n1, n2] = normals.map(|n| {
@@ -178,8 +181,16 @@ impl Shape for Corner {
         let firsts = [0, self.counts[0]];
         for (k, pick) in picks.iter().enumerate() {
             let first = &picks[firsts[self.wall_of(k)]];
-            let off = (pick.point - first.point).dot(first.vector);
-            if (pick.vector - first.vector).length() > NEAR || off.abs() > NEAR {
+            let away = pick.point - first.point;
+            // A vector may be off by a thousandth: over a distance that is so much.
+            let off = away.dot(first.vector).abs();
+            let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
+            if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) <= NEAR) {
+                let message =
+                    format!("Touch {} lies on another of its wall: only touches that are apart give its direction", k + 1);
+                checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);
+            }
+            if !same {
                 let message = format!("Touch {} does not lie on the same wall as touch {}", k + 1, firsts[self.wall_of(k)] + 1);
                 checker.error("not-on-one-wall", format!("cycle.touches[{k}]"), message);
             }
@@ -195,7 +206,7 @@ impl Shape for Corner {
         sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
         if self.internal && checker.sound(&["cycle.touches"]) {
             let reading = |i: usize| (firsts[i], picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i]);
-            picks::one_start(&[reading(0), reading(1)], checker);
+            picks::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
         }
     }
 
@@ -209,6 +220,11 @@ impl Shape for Corner {
             let level = plane.basis()[2];
             let away = two.point - origin;
             sizes.push(("distance2", (away - level * away.dot(level)).length()));
+        }
+        for (key, first, count) in [("step1", 0, self.counts[0]), ("step2", self.counts[0], self.counts[1])] {
+            if let [a, b, ..] = &picks[first..(first + count).min(picks.len())] {
+                sizes.push((key, a.point.distance(b.point)));
+            }
         }
         Placement { origin, rotation, sizes }
     }
@@ -242,8 +258,13 @@ impl Shape for Corner {
         let firsts = [0, self.counts[0]];
         let [one, two] = [0, 1].map(|i| {
             let normal = flat(plane, on.touches[firsts[i]].vector);
-            let line =
-                Line { number: i + 1, first: firsts[i], count: self.counts[i], along: along(self.internal, i, normal), normal };
+            let line = Line {
+                number: i + 1,
+                first: firsts[i],
+                count: self.counts[i],
+                along: along(self.internal, self.angle < 0.0, i, normal),
+                normal,
+            };
             line.fit(&mut formula, (a, o), on.setup.radius)
         });
         // Cramer's rule on n1·p = q1, n2·p = q2.
@@ -252,20 +273,20 @@ impl Shape for Corner {
         let y = (two.offset * one.normal.0.clone() - one.offset * two.normal.0) / det;
         let x = formula.set("corner_x", x);
         let y = formula.set("corner_y", y);
-        // A positive tilt turns a wall towards its free side. Inside, wall 1 has it to the right of its direction and wall 2 to its
-        // left, and both make the angle smaller; outside it is the other way round.
+        // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
+        // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
         let tilts = one.tilt.clone().zip(two.tilt);
-        let (rotation, angle) = if self.internal {
-            let rotation = one.tilt.map(|tilt| formula.set("rotation", Expr::Number(0.0) - tilt));
-            (rotation, tilts.map(|(t1, t2)| formula.set("angle", Expr::Number(self.angle) - t1 - t2)))
-        } else {
-            let rotation = one.tilt.map(|tilt| formula.set("rotation", tilt));
-            (rotation, tilts.map(|(t1, t2)| formula.set("angle", Expr::Number(self.angle) + t1 + t2)))
-        };
+        let clockwise = self.internal != (self.angle < 0.0);
+        let rotation = one.tilt.map(|tilt| formula.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt }));
+        let nominal = self.angle.abs();
+        let angle = tilts.map(|(t1, t2)| {
+            let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
+            formula.set("angle", sum)
+        });
         formula.result("corner.x", Role::Abscissa, "Corner, abscissa", origin[a], Some(&x));
         formula.result("corner.y", Role::Ordinate, "Corner, ordinate", origin[o], Some(&y));
         formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-        formula.result("angle", Role::Angle, "Angle between the walls", self.angle, angle.as_ref());
+        formula.result("angle", Role::Angle, "Angle between the walls", nominal, angle.as_ref());
         formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation.as_ref());
         formula
     }

@@ -37,7 +37,7 @@ use crate::cycle::Cycle;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feed, MAX_TOUCHES, Path, Setup, Surface, Touch, Tracer};
-use crate::spec::{Checker, Field, Section, Shown, SubForm, Values};
+use crate::spec::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
@@ -168,11 +168,40 @@ fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Feature>) -> Box<dyn C
     Box::new(Ency { form, properties, picks, custom, deltas: Vec::new() })
 }
 
-/// Where picked touches put a shape; none where they do not make one.
-pub fn place(shape: &dyn Shape, picks: &[Pick], plane: Plane) -> Option<Placement> {
+/// Where picked touches put a cycle, and the touches that its dimensions give there; none where they do not make one.
+pub fn place<F: Values + Clone + Debug + 'static>(
+    form: F,
+    shape: fn(&F) -> Box<dyn Shape>,
+    picks: &[Pick],
+    plane: Plane,
+) -> Option<(Placement, Vec<Pick>)> {
+    place_by(Box::new(Made { form, kind: (0, ""), shape }), picks, plane)
+}
+
+fn place_by(mut form: Box<dyn Feature>, picks: &[Pick], plane: Plane) -> Option<(Placement, Vec<Pick>)> {
     let mut checker = Checker::default();
+    let shape = form.shape();
     shape.check(picks, plane, &mut checker);
-    (!checker.failed()).then(|| shape.place(picks, plane))
+    if checker.failed() {
+        return None;
+    }
+    let placement = shape.place(picks, plane);
+    put_in_place(&mut *form, &placement, false);
+    let frame = Ency::frame(&*form, plane);
+    let touches = form.shape().touches(&frame).into_iter().map(|(point, vector, _)| Pick { point, vector }).collect();
+    Some((placement, touches))
+}
+
+/// Gives a form the place of its picks, and their sizes: all, or those that have no code of the source.
+fn put_in_place(form: &mut dyn Feature, placement: &Placement, coded: bool) {
+    form.put("origin", Shown::Point(placement.origin));
+    form.put("rotation", Shown::Number(placement.rotation));
+    let fields: Vec<&'static Field> = form.values().into_iter().map(|(field, _)| field).collect();
+    for (key, size) in &placement.sizes {
+        if coded || fields.iter().any(|f| f.key == *key && f.code.is_empty()) {
+            form.put(key, Shown::Number(*size));
+        }
+    }
 }
 
 impl Ency {
@@ -180,12 +209,7 @@ impl Ency {
     fn placed(&self, plane: Plane) -> Box<dyn Feature> {
         let mut form = self.form.copy();
         if let Some(picks) = &self.picks {
-            let placement = self.form.shape().place(picks, plane);
-            form.put("origin", Shown::Point(placement.origin));
-            form.put("rotation", Shown::Number(placement.rotation));
-            for (key, size) in placement.sizes {
-                form.put(key, Shown::Number(size));
-            }
+            put_in_place(&mut *form, &self.form.shape().place(picks, plane), true);
         }
         form
     }
@@ -205,7 +229,8 @@ impl Ency {
         let mut form = nominal.copy();
         for (key, delta) in &self.deltas {
             if let Some(size) = form.number(key) {
-                form.put(key, Shown::Number(size + delta));
+                // The angle of a corner whose walls are named the other way round is negative.
+                form.put(key, Shown::Number(size + delta * if size < 0.0 { -1.0 } else { 1.0 }));
             }
         }
         let frame = Self::frame(&*form, setup.plane);
@@ -250,15 +275,19 @@ impl Cycle for Ency {
             let Some((field, Shown::Number(given))) = self.form.values().into_iter().find(|(f, _)| f.key == *key) else {
                 continue;
             };
-            if !field.hard.holds(*size) {
+            if !field.hard.holds(if *key == "angle" { size.abs() } else { *size }) {
                 let message = format!("The picked touches give {} a value that it must not have", field.label);
                 checker.error("picks-out-of-range", "cycle.touches", message);
             } else if (size - given).abs() > 1e-3 && !field.code.is_empty() {
+                let shown = |x: f64| match field.kind {
+                    Kind::Angle => format!("{}°", crate::num::decimal(x, 4)),
+                    _ => checker.length(x),
+                };
                 let message = format!(
                     "{} is {} in the form, and {} between the picked touches: the touches count, the table has the form's",
                     field.label,
-                    checker.length(given),
-                    checker.length(*size)
+                    shown(given),
+                    shown(*size)
                 );
                 checker.warning("picks-differ", format!("cycle.{key}"), message);
             }
@@ -296,9 +325,9 @@ impl Cycle for Ency {
         shape.surfaces(&Seated { frame, touches: &touches, setup })
     }
 
-    fn resized(&self, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+    fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
         let (field, _) = self.form.values().into_iter().find(|(field, _)| field.size && field.key == key)?;
-        let size = self.form.number(key)? + delta;
+        let size = self.placed(setup.plane).number(key)?.abs() + delta;
         // Walls that meet at no angle, or at a straight one, make no corner.
         let most = if field.key == "angle" { 180.0 } else { f64::INFINITY };
         if size <= 0.0 || size >= most {

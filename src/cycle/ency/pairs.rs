@@ -109,7 +109,9 @@ impl Shape for Pairs {
                 checker.error("approach-beyond-wall", format!("cycle.{key}"), message);
             }
         }
-        level_rules(checker, setup, self.depth, self.top.filter(|_| self.protected()), !self.internal);
+        // Where the middle is touched, the ball crosses at its clearance, which has a rule of its own.
+        let crossing = self.top.filter(|_| self.protected() && self.middle.is_none());
+        level_rules(checker, setup, self.depth, crossing, !self.internal);
         if let Some(middle) = self.middle {
             clearance_rule(checker, setup, "Middle clearance", middle, "cycle.middleClearance");
         }
@@ -138,6 +140,10 @@ impl Shape for Pairs {
             let message =
                 "The two pairs of a rectangle must be square to each other: the target vectors of touches 1 and 3 are not";
             checker.error("pairs-not-square", "cycle.touches[2].vector", message);
+        }
+        if !self.protected() && checker.sound(&["cycle.touches"]) {
+            let origin = self.place(picks, plane).origin;
+            picks::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
         }
         if self.middle.is_some() && (picks[2].vector - plane.basis()[2]).length() > NEAR {
             let message = "The middle touch is on the top side: its target vector must be along the tool axis";

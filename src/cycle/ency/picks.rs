@@ -116,6 +116,23 @@ pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut C
     }
 }
 
+/// Reports a touch that is not straight in front of the start it is touched from: the ball would not come along the inverted vector.
+pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
+    for (k, pick) in picks.iter().enumerate() {
+        let away = start - pick.point;
+        let aside = (away - pick.vector * away.dot(pick.vector)).length();
+        if aside > NEAR * (1.0 + 2.0 * away.length()) {
+            let message = format!(
+                "Touch {} is not straight in front of the middle that this cycle touches from: it lies {} aside. A protected cycle \
+                 takes such touches",
+                k + 1,
+                checker.length(aside)
+            );
+            checker.error("touch-aside", format!("cycle.touches[{k}].point"), message);
+        }
+    }
+}
+
 /// Reports a vector that points into the material: the sign check.
 pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
     let (kind, where_to) = if internal { ("internal", "into the feature") } else { ("external", "away from it") };
@@ -127,10 +144,13 @@ pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
     checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
 }
 
-/// The start of a corner as each first touch and its clearance have it: reported where the readings are not one point.
-pub fn one_start(readings: &[(usize, Vec3)], checker: &mut Checker) {
+/// The start of a corner as each first touch and its clearance have it: reported where the readings are not one point. `farthest` is the
+/// largest of the clearances, mm.
+pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checker) {
     let place = |p: Vec3, checker: &Checker| format!("[{}]", p.to_array().map(|x| checker.number(x)).join(", "));
-    if let Some((k, other)) = readings.iter().find(|(_, p)| p.distance(readings[0].1) > NEAR) {
+    // Vectors may be off by a thousandth: over the clearances that is so much.
+    let near = NEAR * (1.0 + 2.0 * farthest);
+    if let Some((k, other)) = readings.iter().find(|(_, p)| p.distance(readings[0].1) > near) {
         let message = format!(
             "The start is not one point: touch {} and its clearance put it at {}, touch {} and its clearance at {}",
             readings[0].0 + 1,

@@ -128,6 +128,20 @@ impl Shape for Circle {
         if !checker.sound(&["cycle.touches"]) {
             return;
         }
+        if self.variant == Variant::Rectangular {
+            let up = plane.basis()[2];
+            let (first, third) = (picks[0].vector, up.cross(picks[0].vector));
+            let wanted = [first, -first, third, -third];
+            if let Some(k) = (0..4).find(|&k| (picks[k].vector - wanted[k]).length() > 2.0 * NEAR) {
+                let message = format!(
+                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 \
+                     opposite touch 3: touch {} is not there. The angular variant takes any",
+                    k + 1
+                );
+                checker.error("not-rectangular", format!("cycle.touches[{k}].vector"), message);
+                return;
+            }
+        }
         // Wrong signs first: the centre is a guess of the points alone where there are three or more.
         let center = self.center(picks, plane);
         for (k, pick) in picks.iter().enumerate() {
@@ -144,6 +158,10 @@ impl Shape for Circle {
                 checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
             }
         }
+        if self.clearance.is_none() && checker.sound(&["cycle.touches"]) {
+            let up = plane.basis()[2];
+            picks::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
+        }
     }
 
     fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
@@ -152,7 +170,13 @@ impl Shape for Circle {
         let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
         let start = if let Variant::Angular { start, .. } = self.variant { start } else { 0.0 };
         let rotation = crate::num::wrap_degrees(picks::heading(plane, picks[0].vector * self.sign()) - start);
-        Placement { origin, rotation, sizes: vec![("diameter", 2.0 * self.radius(picks, center, plane))] }
+        let mut sizes = vec![("diameter", 2.0 * self.radius(picks, center, plane))];
+        if let (Variant::Angular { step, .. }, [first, second, ..]) = (self.variant, picks) {
+            // Of the angles that mean the same direction, the one the form means.
+            let turn = picks::heading(plane, second.vector) - picks::heading(plane, first.vector);
+            sizes.push(("angularStep", step + crate::num::wrap_degrees(turn - step)));
+        }
+        Placement { origin, rotation, sizes }
     }
 
     fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
@@ -188,7 +212,13 @@ impl Shape for Circle {
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let drawn_depth = self.depth + on.setup.radius;
-        vec![Surface::Round(Round { center: on.frame.origin, radius: self.diameter / 2.0, hole: self.internal, drawn_depth })]
+        vec![Surface::Round(Round {
+            center: on.frame.origin,
+            radius: self.diameter / 2.0,
+            hole: self.internal,
+            drawn_depth,
+            plate: self.internal,
+        })]
     }
 
     fn turned_error(&self, _code: &str) -> Option<&'static str> {

@@ -140,7 +140,7 @@ impl Shape for Triple {
         if self.internal() {
             let readings: Vec<(usize, Vec3)> =
                 (0..3).map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k])).collect();
-            picks::one_start(&readings, checker);
+            picks::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
         } else {
             picks::levelled(picks, &[0, 1], plane, checker);
             if (picks[2].vector - up).length() > NEAR {

@@ -7,7 +7,6 @@ use crate::cycle::{CYCLES, CycleDef, Pick, code_of};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
 use crate::job::catalog::default_job;
-use crate::job::form::Job;
 use crate::job::import::{Imported, set};
 use crate::path::MAX_TOUCHES;
 use crate::spec::{Checker, Field, Kind, Section, Value};
@@ -30,40 +29,102 @@ pub fn recognises(text: &str) -> bool {
 
 /// Every code with its value, in order.
 fn entries(text: &str) -> Vec<Entry> {
-    let mut found = Vec::new();
-    let mut rest = text;
-    while let Some((accessor, code, after)) = next_code(rest) {
-        // The value stands before the next code, and before the line ends.
-        let end = after.find('\n').unwrap_or(after.len());
-        let end = next_code(&after[..end]).map_or(end, |(_, _, next)| end - next.len());
-        if let Some(value) = value(&after[..end]) {
-            found.push(Entry { accessor, code, value });
+    if text.trim_start().starts_with(['[', '{']) {
+        let objects = json_objects(text);
+        if !objects.is_empty() {
+            return objects;
         }
-        rest = after;
+    }
+    let mut found = Vec::new();
+    for line in text.lines() {
+        let mut next = next_code(line);
+        while let Some((accessor, code, behind)) = next {
+            next = next_code(behind);
+            // The value stands before the next code of the line.
+            let end = next.map_or(behind.len(), |(.., rest)| behind.len() - rest.len());
+            if let Some(value) = value(&behind[..end]) {
+                found.push(Entry { accessor, code, value });
+            }
+        }
     }
     found
 }
 
-/// The next code and what stands behind its bracket.
+/// The objects of a JSON list, `{ "code": "CmdPrm.Flt[-50]", "value": 20 }`, however they are laid out.
+fn json_objects(text: &str) -> Vec<Entry> {
+    let chunks = text.split('{').filter_map(|chunk| chunk.split('}').next());
+    chunks
+        .filter_map(|chunk| {
+            let (accessor, code, _) = next_code(chunk)?;
+            let (_, behind) = chunk.split_once("\"value\"")?;
+            let cell = behind.trim_start().strip_prefix(':')?.split([',', '\n']).next()?;
+            Some(Entry { accessor, code, value: whole(cell.trim().trim_matches('"'))? })
+        })
+        .collect()
+}
+
+/// The next code of a text and what stands behind its bracket.
 fn next_code(text: &str) -> Option<(&'static str, i32, &str)> {
-    let mut rest = text;
-    while let Some(at) = rest.find('[') {
-        let before = rest[..at].trim_end();
-        let after = &rest[at + 1..];
-        let accessor =
-            ["Int", "Flt", "Bol"].into_iter().find(|a| before.to_ascii_lowercase().ends_with(&a.to_ascii_lowercase()));
-        if let (Some(accessor), Some((code, behind))) = (accessor, after.split_once(']'))
-            && let Ok(code) = code.trim().parse::<i32>()
-        {
-            return Some((accessor, code, behind));
+    const ACCESSORS: [&str; 3] = ["Int", "Flt", "Bol"];
+    for (at, _) in text.match_indices('[') {
+        let before = text[..at].trim_end().as_bytes();
+        let Some(start) = before.len().checked_sub(3) else { continue };
+        let accessor = ACCESSORS.into_iter().find(|a| before[start..].eq_ignore_ascii_case(a.as_bytes()));
+        let whole = start == 0 || !(before[start - 1].is_ascii_alphanumeric() || before[start - 1] == b'_');
+        let Some(accessor) = accessor.filter(|_| whole) else { continue };
+        // No code is longer than a dozen characters.
+        let after = &text[at + 1..];
+        let near = &after[..after.floor_char_boundary(16)];
+        let Some((code, _)) = near.split_once(']') else { continue };
+        if let Ok(number) = code.trim().parse::<i32>() {
+            return Some((accessor, number, &after[code.len() + 1..]));
         }
-        rest = after;
     }
     None
 }
 
-/// The first number or truth value of a text.
+/// The value of what stands behind a code: in a table row the first cell that is a number as a whole; else what stands after an equals
+/// sign or a colon; else the first number. Typographic minus signs are minus signs.
 fn value(text: &str) -> Option<f64> {
+    let text = text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ");
+    let text = text.trim_start_matches(['"', '\'', ' ']).trim_end();
+    if let Some(separator) = ['\t', '|', ';', ','].into_iter().find(|c| text.starts_with(*c)) {
+        return text.split(separator).find_map(|cell| whole(cell.trim().trim_matches(['"', '\''])));
+    }
+    let assigned = text.split_once('=').or_else(|| text.strip_prefix(':').map(|rest| ("", rest)));
+    if let Some((_, right)) = assigned {
+        return whole(right.split(';').next().unwrap_or(right)).or_else(|| first(right));
+    }
+    whole(text).or_else(|| first(text))
+}
+
+/// A text that is a number or a truth value as a whole: decimal point or comma, thousands apart by spaces.
+fn whole(text: &str) -> Option<f64> {
+    let text = text.trim();
+    match text.to_ascii_lowercase().as_str() {
+        "true" => return Some(1.0),
+        "false" => return Some(0.0),
+        _ => {}
+    }
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(rest) => (-1.0, rest.trim_start()),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    if !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') || digits.len() > 40 {
+        return None;
+    }
+    let groups: Vec<&str> = digits.split(' ').collect();
+    let grouped = groups[1..].iter().enumerate().all(|(i, group)| {
+        let last = i + 2 == groups.len();
+        let whole = group.split(['.', ',']).next().unwrap_or_default();
+        whole.len() == 3 && whole.bytes().all(|b| b.is_ascii_digit()) && (last || whole == *group)
+    });
+    let plain = grouped.then(|| groups.concat().replace(',', "."))?;
+    plain.parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| sign * x)
+}
+
+/// The first number or truth value of a text.
+fn first(text: &str) -> Option<f64> {
     let lower = text.to_ascii_lowercase();
     let truth = |word: &str| {
         lower.match_indices(word).map(|(at, _)| at).find(|&at| {
@@ -71,10 +132,9 @@ fn value(text: &str) -> Option<f64> {
             edge(lower[..at].chars().next_back()) && edge(lower[at + word.len()..].chars().next())
         })
     };
-    let number = number(text);
     let truths = [(truth("true"), 1.0), (truth("false"), 0.0)];
-    let first = truths.into_iter().filter_map(|(at, value)| Some((at?, value))).chain(number);
-    first.min_by_key(|(at, _)| *at).map(|(_, value)| value)
+    let all = truths.into_iter().filter_map(|(at, value)| Some((at?, value))).chain(number(text));
+    all.min_by_key(|(at, _)| *at).map(|(_, value)| value)
 }
 
 /// The first number of a text and where it stands. A comma between two digits is a decimal comma.
@@ -104,20 +164,35 @@ fn number(text: &str) -> Option<(usize, f64)> {
     Some((start, parsed))
 }
 
+/// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the
+/// first is of it. A SubCode that was there already goes with the -1 that follows it.
+fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
+    let ends = all.last().is_some_and(|e| e.code == -1);
+    let mut blocks: Vec<Vec<Entry>> = vec![Vec::new()];
+    let mut typed = false;
+    for entry in all {
+        let block = blocks.last_mut().expect("there is a block");
+        let next = typed && (ends || entry.code == -1);
+        if next {
+            let mut begun = Vec::new();
+            if !ends && block.last().is_some_and(|e| e.code == -2 && block.iter().filter(|o| o.code == -2).count() > 1) {
+                begun.extend(block.pop());
+            }
+            blocks.push(begun);
+            typed = false;
+        }
+        typed |= entry.code == -1;
+        blocks.last_mut().expect("there is a block").push(*entry);
+    }
+    blocks.retain(|block| block.iter().any(|e| e.code == -1));
+    blocks
+}
+
 /// Makes a job of a dump. Several cycles in one text: the first that probes is taken.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let all = entries(text);
-    // Every -1 begins a cycle; what stands before the first one is of it, since a dump may be in any order.
-    let starts: Vec<usize> = all.iter().enumerate().filter(|(_, e)| e.code == -1).map(|(i, _)| i).collect();
-    let blocks: Vec<Vec<Entry>> = starts
-        .iter()
-        .enumerate()
-        .map(|(i, _)| {
-            let from = if i == 0 { 0 } else { starts[i] };
-            all[from..starts.get(i + 1).copied().unwrap_or(all.len())].to_vec()
-        })
-        .collect();
+    let blocks = cycles(&all);
     let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
     let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
@@ -175,7 +250,7 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
             }
         }
     }
-    keep_own_codes(block, &mut job);
+    keep_own_codes(block, &mut job, &mut checker);
     report_unknown(block, &used, &mut checker);
     if let Some(place) = def.place {
         place_touches(block, def, place, &mut job, &mut checker);
@@ -213,22 +288,48 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
     }
 }
 
-/// Codes of the user's own are positive: they are kept as they are.
-fn keep_own_codes(block: &[Entry], job: &mut Value) {
-    let own: Vec<Value> = block
+/// Codes of the user's own are positive: they are kept as they are, the last value of each, whatever its accessor was before.
+fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
+    const MOST: usize = 200;
+    let mut own: Vec<Entry> = Vec::new();
+    let mut twice = 0;
+    for entry in block.iter().filter(|e| e.code > 0 && e.code <= 1_000_000) {
+        if let Some(known) = own.iter_mut().find(|e| e.code == entry.code) {
+            twice += 1;
+            *known = *entry;
+        } else if own.len() < MOST {
+            own.push(*entry);
+        } else {
+            let message = format!("The dump holds more than {MOST} codes of the user's own: the first {MOST} are kept");
+            checker.warning("own-codes", "cycle.custom", message);
+            break;
+        }
+    }
+    if twice > 0 {
+        let message = format!("{twice} of the user's own codes are there more than once: the last value of each is kept");
+        checker.warning("own-codes", "cycle.custom", message);
+    }
+    if own.is_empty() {
+        return;
+    }
+    let rows = own
         .iter()
-        .filter(|e| e.code > 0)
         .map(|e| {
+            // A fraction is no Int, whatever the dump calls it.
+            let whole = e.value.fract() == 0.0 && e.value.abs() <= f64::from(i32::MAX);
+            let (accessor, value) = match e.accessor {
+                "Bol" => ("Bol", Value::Flag(e.value != 0.0)),
+                "Int" if whole => ("Int", Value::Number(e.value)),
+                _ => ("Flt", Value::Number(e.value)),
+            };
             Value::Map(vec![
                 ("code".to_owned(), Value::Number(f64::from(e.code))),
-                ("type".to_owned(), Value::Text(e.accessor.to_owned())),
-                ("value".to_owned(), if e.accessor == "Bol" { Value::Flag(e.value != 0.0) } else { Value::Number(e.value) }),
+                ("type".to_owned(), Value::Text(accessor.to_owned())),
+                ("value".to_owned(), value),
             ])
         })
         .collect();
-    if !own.is_empty() {
-        set(job, "cycle.custom", Value::List(own));
-    }
+    set(job, "cycle.custom", Value::List(rows));
 }
 
 fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
@@ -274,29 +375,34 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         checker.warning("no-touches", "cycle.origin", message);
         return;
     }
-    let compensated = find(block, -66) == Some(1.0);
+    // The default ball's radius, where the dump does not tell the ball.
+    const RADIUS: f64 = 3.0;
+    let has_code = def.fields.iter().any(|f| code_of(f).is_some_and(|(_, code)| code == -66));
+    let compensated = has_code && find(block, -66) == Some(1.0);
     let mut picks = used.clone();
-    if compensated && original.len() == used.len() {
-        // Both blocks: between them lies the ball.
+    let both = !used.is_empty() && original.len() == used.len();
+    let radii: Vec<f64> = used.iter().zip(&original).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
+    let radius = tidy(radii.iter().sum::<f64>() / radii.len().max(1) as f64);
+    let apart = used.iter().zip(&original).any(|(u, o)| (u.point - o.point - o.vector * radius).length() > 1e-3);
+    if compensated && both && radius >= 0.0 && !apart {
+        // Both blocks: between them lies the ball, and nothing else.
         picks = original;
-        let radii: Vec<f64> = used.iter().zip(&picks).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
-        let radius = tidy(radii.iter().sum::<f64>() / radii.len() as f64);
-        if radius >= 0.0 && radii.iter().all(|r| (r - radius).abs() < 1e-3) {
-            set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
-            checker.info(
-                "stylus-from-dump",
-                "stylus.diameter",
-                "The ball is what lies between the used and the original points",
-            );
-        }
+        set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
+        checker.info("stylus-from-dump", "stylus.diameter", "The ball is what lies between the used and the original points");
     } else if compensated && !used.is_empty() {
-        let radius = 3.0;
         for pick in &mut picks {
-            pick.point -= pick.vector * radius;
+            pick.point -= pick.vector * RADIUS;
         }
-        let message = "The points are ball centres, and without the original points (-200 and following) the dump does not say the \
-                       ball: the default one of 6 mm is taken off";
-        checker.warning("ball-unknown", "stylus.diameter", message);
+        let why = if both {
+            "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
+        } else {
+            "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
+        };
+        checker.warning(
+            "ball-unknown",
+            "stylus.diameter",
+            format!("{why}: the default ball of 6 mm is taken off the used points"),
+        );
     } else if used.is_empty() {
         picks = original;
     } else if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
@@ -312,52 +418,61 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
             pick.vector = pick.vector.normalize();
         }
     }
-    let mut fallback: Option<Value> = None;
+    let mut fits: Vec<(Plane, Value)> = Vec::new();
+    let mut fallback: Option<Plane> = None;
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
+        let mut scratch = Checker::default();
+        let mut section = Section::new(&mut scratch, job.get("cycle"), "cycle");
+        let Some((placement, dimensioned)) = place(&mut section, &picks, plane) else { continue };
+        fallback.get_or_insert(plane);
+        let same = dimensioned.len() == picks.len()
+            && dimensioned
+                .iter()
+                .zip(&picks)
+                .all(|(t, p)| t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME);
         let mut trial = job.clone();
         set(&mut trial, "plane", Value::Text(plane.word().to_owned()));
-        let mut scratch = Checker::default();
-        let mut section = Section::new(&mut scratch, trial.get("cycle"), "cycle");
-        let Some(placement) = place(&mut section, &picks, plane) else { continue };
         set(&mut trial, "cycle.origin", triple(Vec3::from_array(placement.origin.to_array().map(tidy))));
         set(&mut trial, "cycle.rotation", Value::Number(tidy(placement.rotation)));
+        let mut sound = true;
         for (key, size) in &placement.sizes {
             // A size with a code of its own is in the dump.
-            if def.fields.iter().any(|f| f.key == *key && f.code.is_empty()) {
+            if let Some(field) = def.fields.iter().find(|f| f.key == *key && f.code.is_empty()) {
+                sound &= field.hard.holds(*size);
                 set(&mut trial, &format!("cycle.{key}"), Value::Number(tidy(*size)));
             }
         }
-        if let Some(read) = Job::read(&mut Checker::default(), &trial) {
-            let planned = read.cycle.plan(&read.setup).touches;
-            let same = planned.len() == picks.len()
-                && planned
-                    .iter()
-                    .zip(&picks)
-                    .all(|(t, p)| t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME);
-            if same {
-                if plane != Plane::G17 {
-                    let message = format!("The target vectors are those of a feature in {}: that plane is taken", plane.word());
-                    checker.info("plane-from-dump", "plane", message);
-                }
-                *job = trial;
-                return;
-            }
-        }
-        set(&mut trial, "cycle.touches", Value::List(explicit.clone()));
-        let sound = Job::read(&mut Checker::default(), &trial).is_some();
-        if sound && fallback.is_none() {
-            fallback = Some(trial);
+        if same && sound {
+            fits.push((plane, trial));
         }
     }
-    if let Some(sound) = fallback {
-        *job = sound;
-        let message = "The touch points are not those that the dimensions alone would give: they are kept as they were picked";
-        checker.info("touches-kept", "cycle.touches", message);
+    let planes: Vec<&str> = fits.iter().map(|(plane, _)| plane.word()).collect();
+    if planes.len() > 1 {
+        let message = format!("The touches are those of this feature in {}: {} is taken", planes.join(" and in "), planes[0]);
+        checker.warning("plane-unknown", "plane", message);
+    } else if let [(plane, _)] = fits.as_slice()
+        && *plane != Plane::G17
+    {
+        let message = format!("The target vectors are those of a feature in {}: that plane is taken", plane.word());
+        checker.info("plane-from-dump", "plane", message);
+    }
+    if let Some((_, fit)) = fits.into_iter().next() {
+        *job = fit;
         return;
     }
     set(job, "cycle.touches", Value::List(explicit));
-    let message = "The touch points do not make this feature: see the job's own findings";
-    checker.warning("touches-unsound", "cycle.touches", message);
+    match fallback {
+        Some(plane) => {
+            set(job, "plane", Value::Text(plane.word().to_owned()));
+            let message =
+                "The touch points are not those that the dimensions alone would give: they are kept as they were picked";
+            checker.info("touches-kept", "cycle.touches", message);
+        }
+        None => {
+            let message = "The touch points do not make this feature: see the job's own findings";
+            checker.warning("touches-unsound", "cycle.touches", message);
+        }
+    }
 }
 
 #[cfg(test)]
@@ -379,6 +494,28 @@ mod tests {
         ] {
             assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
         }
+        for (text, value) in [
+            ("Flt[-50] (Width 1, from 2) = 64", 64.0),
+            ("Flt[-50]\tDouble\tWidth 1\t64", 64.0),
+            ("Flt[-50] = \u{2212}5", -5.0),
+            ("Flt[-50] = - 5 ; x", -5.0),
+            ("Flt[-50] = 1 064,5", 1064.5),
+            ("Flt[-50] = 64 mm", 64.0),
+        ] {
+            assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
+        }
+        let pretty =
+            "[\n {\n \"code\": \"CmdPrm.Int[-1]\",\n \"value\": 7\n },\n { \"value\": 2.5, \"code\": \"CmdPrm.Flt[-50]\" }\n]";
+        let read: Vec<(i32, f64)> = entries(pretty).iter().map(|e| (e.code, e.value)).collect();
+        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
+        let object = "{\"CmdPrm.Int[-1]\":7,\"CmdPrm.Flt[-50]\":2.5}";
+        let read: Vec<(i32, f64)> = entries(object).iter().map(|e| (e.code, e.value)).collect();
+        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
+        assert!(entries("TouchPoint[1] = 2.5").is_empty());
+        // Two cycles, each with its type last.
+        let ascending = "Flt[-53]=30\nInt[-1]=9\nFlt[-53]=44\nInt[-1]=9\n";
+        let blocks = cycles(&entries(ascending));
+        assert_eq!((blocks.len(), blocks[0][0].value, blocks[1][0].value), (2, 30.0, 44.0));
         assert_eq!(value(" = True"), Some(1.0));
         assert_eq!(value(",Boolean,false,On"), Some(0.0));
         assert_eq!(value("= -12"), Some(-12.0));

@@ -4,6 +4,8 @@ mod dump;
 mod klartext;
 mod sinumerik;
 
+pub use dump::recognises as is_dump;
+
 use crate::job::JobError;
 use crate::spec::{Finding, Value};
 
