@@ -7,7 +7,7 @@ use crate::part::Lie;
 use crate::path::{Feeds, Setup};
 use crate::post::{self, PostDef};
 use crate::spec::{Checker, Choice, Field, Section, Value, form};
-use crate::tool_length::{Query, lentoax, sentence};
+use crate::tool_length::{self, Query, lentoax, sentence};
 
 /// The format this crate writes and reads.
 pub const FORMAT: f64 = 1.0;
@@ -317,6 +317,15 @@ fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
         return;
     }
     let answer = lentoax(query);
+    let axis = query.plane.axes()[2];
+    if tool_length::frame(&query.frame).0[axis][axis] < -1e-9 {
+        let message = format!(
+            "The frame mirrors the tool axis {} or turns it over: up in the program would be down on the machine",
+            AXIS_NAMES[axis]
+        );
+        checker.error("tool-axis-reversed", "tool.frame", message);
+        return;
+    }
     if (answer.matrix[2][0] - 1.0).abs() > 1e-9 {
         let message = format!(
             "The probe's length L1 must act along the tool axis of {}, +{}, or the control takes the ball to be somewhere else. With \

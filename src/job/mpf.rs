@@ -3,10 +3,15 @@
 //! [`read`] gives blocks, or every line that is not of the subset. [`Program::troubles`] looks at what a control does not: that
 //! every protected move is checked, every jump has its label, and nothing moves unwatched. [`Program::moves`] gives the path.
 
+use std::collections::HashMap;
+
 use crate::geom::AXIS_NAMES;
 
 /// Deepest nesting of brackets.
 const DEEPEST: usize = 40;
+
+/// The most operators of one expression: each makes the tree deeper by one.
+const LONGEST: usize = 400;
 
 /// A line that is not understood, or not safe.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,7 +136,8 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
             program.comments.push(comment.trim().to_owned());
         }
         let code = without_number(code.trim());
-        if code.is_empty() {
+        // What stands before a program in an archive.
+        if code.is_empty() || code.starts_with('%') {
             continue;
         }
         match statement(code) {
@@ -272,7 +278,7 @@ fn is_name(text: &str) -> bool {
 
 /// Reads an expression.
 pub fn term(text: &str) -> Result<Term, String> {
-    let mut parser = Parser { rest: text.trim(), depth: 0 };
+    let mut parser = Parser { rest: text.trim(), depth: 0, operators: 0 };
     let term = parser.level(0)?;
     if parser.rest.is_empty() {
         Ok(term)
@@ -282,11 +288,12 @@ pub fn term(text: &str) -> Result<Term, String> {
 }
 
 /// Operators by how loosely they bind.
-const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>"], &["+", "-"], &["*", "/"]];
+const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>", ">="], &["+", "-"], &["*", "/"]];
 
 struct Parser<'a> {
     rest: &'a str,
     depth: usize,
+    operators: usize,
 }
 
 impl Parser<'_> {
@@ -295,6 +302,10 @@ impl Parser<'_> {
         let mut left = self.level(level + 1)?;
         while let Some(operator) = operators.iter().find(|op| self.rest.starts_with(**op)) {
             self.take(operator.len());
+            self.operators += 1;
+            if self.operators > LONGEST {
+                return Err("this expression is too long".into());
+            }
             let right = self.level(level + 1)?;
             left = Term::Binary(operator, Box::new(left), Box::new(right));
         }
@@ -402,13 +413,17 @@ impl Program {
         let mut at = [None; 3];
         let mut before_touch: Option<[Option<f64>; 3]> = None;
         let (mut units, mut absolute, mut exits) = (false, false, false);
+        let mut labels: HashMap<&str, Vec<usize>> = HashMap::new();
+        for (i, block) in self.blocks.iter().enumerate() {
+            if let Statement::Label(label) = &block.statement {
+                labels.entry(label).or_default().push(i);
+            }
+        }
         for (i, block) in self.blocks.iter().enumerate() {
             let line = block.line;
             match &block.statement {
                 Statement::Jump(label) | Statement::If(_, label) => {
-                    let targets =
-                        self.blocks.iter().enumerate().filter(|(_, b)| b.statement == Statement::Label(label.clone()));
-                    match targets.map(|(at, _)| at).collect::<Vec<_>>().as_slice() {
+                    match labels.get(label.as_str()).map_or(&[][..], Vec::as_slice) {
                         [one] if *one > i => {}
                         [_] => say(line, "GOTOF looks for its label below"),
                         [] => say(line, "the label of this jump is nowhere"),
@@ -484,10 +499,5 @@ impl Program {
             }
         }
         Ok(steps)
-    }
-
-    /// Whether a word such as `G70` stands in the program.
-    pub fn says(&self, word: &str) -> bool {
-        self.blocks.iter().any(|b| matches!(&b.statement, Statement::Words(words) if words.iter().any(|w| w == word)))
     }
 }

@@ -389,7 +389,7 @@ fn length_and_time(job: &Job, path: &Path, feeds: &Feeds) -> (f64, f64) {
         };
         length += way;
         // A program of moves cuts an arc at a stated feed, also where its rapid has no number.
-        let arc_feed = pair[1].arc.filter(|_| plain_moves).map(|_| feeds.work);
+        let arc_feed = pair[1].arc.filter(|_| plain_moves && !job.post.arcs_as_rapids).map(|_| feeds.work);
         time += way / feeds.rate(pair[1].feed).or(arc_feed).unwrap_or(RAPID_RATE);
     }
     (tidy(length / job.scale), tidy(time))

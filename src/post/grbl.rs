@@ -18,6 +18,7 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
     first_length: false,
     plain_arithmetic: false,
+    arcs_as_rapids: false,
     supports: |_, form| if form == "moves" { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,

@@ -18,6 +18,7 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty",
     first_length: false,
     plain_arithmetic: false,
+    arcs_as_rapids: false,
     supports,
     check: |_, _| {},
     emit,

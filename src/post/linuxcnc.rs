@@ -22,6 +22,7 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "",
     first_length: false,
     plain_arithmetic: true,
+    arcs_as_rapids: false,
     supports: |_, form| match form {
         "moves" => Ok(()),
         _ => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),

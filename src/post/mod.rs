@@ -37,6 +37,8 @@ pub struct PostDef {
     pub first_length: bool,
     /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
     pub plain_arithmetic: bool,
+    /// Whether its arcs without a rate of their own run as fast as its rapids; else at the feed of the touches.
+    pub arcs_as_rapids: bool,
     /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
     pub supports: fn(&str, &str) -> Result<(), &'static str>,
     /// Reports what of this very program it cannot do, or what somebody should know of it.

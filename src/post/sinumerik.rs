@@ -1,7 +1,7 @@
 //! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977.
 //!
 //! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
-//! one exit that names the move, lifts and stops. Only the way back from a touch runs without: the probe is deflected when it
+//! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a touch runs without: the probe is deflected when it
 //! sets out, and the way is the one the ball has just come. Results stand in R parameters, the first ones; what is needed on the
 //! way follows them. `G70` and `G71` do not touch feeds and system variables, which stay in the control's basic system (function
 //! manual G2, 7.3), so the program first makes sure that the two agree. MEAS takes the positions of the axes that its block names
@@ -29,6 +29,7 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "",
     first_length: true,
     plain_arithmetic: true,
+    arcs_as_rapids: true,
     supports,
     check,
     emit,
@@ -46,6 +47,9 @@ static DIALECT: Dialect = Dialect {
 
 /// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
+
+/// The shortest measuring path that CYCLE977 is called with, mm.
+const SHORTEST_PATH: f64 = 0.1;
 
 /// How many more the write of the frame needs.
 const FRAME_REGISTERS: usize = 6;
@@ -87,7 +91,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
     let registers = Registers::allocate(&request.path.formula.plain());
-    let last = registers.last + if request.work_offset.is_some() { FRAME_REGISTERS } else { 0 };
+    let last = registers.last + frame_registers(request, &request.path.formula);
     if last > LAST_REGISTER {
         let message = format!(
             "The program would need R1 to R{last}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
@@ -95,6 +99,13 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.error("too-many-registers", "control.post", message);
     }
+}
+
+/// How many registers the write of the frame needs: a height, and a turn alone, need none.
+fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
+    let plane =
+        formula.datum.as_ref().is_some_and(|d| d.place[0].is_some() && (d.measured() != [false; 3] || d.rotation.is_some()));
+    if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
 }
 
 /// The feed of a move, mm/min.
@@ -110,7 +121,9 @@ fn emit_moves(request: &Request<'_>) -> Program {
     let formula = request.path.formula.plain();
     let registers = Registers::allocate(&formula);
     let mut w = Writer::new(request, &DIALECT);
-    begin(&mut w, request, &written(request, formula.datum.as_ref()), &[&registers.told(&formula)]);
+    let told = registers.told(&formula, frame_registers(request, &formula));
+    let notes: Vec<&str> = told.iter().map(String::as_str).collect();
+    begin(&mut w, request, &written(request, formula.datum.as_ref()), &notes);
     let mut at = None;
     for (i, step) in request.path.moves.iter().enumerate() {
         match step.purpose {
@@ -188,7 +201,10 @@ fn protected(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Mov
             w.makes_move();
         }
         first = false;
-        watched(w, to, rate(request, step));
+        // On the way up an exit that lifts would push on against what was met.
+        let up = request.path.frame.w;
+        let upwards = at.is_some_and(|from| (step.to - from).dot(up) > 1e-6);
+        watched(w, to, rate(request, step), if upwards { "TP_BLOCKED" } else { "TP_CONTACT" });
     }
 }
 
@@ -198,15 +214,15 @@ fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
     let degrees = (2.0 * (1.0 - CHORD_SAG / radius).clamp(-1.0, 1.0).acos()).to_degrees();
-    step.pieces(from, request.path.frame.w, degrees.clamp(0.5, 30.0))
+    step.pieces(from, request.path.frame.w, degrees.clamp(0.1, 30.0))
 }
 
-/// One move in which nothing may be touched.
-fn watched(w: &mut Writer<'_>, to: Vec3, rate: f64) {
+/// One move in which nothing may be touched, and where a contact jumps to.
+fn watched(w: &mut Writer<'_>, to: Vec3, rate: f64, exit: &str) {
     let block = format!("MEAS=1 G1{} F{}", w.place(to, false), w.number(rate));
     w.line(&block);
     w.line("STOPRE");
-    w.line("IF $AC_MEA[1]<>0 GOTOF TP_CONTACT");
+    w.line(&format!("IF $AC_MEA[1]<>0 GOTOF {exit}"));
 }
 
 fn touch(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, k: usize) {
@@ -274,7 +290,7 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     w.line(&(DEF.work_offset_word)(n));
 }
 
-/// The end, and the exits behind it. Whatever went wrong, nothing has been written.
+/// The end, and the exits behind it. Whatever went wrong, the program itself has written nothing.
 fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("M30");
     let tool = request.plane.axes()[2];
@@ -283,17 +299,31 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
             w.line(line);
         }
     };
-    w.line("TP_CONTACT:");
-    w.line("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. Nothing is written\")");
-    w.line("GOTOF TP_EXIT");
-    w.line("TP_MISSED:");
-    w.line("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. Nothing is written\")");
-    w.line("TP_EXIT:");
+    // A cycle of the control's own may have written before the last lift.
+    let written = match (request.form, request.work_offset) {
+        ("cycle", Some(_)) => "The cycle may have corrected the work offset",
+        _ => "Nothing is written",
+    };
     if let Some(first) = request.path.moves.first() {
-        let lift = format!("G1 {}{} F{}", AXIS_NAMES[tool], w.number(first.to[tool]), w.number(rate(request, first)));
+        let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
+        // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
+        let top = request.path.moves.iter().map(|m| m.to[tool]).fold(f64::NEG_INFINITY, f64::max);
+        let (axis, height) = (AXIS_NAMES[tool], w.number(top));
+        w.line("TP_BLOCKED:");
+        w.line(&contact);
+        w.line("GOTOF TP_STOP");
+        w.line("TP_CONTACT:");
+        w.line(&contact);
+        w.line("GOTOF TP_EXIT");
+        w.line("TP_MISSED:");
+        w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
+        w.line("TP_EXIT:");
+        w.line(&format!("IF $AA_IW[{axis}]>={height} GOTOF TP_STOP"));
+        let lift = format!("G1 {axis}{height} F{}", w.number(rate(request, first)));
         w.line(&lift);
+        w.line("TP_STOP:");
+        stop(w);
     }
-    stop(w);
     for (label, message) in [
         ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
         ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),
@@ -393,16 +423,16 @@ impl Registers {
         self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
     }
 
-    /// What stands where, for the header.
-    fn told(&self, formula: &Formula) -> String {
+    /// What stands where, for the header; `more` registers are needed for the write of the frame.
+    fn told(&self, formula: &Formula, more: usize) -> Option<String> {
+        if self.last == 0 {
+            return None;
+        }
+        let last = self.last + more;
         let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code).enumerate();
         let results: Vec<String> = codes.map(|(i, code)| format!("R{} = {code}", i + 1)).collect();
-        let others = if self.last > self.results {
-            format!("; R{} to R{} are used", self.results + 1, self.last + FRAME_REGISTERS)
-        } else {
-            String::new()
-        };
-        format!("Results: {}{others}", results.join(", "))
+        let others = if last > self.results { format!("; R{} to R{last} are used", self.results + 1) } else { String::new() };
+        Some(format!("Results: {}{others}", results.join(", ")))
     }
 }
 
@@ -466,6 +496,21 @@ fn check_cycle(request: &Request<'_>, checker: &mut Checker) {
     if request.path.picked {
         let message = format!("CYCLE977 chooses its own touch points{advice}");
         checker.error("cycle-chooses-points", "cycle.touches", message);
+    }
+    if request.plane != crate::geom::Plane::G17 {
+        let message = format!(
+            "How CYCLE977 is told another plane than G17 is not proven by anything we have: it could probe in the wrong one{advice}"
+        );
+        checker.error("cycle-plane", "plane", message);
+    }
+    if rectangle.path < SHORTEST_PATH {
+        let message = format!(
+            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {}: it searches so far before and behind \
+             each wall, and {} are the least that make sense{advice}",
+            checker.length(rectangle.path),
+            checker.length(SHORTEST_PATH)
+        );
+        checker.error("cycle-path-short", "cycle.sideClearance1", message);
     }
     let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
     if (clearances[0] - clearances[1]).abs() > 1e-9 {

@@ -23,6 +23,8 @@ pub struct Machine {
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
+    /// Where the ball stands before the program.
+    pub start: [f64; 3],
     touched: usize,
     state: f64,
 }
@@ -41,13 +43,14 @@ impl Machine {
             alarm: None,
             path: Vec::new(),
             writes: 0,
+            start: [f64::NAN; 3],
             touched: 0,
             state: 0.0,
         }
     }
 
     pub fn run(&mut self, program: &Program) -> Result<(), String> {
-        let mut at = [f64::NAN; 3];
+        let mut at = self.start;
         let mut next = 0;
         for _ in 0..20_000 {
             let block = program.blocks.get(next).ok_or("ran off the end: M30 is missing")?;
@@ -111,7 +114,8 @@ impl Machine {
                 Statement::Call(name, arguments) => match (name.as_str(), arguments.as_slice()) {
                     ("MSG", [Some(text)]) => self.message = self.text(text, at)?,
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
-                    ("CYCLE977", _) => {}
+                    // The hundreds of its variant: it corrects the work offset by itself.
+                    ("CYCLE977", [Some(Term::Number(variant)), ..]) => self.writes += usize::from(*variant % 1000.0 >= 100.0),
                     _ => return Err(format!("line {line}: {name} is not known")),
                 },
             }
@@ -144,6 +148,7 @@ impl Machine {
                     "/" => a / b,
                     "==" => truth(a == b),
                     "<>" => truth(a != b),
+                    ">=" => truth(a >= b),
                     "OR" => truth(a != 0.0 || b != 0.0),
                     op => return Err(format!("{op}?")),
                 }
@@ -162,7 +167,7 @@ impl Machine {
                 ("$AC_MEA", _) => self.state,
                 ("$A_PROBE", _) => truth(self.deflected),
                 ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),
-                ("$AA_MW", [axis]) => at[axis_of(axis)?],
+                ("$AA_MW" | "$AA_IW", [axis]) => at[axis_of(axis)?],
                 ("$P_UIFR", parts) => {
                     let (part, axis) = component(parts)?;
                     self.frame[part][axis]

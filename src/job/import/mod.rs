@@ -26,12 +26,13 @@ const LONGEST: usize = 4_000_000;
 pub fn import(text: &str) -> Result<Imported, JobError> {
     let text = &text[..text.floor_char_boundary(LONGEST)];
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    if sinumerik::recognises(text) {
+    if sinumerik::says_job(text) {
         sinumerik::import(text)
     } else if dump::recognises(text) {
         dump::import(text)
     } else {
-        klartext::import(text)
+        // What only looks like a SINUMERIK program may be a Klartext one whose comments mention it.
+        klartext::import(text).or_else(|error| if sinumerik::recognises(text) { sinumerik::import(text) } else { Err(error) })
     }
 }
 
