@@ -772,3 +772,36 @@ fn defaults_are_complete() {
         }
     }
 }
+
+/// The uncertainty of every result of every type is what the scatter of each touch does to it, by difference quotients through the
+/// evaluation of measured points.
+#[test]
+fn uncertainties_agree_with_difference_quotients() {
+    let step = 1e-4;
+    let mut compared = 0;
+    for def in CYCLES.iter().filter(|c| c.number.is_some_and(|n| n > 1)) {
+        let job = with(&default_job(def.key).unwrap(), "cycle.rotation", number(20.0));
+        let plan = planned(&job);
+        let measured = |k: usize, by: f64| {
+            let point = |(i, t): (usize, &Option<[f64; 3]>)| {
+                let vector = plan.touches[i].vector;
+                common::point([0, 1, 2].map(|axis| t.unwrap()[axis] + if i == k { by * vector[axis] } else { 0.0 }))
+            };
+            let points = Value::List(plan.triggers.iter().enumerate().map(point).collect());
+            touchpath::job::evaluate(&job, &points).unwrap()
+        };
+        let slopes: Vec<Vec<Option<f64>>> = (0..plan.touches.len())
+            .map(|k| {
+                let (up, down) = (measured(k, step), measured(k, -step));
+                up.iter().zip(&down).map(|(u, d)| Some((u.value? - d.value?) / (2.0 * step))).collect()
+            })
+            .collect();
+        for (i, row) in plan.results.iter().enumerate().filter(|(_, r)| r.value.is_some()) {
+            let sum: f64 = slopes.iter().map(|s| s[i].unwrap().powi(2)).sum();
+            let (wanted, shown) = (0.001 * sum.sqrt(), row.uncertainty.unwrap());
+            assert!((wanted - shown).abs() < 1e-6 + 1e-3 * wanted, "{} {}: {shown}, {wanted} by quotients", def.key, row.code);
+            compared += 1;
+        }
+    }
+    assert!(compared > 45, "{compared}");
+}

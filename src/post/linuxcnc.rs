@@ -10,7 +10,7 @@ use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::Purpose;
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, expr, work_offset_word, written};
+use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, check_write, expr, work_offset_word, written};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -47,16 +47,11 @@ const LINE_LIMIT: usize = 255;
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, "LinuxCNC has no rotary table that a program could know of");
+    check_write(request, checker);
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
-    if request.work_offset.is_some() {
-        if datum.rotation.is_some() && request.plane != Plane::G17 {
-            let message = "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane";
-            checker.error("rotation-unsupported", "cycle.confirmRotation", message);
-        }
-        if datum.measured() == [false; 3] && datum.rotation.is_none() {
-            let message = "A work offset is chosen, but neither the transfer of a position (Q1120) nor a rotation (Q1121): nothing is written";
-            checker.warning("nothing-to-write", "control.workOffset", message);
-        }
+    if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
+        let message = "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane";
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
     }
 }
 

@@ -177,6 +177,17 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
     }
 }
 
+/// A work offset that is chosen, and gets nothing.
+fn check_write(request: &Request<'_>, checker: &mut Checker) {
+    let datum = request.path.formula.datum.as_ref();
+    let something = datum.is_some_and(|d| d.measured() != [false; 3] || d.rotation.is_some());
+    if request.work_offset.is_some() && !something {
+        let message = "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
+                       position, Q1120, nor a rotation, Q1121)";
+        checker.warning("nothing-to-write", "control.workOffset", message);
+    }
+}
+
 /// What of a work offset is written, in words: "its X and Y are written once, at the very end".
 fn written(request: &Request<'_>, datum: Option<&Datum>) -> String {
     let measured = datum.map_or([false; 3], Datum::measured);

@@ -1,12 +1,12 @@
 //! Reads a dump of CmdPrm codes, as it was exported here or as somebody copied it out of a log.
 //!
-//! Whatever stands around them, `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code, and the first number or truth value behind
-//! it is its value: `CmdPrm.Flt[-50] = 50`, a CSV line, an object of a JSON list, decimal commas, any order.
+//! The codes are found by [`codes`](crate::job::import::codes); here they become a job.
 
 use crate::cycle::{CYCLES, CycleDef, Pick, code_of};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
 use crate::job::catalog::default_job;
+use crate::job::import::codes::{Entry, entries};
 use crate::job::import::{Imported, set};
 use crate::path::MAX_TOUCHES;
 use crate::spec::{Checker, Field, Kind, Section, Value};
@@ -14,154 +14,9 @@ use crate::spec::{Checker, Field, Kind, Section, Value};
 /// How near the touches of the dimensions must be to those of the dump to be the same, mm.
 const SAME: f64 = 1e-6;
 
-/// A code with its value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Entry {
-    accessor: &'static str,
-    code: i32,
-    value: f64,
-}
-
 /// Whether a text names a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
     entries(text).iter().any(|e| e.code == -1)
-}
-
-/// Every code with its value, in order.
-fn entries(text: &str) -> Vec<Entry> {
-    if text.trim_start().starts_with(['[', '{']) {
-        let objects = json_objects(text);
-        if !objects.is_empty() {
-            return objects;
-        }
-    }
-    let mut found = Vec::new();
-    for line in text.lines() {
-        let mut next = next_code(line);
-        while let Some((accessor, code, behind)) = next {
-            next = next_code(behind);
-            // The value stands before the next code of the line.
-            let end = next.map_or(behind.len(), |(.., rest)| behind.len() - rest.len());
-            if let Some(value) = value(&behind[..end]) {
-                found.push(Entry { accessor, code, value });
-            }
-        }
-    }
-    found
-}
-
-/// The objects of a JSON list, `{ "code": "CmdPrm.Flt[-50]", "value": 20 }`, however they are laid out.
-fn json_objects(text: &str) -> Vec<Entry> {
-    let chunks = text.split('{').filter_map(|chunk| chunk.split('}').next());
-    chunks
-        .filter_map(|chunk| {
-            let (accessor, code, _) = next_code(chunk)?;
-            let (_, behind) = chunk.split_once("\"value\"")?;
-            let cell = behind.trim_start().strip_prefix(':')?.split([',', '\n']).next()?;
-            Some(Entry { accessor, code, value: whole(cell.trim().trim_matches('"'))? })
-        })
-        .collect()
-}
-
-/// The next code of a text and what stands behind its bracket.
-fn next_code(text: &str) -> Option<(&'static str, i32, &str)> {
-    const ACCESSORS: [&str; 3] = ["Int", "Flt", "Bol"];
-    for (at, _) in text.match_indices('[') {
-        let before = text[..at].trim_end().as_bytes();
-        let Some(start) = before.len().checked_sub(3) else { continue };
-        let accessor = ACCESSORS.into_iter().find(|a| before[start..].eq_ignore_ascii_case(a.as_bytes()));
-        let whole = start == 0 || !(before[start - 1].is_ascii_alphanumeric() || before[start - 1] == b'_');
-        let Some(accessor) = accessor.filter(|_| whole) else { continue };
-        // No code is longer than a dozen characters.
-        let after = &text[at + 1..];
-        let near = &after[..after.floor_char_boundary(16)];
-        let Some((code, _)) = near.split_once(']') else { continue };
-        if let Ok(number) = code.trim().parse::<i32>() {
-            return Some((accessor, number, &after[code.len() + 1..]));
-        }
-    }
-    None
-}
-
-/// The value of what stands behind a code: in a table row the first cell that is a number as a whole; else what stands after an equals
-/// sign or a colon; else the first number. Typographic minus signs are minus signs.
-fn value(text: &str) -> Option<f64> {
-    let text = text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ");
-    let text = text.trim_start_matches(['"', '\'', ' ']).trim_end();
-    if let Some(separator) = ['\t', '|', ';', ','].into_iter().find(|c| text.starts_with(*c)) {
-        return text.split(separator).find_map(|cell| whole(cell.trim().trim_matches(['"', '\''])));
-    }
-    let assigned = text.split_once('=').or_else(|| text.strip_prefix(':').map(|rest| ("", rest)));
-    if let Some((_, right)) = assigned {
-        return whole(right.split(';').next().unwrap_or(right)).or_else(|| first(right));
-    }
-    whole(text).or_else(|| first(text))
-}
-
-/// A text that is a number or a truth value as a whole: decimal point or comma, thousands apart by spaces.
-fn whole(text: &str) -> Option<f64> {
-    let text = text.trim();
-    match text.to_ascii_lowercase().as_str() {
-        "true" => return Some(1.0),
-        "false" => return Some(0.0),
-        _ => {}
-    }
-    let (sign, digits) = match text.strip_prefix('-') {
-        Some(rest) => (-1.0, rest.trim_start()),
-        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
-    };
-    if !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') || digits.len() > 40 {
-        return None;
-    }
-    let groups: Vec<&str> = digits.split(' ').collect();
-    let grouped = groups[1..].iter().enumerate().all(|(i, group)| {
-        let last = i + 2 == groups.len();
-        let whole = group.split(['.', ',']).next().unwrap_or_default();
-        whole.len() == 3 && whole.bytes().all(|b| b.is_ascii_digit()) && (last || whole == *group)
-    });
-    let plain = grouped.then(|| groups.concat().replace(',', "."))?;
-    plain.parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| sign * x)
-}
-
-/// The first number or truth value of a text.
-fn first(text: &str) -> Option<f64> {
-    let lower = text.to_ascii_lowercase();
-    let truth = |word: &str| {
-        lower.match_indices(word).map(|(at, _)| at).find(|&at| {
-            let edge = |c: Option<char>| c.is_none_or(|c| !c.is_ascii_alphanumeric());
-            edge(lower[..at].chars().next_back()) && edge(lower[at + word.len()..].chars().next())
-        })
-    };
-    let truths = [(truth("true"), 1.0), (truth("false"), 0.0)];
-    let all = truths.into_iter().filter_map(|(at, value)| Some((at?, value))).chain(number(text));
-    all.min_by_key(|(at, _)| *at).map(|(_, value)| value)
-}
-
-/// The first number of a text and where it stands. A comma between two digits is a decimal comma.
-fn number(text: &str) -> Option<(usize, f64)> {
-    let bytes = text.as_bytes();
-    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
-    let word = |i: usize| i > 0 && (bytes[i - 1].is_ascii_alphanumeric() || bytes[i - 1] == b'_');
-    let mut at = (0..bytes.len()).find(|&i| digit(i) && !word(i))?;
-    if at > 0 && bytes[at - 1] == b'.' {
-        at -= 1;
-    }
-    let start = if at > 0 && matches!(bytes[at - 1], b'-' | b'+') { at - 1 } else { at };
-    let mut end = at;
-    while digit(end) || (matches!(bytes.get(end), Some(b'.' | b',')) && digit(end + 1)) {
-        end += 1;
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'-' | b'+')));
-        if digit(end + 1 + sign) {
-            end += 1 + sign;
-            while digit(end) {
-                end += 1;
-            }
-        }
-    }
-    let parsed = text[start..end].replace(',', ".").parse::<f64>().ok().filter(|x| x.is_finite())?;
-    Some((start, parsed))
 }
 
 /// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the
@@ -480,46 +335,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_in_the_forms_people_have() {
-        for (text, value) in [
-            ("CmdPrm.Flt[-50] = 12.5", 12.5),
-            ("CmdPrm. Flt [-50] = 12,5", 12.5),
-            ("cmdprm.flt[ -50 ]: 12.5 ; comment 7", 12.5),
-            ("Flt[-50] 12.5", 12.5),
-            ("CmdPrm.Flt[-50],Double,12.5,\"Feed distance 2\"", 12.5),
-            ("CmdPrm.Flt[-50];Double;12,5;Feed distance", 12.5),
-            ("{ \"code\": \"CmdPrm.Flt[-50]\", \"type\": \"Double\", \"value\": 12.5, \"meaning\": \"x 3\" }", 12.5),
-            ("| CmdPrm.Flt[-50] | Double | 1.25e1 |", 12.5),
-            ("Flt[-50]=.125E+2", 12.5),
-        ] {
-            assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
-        }
-        for (text, value) in [
-            ("Flt[-50] (Width 1, from 2) = 64", 64.0),
-            ("Flt[-50]\tDouble\tWidth 1\t64", 64.0),
-            ("Flt[-50] = \u{2212}5", -5.0),
-            ("Flt[-50] = - 5 ; x", -5.0),
-            ("Flt[-50] = 1 064,5", 1064.5),
-            ("Flt[-50] = 64 mm", 64.0),
-        ] {
-            assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
-        }
-        let pretty =
-            "[\n {\n \"code\": \"CmdPrm.Int[-1]\",\n \"value\": 7\n },\n { \"value\": 2.5, \"code\": \"CmdPrm.Flt[-50]\" }\n]";
-        let read: Vec<(i32, f64)> = entries(pretty).iter().map(|e| (e.code, e.value)).collect();
-        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
-        let object = "{\"CmdPrm.Int[-1]\":7,\"CmdPrm.Flt[-50]\":2.5}";
-        let read: Vec<(i32, f64)> = entries(object).iter().map(|e| (e.code, e.value)).collect();
-        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
-        assert!(entries("TouchPoint[1] = 2.5").is_empty());
+    fn every_cycle_of_a_text_has_its_own_codes() {
         // Two cycles, each with its type last.
         let ascending = "Flt[-53]=30\nInt[-1]=9\nFlt[-53]=44\nInt[-1]=9\n";
         let blocks = cycles(&entries(ascending));
         assert_eq!((blocks.len(), blocks[0][0].value, blocks[1][0].value), (2, 30.0, 44.0));
-        assert_eq!(value(" = True"), Some(1.0));
-        assert_eq!(value(",Boolean,false,On"), Some(0.0));
-        assert_eq!(value("= -12"), Some(-12.0));
-        assert_eq!(value(" | Double | Feed distance |"), None);
-        assert_eq!(entries("Int[-1]=7 Flt[-50]=3 Flt[x]=1 [-3] Flt[99999999999]=1").len(), 2);
+        let begun = "Int[-2]=1\nInt[-1]=9\nFlt[-53]=30\nInt[-2]=2\nInt[-1]=9\nFlt[-53]=44\n";
+        let blocks = cycles(&entries(begun));
+        let codes: Vec<Vec<(i32, f64)>> = blocks.iter().map(|b| b.iter().map(|e| (e.code, e.value)).collect()).collect();
+        assert_eq!(codes, [[(-2, 1.0), (-1, 9.0), (-53, 30.0)], [(-2, 2.0), (-1, 9.0), (-53, 44.0)]]);
     }
 }

@@ -11,13 +11,17 @@
 //! system, components of `$P_UIFR`, `SETAL(65000)`, and what some arguments of CYCLE977 are called. Its positions are those of
 //! real calls.
 
+mod cycle977;
+mod registers;
+
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
-use crate::path::{Move, ParameterValue, Purpose, RAPID_RATE};
-use crate::post::expr::{self, Notation};
+use crate::path::{Move, Purpose, RAPID_RATE};
+use crate::post::expr;
+use crate::post::sinumerik::registers::{RParameters, Registers};
 use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, job_lines, written};
+use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -48,9 +52,6 @@ static DIALECT: Dialect = Dialect {
 /// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
 
-/// The shortest measuring path that CYCLE977 is called with, mm.
-const SHORTEST_PATH: f64 = 0.1;
-
 /// How many more the write of the frame needs.
 const FRAME_REGISTERS: usize = 6;
 
@@ -73,12 +74,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
                       it was run on a control: try it with a hand on the feed override";
     checker.info("not-verified", "control.post", unverified);
-    if request
-        .path
-        .moves
-        .iter()
-        .any(|m| m.purpose == Purpose::Position && request.feeds.is_rapid(m.feed) && rate(request, m) == RAPID_RATE)
-    {
+    if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message = format!(
             "A move is protected by MEAS only at a stated feed: rapids run as protected moves at {}/min",
             checker.length(RAPID_RATE)
@@ -86,10 +82,11 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.info("rapid-at-feed", "feeds", message);
     }
     if request.form == "cycle" {
-        return check_cycle(request, checker);
+        return cycle977::check(request, checker);
     }
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    check_write(request, checker);
     let registers = Registers::allocate(&request.path.formula.plain());
     let last = registers.last + frame_registers(request, &request.path.formula);
     if last > LAST_REGISTER {
@@ -114,7 +111,7 @@ fn rate(request: &Request<'_>, step: &Move) -> f64 {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    if request.form == "cycle" { emit_cycle(request) } else { emit_moves(request) }
+    if request.form == "cycle" { cycle977::emit(request) } else { emit_moves(request) }
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
@@ -337,244 +334,4 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
         w.line("MSG(\"The work offset is turned about another axis, mirrored or scaled. Nothing has moved\")");
         stop(w);
     }
-}
-
-/// Which R parameter holds what: results first, from R1, in their order; then the triggers; then what is needed on the way, each
-/// as long as it is needed.
-#[derive(Debug)]
-struct Registers {
-    variables: Vec<usize>,
-    triggers: Vec<((usize, usize), usize)>,
-    /// A value that is more than one result, and the further registers it goes to.
-    copies: Vec<(usize, usize)>,
-    results: usize,
-    last: usize,
-}
-
-impl Registers {
-    fn allocate(formula: &Formula) -> Self {
-        const NEVER: usize = usize::MAX;
-        let count = formula.assignments.len();
-        let mut variables = vec![0; count];
-        let mut copies = Vec::new();
-        let mut last = 0;
-        for variable in formula.results.iter().filter_map(|r| r.variable) {
-            last += 1;
-            if variables[variable] == 0 { variables[variable] = last } else { copies.push((last, variable)) }
-        }
-        let results = last;
-        // Where each value is read last; what the datum reads, or what is a result, is kept to the end.
-        let mut read_last = vec![0; count];
-        let mut triggers: Vec<((usize, usize), usize)> = Vec::new();
-        let mut triggers_read: Vec<usize> = Vec::new();
-        for (i, assignment) in formula.assignments.iter().enumerate() {
-            assignment.expr.each(&mut |node| match node {
-                Expr::Variable(index) => read_last[*index] = i,
-                Expr::Trigger { touch, axis } => match triggers.iter().position(|(key, _)| *key == (*touch, *axis)) {
-                    Some(at) => triggers_read[at] = i,
-                    None => {
-                        triggers.push(((*touch, *axis), 0));
-                        triggers_read.push(i);
-                    }
-                },
-                _ => {}
-            });
-        }
-        let datum = formula.datum.iter().flat_map(|d| d.place.iter().flatten().map(|p| &p.0).chain(&d.rotation));
-        for expr in datum {
-            expr.each(&mut |node| {
-                if let Expr::Variable(index) = node {
-                    read_last[*index] = NEVER;
-                }
-            });
-        }
-        let mut order: Vec<usize> = (0..triggers.len()).collect();
-        order.sort_unstable_by_key(|&at| triggers[at].0);
-        for at in order {
-            last += 1;
-            triggers[at].1 = last;
-        }
-        let mut free: Vec<usize> = Vec::new();
-        for i in 0..count {
-            let own = variables[i] > 0;
-            if !own {
-                variables[i] = free.pop().unwrap_or_else(|| {
-                    last += 1;
-                    last
-                });
-            }
-            for (at, ((..), register)) in triggers.iter().enumerate() {
-                if triggers_read[at] == i {
-                    free.push(*register);
-                }
-            }
-            for j in 0..=i {
-                let spent = read_last[j] == i || (j == i && read_last[j] == 0);
-                if spent && variables[j] > results {
-                    free.push(variables[j]);
-                }
-            }
-            free.sort_unstable_by(|a, b| b.cmp(a));
-        }
-        Registers { variables, triggers, copies, results, last }
-    }
-
-    fn trigger(&self, sample: usize, axis: usize) -> usize {
-        self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
-    }
-
-    /// What stands where, for the header; `more` registers are needed for the write of the frame.
-    fn told(&self, formula: &Formula, more: usize) -> Option<String> {
-        if self.last == 0 {
-            return None;
-        }
-        let last = self.last + more;
-        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code).enumerate();
-        let results: Vec<String> = codes.map(|(i, code)| format!("R{} = {code}", i + 1)).collect();
-        let others = if last > self.results { format!("; R{} to R{last} are used", self.results + 1) } else { String::new() };
-        Some(format!("Results: {}{others}", results.join(", ")))
-    }
-}
-
-struct RParameters<'a> {
-    registers: &'a Registers,
-}
-
-impl Notation for RParameters<'_> {
-    const BRACKETS: (char, char) = ('(', ')');
-
-    fn variable(&self, _: &Formula, index: usize) -> String {
-        format!("R{}", self.registers.variables[index])
-    }
-
-    fn trigger(&self, sample: usize, axis: usize) -> String {
-        format!("R{}", self.registers.trigger(sample, axis))
-    }
-
-    fn atan(&self, y: &str, x: &str) -> String {
-        format!("ATAN2({y},{x})")
-    }
-}
-
-/// What CYCLE977 needs of an internal rectangle, mm.
-struct Rectangle {
-    widths: [f64; 2],
-    /// Measuring path: how far before and behind the nominal contact it searches.
-    path: f64,
-    /// Protection zone along abscissa and ordinate.
-    zone: [f64; 2],
-    /// From the height of the start down to the touches.
-    infeed: f64,
-}
-
-impl Rectangle {
-    fn of(request: &Request<'_>) -> Self {
-        let length = |code: i32| {
-            let row = request.path.parameters.iter().find(|p| p.code == code);
-            match row.map(|p| &p.value) {
-                Some(ParameterValue::Length(mm)) => *mm,
-                _ => f64::NAN,
-            }
-        };
-        let widths = [length(-53), length(-54)];
-        let clearances = [length(-56), length(-57)];
-        let radius = request.setup.radius;
-        // The zone is as large as the ball leaves free where it goes down.
-        let zone = [0, 1].map(|i| widths[i] - 2.0 * (clearances[i] + radius));
-        Rectangle { widths, path: clearances[0] - radius, zone, infeed: length(-51) + length(-55) }
-    }
-}
-
-fn check_cycle(request: &Request<'_>, checker: &mut Checker) {
-    let rectangle = Rectangle::of(request);
-    let [a, _, _] = request.plane.basis();
-    let advice = ". Use the form \"moves\"";
-    if request.path.frame.u.distance(a) > 1e-9 {
-        let message = format!("CYCLE977 measures rectangles that are parallel to the axes only{advice}");
-        checker.error("cycle-not-parallel", "cycle.rotation", message);
-    }
-    if request.path.picked {
-        let message = format!("CYCLE977 chooses its own touch points{advice}");
-        checker.error("cycle-chooses-points", "cycle.touches", message);
-    }
-    if request.plane != crate::geom::Plane::G17 {
-        let message = format!(
-            "How CYCLE977 is told another plane than G17 is not proven by anything we have: it could probe in the wrong one{advice}"
-        );
-        checker.error("cycle-plane", "plane", message);
-    }
-    if rectangle.path < SHORTEST_PATH {
-        let message = format!(
-            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {}: it searches so far before and behind \
-             each wall, and {} are the least that make sense{advice}",
-            checker.length(rectangle.path),
-            checker.length(SHORTEST_PATH)
-        );
-        checker.error("cycle-path-short", "cycle.sideClearance1", message);
-    }
-    let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
-    if (clearances[0] - clearances[1]).abs() > 1e-9 {
-        let message =
-            format!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}");
-        checker.error("cycle-one-path", "cycle.sideClearance2", message);
-    }
-    for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
-        if rectangle.zone[i] <= 0.0 {
-            let message = format!("Between the places where the ball goes down nothing is left for a protection zone{advice}");
-            checker.error("cycle-no-zone", path, message);
-        }
-    }
-    let message = format!(
-        "The cycle moves by itself: it searches {0} before and behind each wall (side clearance less ball radius), not the job's \
-         overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {1} is written \
-         without a sign, as in the one real call we have, is not verified",
-        checker.length(rectangle.path),
-        checker.length(rectangle.infeed)
-    );
-    checker.warning("cycle-differs", "control.form", message);
-}
-
-/// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
-fn emit_cycle(request: &Request<'_>) -> Program {
-    let mut w = Writer::new(request, &DIALECT);
-    let notes = ["Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed"];
-    begin(&mut w, request, "the cycle corrects it", &notes);
-    let moves = &request.path.moves;
-    let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
-    // The approach: every move before the first that leaves the start.
-    let approach = moves.iter().take_while(|m| m.step <= 1).count();
-    for (i, step) in moves.iter().enumerate().take(approach) {
-        protected(&mut w, request, i, step, None);
-    }
-    debug_assert!(moves.iter().any(touches), "a cycle touches");
-    let call = call(&w, request);
-    w.line(&call);
-    let last = moves.len() - 1;
-    for _ in approach..last {
-        w.leaves_move();
-    }
-    protected(&mut w, request, last, &moves[last], None);
-    end(&mut w, request);
-    w.finish()
-}
-
-/// CYCLE977 for an inside rectangle with a protection zone: 27 arguments, by position as in real calls.
-fn call(w: &Writer<'_>, request: &Request<'_>) -> String {
-    let rectangle = Rectangle::of(request);
-    let [w1, w2] = rectangle.widths.map(|x| w.number(x));
-    let [za, zo] = rectangle.zone.map(|x| w.number(x));
-    let path = w.number(rectangle.path);
-    let safe = w.number(request.setup.overtravel.min(rectangle.path));
-    let infeed = w.number(rectangle.infeed);
-    // Thousands: with a protection zone. Hundreds: corrects the work offset. Units: rectangle inside.
-    let (variant, offset) = match request.work_offset {
-        Some(n) => (1105, 10_000 + n),
-        None => (1005, 0),
-    };
-    let tolerance = w.number(1.01);
-    format!(
-        "CYCLE977({variant},{offset},,1,,{w1},{w2},{path},{safe},0,{infeed},{za},{zo},,1,\"\",,0,{tolerance},{tolerance},-{tolerance},\
-         {},1,0,,1,1)",
-        w.number(0.34)
-    )
 }
