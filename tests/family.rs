@@ -336,6 +336,10 @@ fn picked_touches_replace_the_dimensions() {
     assert!(near(value(&plan, "width1"), 80.0));
     assert!(plan.findings.iter().any(|f| f.code == "picks-differ" && f.path == "cycle.width1"), "{:?}", plan.findings);
     assert!(export_table(&plan, "text").unwrap().contains("Flt[-53] = 90\n"));
+    // Dimensions that are replaced are not held against the job; those of the picks are.
+    planned(&picked("internal-rectangle-protected", r#""width1": 4,"#, &POCKET));
+    let narrow = picked("internal-rectangle-protected", r#""sideClearance1": 78,"#, &POCKET);
+    assert!(check(&narrow).iter().any(|f| f.code == "approach-beyond-wall" && f.path == "cycle.sideClearance1"));
     // A vector within a thousandth of unit length is normalised.
     let mut long = POCKET;
     long[0].1 = [-1.0009, 0.0, 0.0];

@@ -260,13 +260,12 @@ impl Ency {
 impl Cycle for Ency {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         let shape = self.form.shape();
-        shape.rules(setup, checker);
-        let Some(picks) = &self.picks else { return };
+        let Some(picks) = &self.picks else { return shape.rules(setup, checker) };
         if !checker.sound(&["cycle"]) {
             return;
         }
         shape.check(picks, setup.plane, checker);
-        if checker.failed() {
+        if !checker.sound(&["cycle"]) {
             return;
         }
         // The sizes the picks give must be ones that a form may have.
@@ -292,7 +291,8 @@ impl Cycle for Ency {
                 checker.warning("picks-differ", format!("cycle.{key}"), message);
             }
         }
-        if !checker.failed() {
+        // The dimensions that the picks replace do not matter.
+        if checker.sound(&["cycle"]) {
             self.placed(setup.plane).shape().rules(setup, checker);
         }
     }
