@@ -1,11 +1,11 @@
 //! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977.
 //!
 //! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
-//! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a touch runs without: the probe is deflected when it
-//! sets out, and the way is the one the ball has just come. Results stand in R parameters, the first ones; what is needed on the
-//! way follows them. `G70` and `G71` do not touch feeds and system variables, which stay in the control's basic system (function
-//! manual G2, 7.3), so the program first makes sure that the two agree. MEAS takes the positions of the axes that its block names
-//! (programming manual, 5.7), so a touch names all three.
+//! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
+//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. Results stand in
+//! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
+//! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
+//! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
 //!
 //! Recalled and not verified on a control: the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
 //! system, components of `$P_UIFR`, `SETAL(65000)`, and what some arguments of CYCLE977 are called. Its positions are those of
