@@ -1,6 +1,7 @@
-// Builds everything and serves the page. PORT sets the port; without it 4173, or a free one where that is taken.
+// Builds everything and serves the page. PORT sets the port; without it 4173, or a free one where that is taken. HOST sets the
+// interface; without it only this machine sees the page.
 import { build } from "./build.mjs";
-import { serve } from "./serve.mjs";
+import { addressOf, serve } from "./serve.mjs";
 
 await build();
 const wanted = process.env.PORT;
@@ -8,4 +9,4 @@ const server = await serve(Number(wanted ?? 4173)).catch((error) => {
   if (wanted || error.code !== "EADDRINUSE") throw error;
   return serve(0);
 });
-console.log(`\nTouchpath is at http://localhost:${server.address().port}/`);
+console.log(`\nTouchpath is at ${addressOf(server)}`);
