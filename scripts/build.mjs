@@ -1,8 +1,9 @@
 // Builds the package into dist/ and the page into dist/page/.
-import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { appendFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
+import { crateLicences } from "./licences.mjs";
 
 /** The WebAssembly module and its bindings, into www/core/wasm/. */
 function buildWasm() {
@@ -13,7 +14,8 @@ function buildWasm() {
   mkdirSync(out, { recursive: true });
   const target = process.env.CARGO_TARGET_DIR ?? at("target");
   const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
-  run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out]);
+  // With the function that replaces a broken instance: www/core/api.ts calls it.
+  run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out, "--experimental-reset-state-function"]);
   // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
   const types = `${out}/touchpath.d.ts`;
   writeFileSync(types, readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
@@ -25,6 +27,13 @@ function buildPackage() {
   rmSync(at("dist"), { recursive: true, force: true });
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
+  writeFileSync(at("dist", "licences.txt"), crateLicences());
+}
+
+/** Vite writes the licences of the JavaScript that it bundles; the module's are put beneath them. */
+function buildPage() {
+  run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]);
+  appendFileSync(at("dist", "page", "licences.txt"), `\n${readFileSync(at("dist", "licences.txt"), "utf8")}`);
 }
 
 /** Everything. */
@@ -35,7 +44,7 @@ export async function build() {
     buildWasm();
   });
   await stage("Package", buildPackage);
-  await stage("Page", () => run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]));
+  await stage("Page", buildPage);
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
   const kB = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
   console.log(
