@@ -22,6 +22,8 @@ pub struct View {
     highlight: Option<usize>,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
     moved: bool,
+    /// Whether the picture must stay where it is, since something in it is being dragged.
+    held: bool,
 }
 
 /// The job that is shown.
@@ -44,16 +46,14 @@ impl View {
     pub fn new(canvas: web_sys::HtmlCanvasElement) -> Result<View, JsValue> {
         let painter = Painter::new(canvas).ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
         let camera = Camera { scale: 1.0, middle: [0.0; 2], size: [300.0, 150.0] };
-        Ok(View { painter, projection: Projection::Top, camera, shown: None, highlight: None, moved: false })
+        Ok(View { painter, projection: Projection::Top, camera, shown: None, highlight: None, moved: false, held: false })
     }
 
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.painter.resize(width, height, ratio);
         self.camera.size = [width, height];
-        if !self.moved {
-            self.fit();
-        }
+        self.refit();
         self.draw();
     }
 
@@ -72,9 +72,7 @@ impl View {
             return false;
         };
         self.shown = Some(shown);
-        if !self.moved {
-            self.fit();
-        }
+        self.refit();
         self.draw();
         true
     }
@@ -120,6 +118,12 @@ impl View {
         }
         self.moved = false;
         self.draw();
+    }
+
+    /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
+    /// pointer. Let go, it is not fitted again until the next job or size.
+    pub fn hold(&mut self, on: bool) {
+        self.held = on;
     }
 
     /// Closer by `factor` about a pixel.
@@ -174,6 +178,22 @@ impl View {
         }
     }
 
+    /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
+    #[wasm_bindgen(js_name = handleSpot)]
+    pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
+        let scene = &self.shown.as_ref()?.scene;
+        if let (Some([start, sweep]), "start" | "sweep") = (spread_handles(scene, &self.camera), handle) {
+            return Some(if handle == "start" { start } else { sweep }.to_vec());
+        }
+        let (origin, direction) = scene.handle?;
+        let at = self.camera.pixel(origin);
+        match handle {
+            "shift" => Some(at.to_vec()),
+            "turn" => Some(vec![at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]),
+            _ => None,
+        }
+    }
+
     /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
@@ -224,6 +244,13 @@ impl View {
 }
 
 impl View {
+    /// Fits the picture, unless the user has moved it or holds something in it.
+    fn refit(&mut self) {
+        if !self.moved && !self.held {
+            self.fit();
+        }
+    }
+
     fn build(&self, value: Value) -> Option<Shown> {
         let (job, path, surfaces, run) = job::scene_parts(&value)?;
         let actual = Actual {

@@ -36,6 +36,7 @@ export interface Raw {
   importJob(text: unknown): unknown;
   jobSchema(): unknown;
   exportTable(job: unknown, format: unknown): unknown;
+  convertUnits(job: unknown, units: unknown): unknown;
   lentoax(query: unknown): unknown;
   lentoaxWords(query: unknown): unknown;
   version(): string;
@@ -61,6 +62,8 @@ export interface Api {
   jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
+  /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). What is neither a number nor such a text stays as it is. */
+  convertUnits(job: unknown, units: "mm" | "inch"): Job;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
   lentoax(query?: LentoaxQuery): Lentoax;
   /** The same in words, and NC lines that ask the control itself. */
@@ -69,35 +72,66 @@ export interface Api {
   version(): string;
 }
 
-function orJobError<T>(run: () => unknown): T {
-  try {
-    return run() as T;
-  } catch (thrown) {
-    const { message, findings } = thrown as { message?: string; findings?: Finding[] };
-    throw findings ? new JobError(message ?? "", findings) : thrown;
+/**
+ * The module's instance. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
+ * good, so a fresh one takes its place before the next call.
+ */
+export class Instance {
+  /** Counts the instances: what was made by an earlier one is of no use to this one. */
+  number = 0;
+  private broken = false;
+  /** Calls under way: a getter of a job may itself call in. */
+  private depth = 0;
+
+  constructor(private readonly renew: () => void) {}
+
+  /** Makes sure that the instance is a sound one. */
+  ready(): void {
+    if (!this.broken) return;
+    if (this.depth > 0) throw new Error("The call that this one is part of has failed");
+    this.renew();
+    this.broken = false;
+    this.number++;
+  }
+
+  call<T>(run: () => unknown): T {
+    this.ready();
+    this.depth++;
+    try {
+      return run() as T;
+    } catch (thrown) {
+      this.broken = true;
+      const { message, findings } = (thrown ?? {}) as { message?: string; findings?: Finding[] };
+      if (!findings) throw thrown;
+      this.broken = false;
+      throw new JobError(message ?? "", findings);
+    } finally {
+      this.depth--;
+    }
   }
 }
 
 /** Dresses the WebAssembly module's functions. */
-export function dress(raw: Raw): Api {
+export function dress(raw: Raw, instance: Instance): Api {
   return {
-    catalog: () => raw.catalog() as Catalog,
-    defaultJob: (type) => orJobError(() => raw.defaultJob(type)),
+    catalog: () => instance.call(() => raw.catalog()),
+    defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
     check: (job) => {
       try {
-        return raw.check(job) as Finding[];
+        return instance.call(() => raw.check(job));
       } catch {
         return [{ level: "error", code: "unreadable", path: "", message: "This value cannot be read" }];
       }
     },
-    plan: (job) => orJobError(() => raw.plan(job)),
-    evaluate: (job, measured) => orJobError(() => raw.evaluate(job, measured)),
-    moveColumns: (job) => orJobError(() => raw.moveColumns(job)),
-    importJob: (text) => orJobError(() => raw.importJob(text)),
-    jobSchema: () => raw.jobSchema() as Record<string, unknown>,
-    exportTable: (job, format) => orJobError(() => raw.exportTable(job, format)),
-    lentoax: (query) => orJobError(() => raw.lentoax(query)),
-    lentoaxWords: (query) => orJobError(() => raw.lentoaxWords(query)),
-    version: () => raw.version(),
+    plan: (job) => instance.call(() => raw.plan(job)),
+    evaluate: (job, measured) => instance.call(() => raw.evaluate(job, measured)),
+    moveColumns: (job) => instance.call(() => raw.moveColumns(job)),
+    importJob: (text) => instance.call(() => raw.importJob(text)),
+    jobSchema: () => instance.call(() => raw.jobSchema()),
+    exportTable: (job, format) => instance.call(() => raw.exportTable(job, format)),
+    convertUnits: (job, units) => instance.call(() => raw.convertUnits(job, units)),
+    lentoax: (query) => instance.call(() => raw.lentoax(query)),
+    lentoaxWords: (query) => instance.call(() => raw.lentoaxWords(query)),
+    version: () => instance.call(() => raw.version()),
   };
 }

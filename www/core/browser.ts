@@ -1,10 +1,48 @@
-import { dress } from "./api.js";
+import { dress, Instance } from "./api.js";
 import init, * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
-export { View } from "./wasm/touchpath.js";
 
 await init();
+
+const instance = new Instance(raw.__wbg_reset_state);
+
+/** The picture of a job on a canvas. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed. */
+export class View extends raw.View {
+  private readonly madeBy: number;
+
+  constructor(canvas: HTMLCanvasElement) {
+    instance.ready();
+    super(canvas);
+    this.madeBy = instance.number;
+  }
+
+  /** Nothing is left to free of a View whose instance is gone. */
+  override free(): void {
+    instance.ready();
+    if (this.madeBy === instance.number) super.free();
+  }
+
+  /** Runs a method in this View's own instance. What breaks there breaks it for all. */
+  static run(view: View, method: (...args: unknown[]) => unknown, args: unknown[]): unknown {
+    instance.ready();
+    if (view.madeBy !== instance.number) throw new Error("This View's instance of the module is gone: make a new View");
+    return instance.call(() => method.apply(view, args));
+  }
+}
+
+for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(raw.View.prototype))) {
+  if (name === "constructor" || name === "free" || name.startsWith("__") || typeof method !== "function") continue;
+  Object.defineProperty(View.prototype, name, {
+    configurable: true,
+    writable: true,
+    value(this: View, ...args: unknown[]): unknown {
+      return View.run(this, method, args);
+    },
+  });
+}
+const { dispose } = Symbol as { dispose?: symbol };
+if (dispose) Object.defineProperty(View.prototype, dispose, { value: View.prototype.free });
 
 export const {
   catalog,
@@ -16,7 +54,8 @@ export const {
   importJob,
   jobSchema,
   exportTable,
+  convertUnits,
   lentoax,
   lentoaxWords,
   version,
-} = dress(raw);
+} = dress(raw, instance);

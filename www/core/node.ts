@@ -1,5 +1,5 @@
 import { readFileSync } from "node:fs";
-import { dress } from "./api.js";
+import { dress, Instance } from "./api.js";
 import * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
@@ -16,7 +16,8 @@ export const {
   importJob,
   jobSchema,
   exportTable,
+  convertUnits,
   lentoax,
   lentoaxWords,
   version,
-} = dress(raw);
+} = dress(raw, new Instance(raw.__wbg_reset_state));

@@ -406,6 +406,8 @@ export interface Catalog {
   posts: PostEntry[];
   rapidRate: number;
   maxTouches: number;
+  /** The longest text that is read, in characters. */
+  longestText?: number;
 }
 
 /** A job made of text. */
