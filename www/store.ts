@@ -5,6 +5,7 @@ import {
   type CycleEntry,
   catalog,
   check,
+  convertUnits,
   defaultJob,
   type FieldEntry,
   type Finding,
@@ -14,11 +15,32 @@ import {
   type Plan,
   plan,
 } from "./core/browser.js";
+import { complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
+import { keep, kept } from "./keep.js";
 
-/** A job while it is typed: any field may hold what is not (yet) a value. */
-export type Draft = Record<string, unknown>;
+export type { Draft } from "./job.js";
 
-const STORAGE = "touchpath.job.1";
+/** A text longer than this is not read: it would hold up the page. */
+const LONGEST = 2_000_000;
+
+/** What is kept of a cycle whose form was left. */
+interface Left {
+  units: Units;
+  cycle: Draft;
+  points: Points;
+}
+
+type Units = "mm" | "inch";
+/** Measured points as text, by the units they were typed in: read in other units they would be other points. */
+type Points = Record<Units, string>;
+const noPoints = (): Points => ({ mm: "", inch: "" });
+
+/** What outlives a reload. */
+interface State {
+  draft: Draft;
+  typed: [string, string][];
+  points?: Points;
+}
 
 export class Store extends EventTarget {
   readonly catalog: Catalog = catalog();
@@ -34,9 +56,12 @@ export class Store extends EventTarget {
   shown!: Draft;
   /** The move that is pointed at. */
   highlight: number | null = null;
-  measured = "";
-  /** Forms of cycles that were left, so that coming back finds them. */
-  private left = new Map<string, unknown>();
+  /** What the page must say about what it found in the browser's storage. */
+  notice = "";
+  /** The points that a machine measured for this job. */
+  private points = noPoints();
+  /** Cycles that were left, so that coming back finds their forms and their measured points. */
+  private left = new Map<string, Left>();
 
   constructor() {
     super();
@@ -47,12 +72,32 @@ export class Store extends EventTarget {
     this.restore();
   }
 
+  /** The longest text that is read, in characters. */
+  get longest(): number {
+    return this.catalog.longestText ?? LONGEST;
+  }
+
+  /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */
+  get withheld(): string | null {
+    if (!this.stale) return null;
+    return this.findings.find((f) => f.level === "error")?.message ?? "No plan can be made of this form";
+  }
+
+  get measured(): string {
+    return this.points[this.units];
+  }
+
+  set measured(text: string) {
+    this.points[this.units] = text;
+    this.keep();
+  }
+
   get cycle(): CycleEntry {
     const type = (this.draft.cycle as Draft).type;
     return this.catalog.cycles.find((c) => c.type === type) ?? (this.catalog.cycles[0] as CycleEntry);
   }
 
-  get units(): "mm" | "inch" {
+  get units(): Units {
     return this.draft.units === "inch" ? "inch" : "mm";
   }
 
@@ -93,11 +138,13 @@ export class Store extends EventTarget {
     this.changed();
   }
 
-  /** Another cycle; the rest of the job stays, and the form that was left is kept. */
+  /** Another cycle; the rest of the job stays, and what was left is kept. */
   choose(type: Cycle["type"]): void {
     const old = this.draft.cycle as Draft;
-    this.left.set(`${old.type} ${this.units}`, old);
-    const kept = this.left.get(`${type} ${this.units}`);
+    if (type === old.type) return;
+    const { units } = this;
+    this.left.set(String(old.type), { units, cycle: old, points: this.points });
+    const back = this.left.get(type);
     const fresh = defaultJob(type) as unknown as Draft;
     const home = (fresh.control as Draft).post;
     const control = this.draft.control as Draft;
@@ -113,7 +160,8 @@ export class Store extends EventTarget {
           form: (fresh.control as Draft).form,
           workOffset: home === "heidenhain" ? null : control.workOffset,
         };
-    this.draft.cycle = kept ?? (this.units === "inch" ? this.converted(fresh, 1 / 25.4).cycle : fresh.cycle);
+    this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
+    this.points = back?.points ?? noPoints();
     (this.draft.part as Draft).sizes = {};
     this.forget("cycle");
     this.forget("part.sizes");
@@ -122,29 +170,37 @@ export class Store extends EventTarget {
   }
 
   /** Other units: the values shown are converted, the geometry stays. */
-  setUnits(units: "mm" | "inch"): void {
+  setUnits(units: Units): void {
     if (units === this.units) return;
-    this.draft = this.converted(this.draft, units === "inch" ? 1 / 25.4 : 25.4);
-    this.draft.units = units;
+    this.draft = convertUnits(this.draft, units) as unknown as Draft;
     this.typed.clear();
     this.changed();
   }
 
-  /** Takes a whole job. */
+  /** Takes a whole job, one that fits the form. */
   load(job: Draft): void {
-    this.draft = job;
+    this.draft = complete(job, this.catalog);
+    this.points = noPoints();
+    for (const left of this.left.values()) left.points = noPoints();
     this.typed.clear();
     this.highlight = null;
     this.changed();
   }
 
-  /** Takes a job from text: a job file or a program. Throws `JobError` where no job can be made of it. */
+  /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
   open(text: string): Finding[] {
+    if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
     const { job, findings } = importJob(text);
-    if (!this.catalog.cycles.some((c) => c.type === job.cycle?.type))
-      throw new JobError("This file has no cycle that is known here", findings);
+    const problem = job ? this.unusable(job) : "There is no job in this program";
+    if (problem) throw new JobError(`Nothing was changed: ${problem}`, findings);
     this.load(job as unknown as Draft);
     return findings;
+  }
+
+  /** What is said of a text that is too long to be read. */
+  tooLong(length: number): string {
+    const count = (n: number) => n.toLocaleString("en");
+    return `Nothing was read: this text has ${count(length)} characters, and at most ${count(this.longest)} are read`;
   }
 
   /** Back to the defaults of the present cycle. */
@@ -173,12 +229,13 @@ export class Store extends EventTarget {
 
   private changed(): void {
     this.compute();
-    try {
-      localStorage.setItem(STORAGE, JSON.stringify({ draft: this.draft, typed: [...this.typed] }));
-    } catch {
-      // No storage: the page works without.
-    }
+    this.keep();
     this.dispatchEvent(new Event("change"));
+  }
+
+  private keep(): void {
+    const state: State = { draft: this.draft, typed: [...this.typed], points: this.points };
+    keep(state);
   }
 
   private compute(): void {
@@ -194,50 +251,32 @@ export class Store extends EventTarget {
     }
   }
 
+  /** Why a job cannot be shown; null where it can. */
+  private unusable(job: unknown): string | null {
+    const format = check(job).find((f) => f.level === "error" && f.path === "format");
+    return misfit(job, this.catalog) ?? format?.message ?? null;
+  }
+
+  /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
   private restore(): void {
-    try {
-      const kept = JSON.parse(localStorage.getItem(STORAGE) ?? "null");
-      if (!kept?.draft?.cycle || !this.catalog.cycles.some((c) => c.type === kept.draft.cycle.type)) return;
-      this.draft = kept.draft;
-      this.typed = new Map(kept.typed);
+    for (const state of kept()) {
+      const { draft, typed, points } = (isObject(state) ? state : {}) as Partial<State>;
+      const problem = this.unusable(draft);
+      if (problem) {
+        this.notice = `What was kept in this browser cannot be used: ${problem}`;
+        continue;
+      }
+      const isText = (pair: unknown) => Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
+      this.draft = complete(draft as Draft, this.catalog);
+      this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
+      for (const units of ["mm", "inch"] as const) if (typeof points?.[units] === "string") this.points[units] = points[units];
       this.compute();
-    } catch {
-      // What cannot be read is left alone: the defaults are shown.
+      return;
     }
   }
 
   private forget(prefix: string): void {
     for (const path of [...this.typed.keys()]) if (path.startsWith(prefix)) this.typed.delete(path);
-  }
-
-  /** The same job with every length and feed multiplied. */
-  private converted(draft: Draft, factor: number): Draft {
-    const copy = structuredClone(draft);
-    const digits = factor < 1 ? 6 : 4;
-    const convert = (value: unknown): unknown => {
-      if (typeof value === "number") return Number((value * factor).toFixed(digits));
-      return Array.isArray(value) ? value.map(convert) : value;
-    };
-    const each = (place: Draft | undefined, fields: FieldEntry[]) => {
-      if (!place) return;
-      for (const field of fields) {
-        const metric = field.unit === "length" || field.unit === "feed";
-        if (metric && field.key in place) place[field.key] = convert(place[field.key]);
-      }
-    };
-    for (const section of this.catalog.sections) {
-      each(section.path ? (copy[section.path] as Draft) : copy, section.fields);
-    }
-    const type = (copy.cycle as Draft).type;
-    const entry = this.catalog.cycles.find((c) => c.type === type);
-    const fields = entry?.fields ?? [];
-    each(copy.cycle as Draft, fields);
-    for (const section of entry?.sections ?? [])
-      each((copy.cycle as Draft)[section.key] as Draft | undefined, section.fields);
-    each((copy.part as Draft | undefined)?.sizes as Draft | undefined, fields);
-    const touches = (copy.cycle as Draft).touches;
-    if (Array.isArray(touches)) for (const touch of touches as Draft[]) touch.point = convert(touch.point);
-    return copy;
   }
 }
 

@@ -1,68 +1,13 @@
 // The served page in Chromium, as a user works with it.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, beforeEach, test } from "node:test";
+import { test } from "node:test";
 import AxeBuilder from "@axe-core/playwright";
-import { chromium } from "playwright-core";
-import { serve } from "../../scripts/serve.mjs";
+import { field, open, page, pixels, problems, program, setUp } from "./common.mjs";
 
-const args = [
-  "--no-sandbox",
-  "--disable-gpu",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-let server;
-let browser;
-let context;
-let page;
-let problems;
+setUp();
 
-before(async () => {
-  server = await serve(0);
-  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-beforeEach(async () => {
-  await context?.close();
-  await open({ viewport: { width: 1280, height: 800 } });
-});
-
-async function open(options) {
-  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], ...options });
-  page = await context.newPage();
-  problems = [];
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  await page.goto(`http://localhost:${server.address().port}/`);
-  await page.getByRole("heading", { name: "Touchpath" }).waitFor();
-  await page.locator("canvas").waitFor();
-}
-
-const field = (path) => page.locator(`[id="f-${path}"]`);
-const program = async () => (await page.locator("tp-program .text").allTextContents()).join("\n");
 const selected = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
-
-/** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
-const pixels = () =>
-  page.locator("canvas:visible").evaluate((canvas) => {
-    const data = new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-    let count = 0;
-    let sum = 0;
-    for (let i = 0; i < data.length; i++) {
-      if (data[i] !== data[0]) {
-        count++;
-        sum = (sum * 31 + i + data[i]) % 1_000_000_007;
-      }
-    }
-    return { count, sum };
-  });
 
 test("a keystroke changes program, table, picture and results", async () => {
   assert.match(await program(), /G38\.2 X42 F150/);
@@ -108,6 +53,7 @@ test("an error stands beside its field, the last good plan stays and is marked, 
   await page.locator("canvas").waitFor();
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.sideClearance1").inputValue(), "2");
+  await page.locator("tp-findings summary").click();
   await page.locator("tp-findings a", { hasText: "cycle.depth" }).click();
   assert.equal(
     await page.evaluate(() => document.querySelector("touchpath-app").shadowRoot.activeElement.id),
@@ -520,7 +466,6 @@ for (const colorScheme of ["light", "dark"]) {
     [390, 844],
   ]) {
     test(`no serious accessibility problem at ${width} px, ${colorScheme}, also with errors`, async () => {
-      await context.close();
       await open({ viewport: { width, height }, colorScheme });
       const violations = async () => {
         const { violations } = await new AxeBuilder({ page }).analyze();

@@ -5,6 +5,7 @@ import styles from "../style.css?inline";
 import "./findings.js";
 import "./form.js";
 import "./gallery.js";
+import { download } from "./hand.js";
 import "./lentoax.js";
 import "./picture.js";
 import "./program.js";
@@ -13,6 +14,13 @@ import "./table.js";
 
 const TABS = { setup: "Setup", program: "Program", table: "Parameters", results: "Results" } as const;
 type Tab = keyof typeof TABS;
+
+/** The tabs by the width of the window: what has a place of its own needs none. */
+const LAYOUTS: [string, Tab[]][] = [
+  ["(min-width: 1180px)", ["program", "table"]],
+  ["(min-width: 900px)", ["program", "table", "results"]],
+  ["all", ["setup", "program", "table", "results"]],
+];
 
 /** The whole page as one element. On a narrow screen one panel is shown at a time; on a wide one they stand side by side. */
 class App extends LitElement {
@@ -23,23 +31,41 @@ class App extends LitElement {
   private tool: "gallery" | "cycles" | "lengths" = "cycles";
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  private told = "";
-  private readonly wide = matchMedia("(min-width: 900px)");
+  private told = this.store.notice;
+  private readonly layouts = LAYOUTS.map(([query, tabs]) => ({ query: matchMedia(query), tabs }));
   private readonly relayout = () => this.requestUpdate();
+
+  /** How much of the window the picture takes that stays in sight. */
+  private readonly observer = new ResizeObserver(([entry]) =>
+    this.style.setProperty("--picture", `${Math.ceil(entry?.target.clientHeight ?? 0)}px`),
+  );
+
+  private get tabs(): Tab[] {
+    return this.layouts.find(({ query }) => query.matches)?.tabs ?? [];
+  }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.wide.addEventListener("change", this.relayout);
+    for (const { query } of this.layouts) query.addEventListener("change", this.relayout);
+    this.addEventListener("paste", this.refuse);
+    this.addEventListener("drop", this.refuse);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.wide.removeEventListener("change", this.relayout);
+    for (const { query } of this.layouts) query.removeEventListener("change", this.relayout);
+    this.observer.disconnect();
+    this.removeEventListener("paste", this.refuse);
+    this.removeEventListener("drop", this.refuse);
+  }
+
+  protected override firstUpdated(): void {
+    const picture = this.renderRoot.querySelector("tp-picture");
+    if (picture) this.observer.observe(picture);
   }
 
   override render(): TemplateResult {
-    const wide = this.wide.matches;
-    const tabs: Tab[] = wide ? ["program", "table"] : ["setup", "program", "table", "results"];
+    const tabs = this.tabs;
     const active = tabs.includes(this.tab) ? this.tab : (tabs[0] as Tab);
     const hidden = (tab: Tab) => tabs.includes(tab) && tab !== active;
     return html`
@@ -56,9 +82,9 @@ class App extends LitElement {
         <button type="button" @click=${this.saveJob}>Save job</button>
         <button type="button" aria-expanded=${this.pasting ? "true" : "false"} @click=${() => this.paste(!this.pasting)}>Paste</button>
         <label class="button">Open job<input type="file" accept=".json,.h,.H,.txt,.csv,.nc,.i,.mpf,.MPF,application/json,text/plain" @change=${this.openJob} /></label>
-        <small>${version()}</small>
+        <small>${version()} <a href="./licences.txt">Licences</a></small>
       </header>
-      ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${this.hush}>OK</button></p>` : nothing}
+      ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
       ${
         this.pasting
           ? html`<section class="paste" aria-label="Paste">
@@ -106,7 +132,7 @@ class App extends LitElement {
 
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {
-    if (!this.wide.matches) this.show("setup");
+    if (this.tabs.includes("setup")) this.show("setup");
     await this.updateComplete;
     const find = (p: string) => this.renderRoot.querySelector<HTMLElement>(`[id="f-${p}"]`);
     const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
@@ -119,26 +145,39 @@ class App extends LitElement {
     this.requestUpdate();
   }
 
-  private hush(): void {
-    this.told = "";
-    this.requestUpdate();
-  }
-
+  /** The form as it stands, also with errors: it is the user's work. */
   private saveJob(): void {
-    const link = document.createElement("a");
-    const text = `${JSON.stringify(this.store.draft, null, 2)}\n`;
-    link.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-    link.download = "job.json";
-    link.click();
-    URL.revokeObjectURL(link.href);
+    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, "job.json", "application/json");
   }
 
   private async openJob(event: Event): Promise<void> {
     const input = event.target as HTMLInputElement;
-    const text = await input.files?.[0]?.text();
+    const file = input.files?.[0];
+    if (file) await this.takeFile(file);
     input.value = "";
-    this.take(text ?? "");
   }
+
+  /** A file too large for a job is not even read. */
+  private async takeFile(file: File): Promise<void> {
+    if (file.size > this.store.longest) this.tell(this.store.tooLong(file.size));
+    else this.take(await file.text());
+  }
+
+  /** A text of many megabytes in a field would hold up the browser: it never gets there. */
+  private readonly refuse = (event: ClipboardEvent | DragEvent): void => {
+    const data = event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
+    const field = event.composedPath()[0];
+    if (event instanceof DragEvent && data?.files[0] && field instanceof HTMLTextAreaElement) {
+      event.preventDefault();
+      this.takeFile(data.files[0]);
+      return;
+    }
+    const there = field instanceof HTMLTextAreaElement ? field.value.length : 0;
+    const length = there + (data?.getData("text/plain").length ?? 0);
+    if (length <= this.store.longest) return;
+    event.preventDefault();
+    this.tell(this.store.tooLong(length));
+  };
 
   private paste(open: boolean): void {
     this.pasting = open;
@@ -155,14 +194,18 @@ class App extends LitElement {
   private take(text: string): boolean {
     try {
       const notes = this.store.open(text).filter((f) => f.level !== "error");
-      this.told = notes.map((f) => f.message).join(" ");
       this.use("cycles");
+      this.tell(notes.map((f) => f.message).join(" "));
       return true;
     } catch (thrown) {
-      this.told = thrown instanceof JobError ? thrown.message : "This text cannot be read";
-      this.requestUpdate();
+      this.tell(thrown instanceof JobError ? thrown.message : "This text cannot be read");
       return false;
     }
+  }
+
+  private tell(text: string): void {
+    this.told = text;
+    this.requestUpdate();
   }
 }
 

@@ -1,27 +1,30 @@
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
+import type { Finding } from "../core/browser.js";
 import { Part } from "./part.js";
 
-/** Every finding in one place; a click goes to its field. */
+const LEVELS = ["error", "warning", "info"] as const;
+const NAMES = { error: "error", warning: "warning", info: "note" } as const;
+
+/** Every finding in one place: how many, and what the gravest says, in a line of steady height; the list on request. */
 class FindingsPart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult {
     const { findings } = this.store;
-    const count = (level: string) => findings.filter((f) => f.level === level).length;
-    const plural = (n: number, word: string) => (n === 0 ? [] : [`${n} ${word}${n === 1 ? "" : "s"}`]);
-    const words = [
-      ...plural(count("error"), "error"),
-      ...plural(count("warning"), "warning"),
-      ...plural(count("info"), "note"),
-    ];
-    if (findings.length === 0) return html`<p class="fine" role="status">No problems found</p>`;
+    const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
+    const words = LEVELS.flatMap((level) => {
+      const n = of(level).length;
+      return n === 0 ? [] : [`${n} ${NAMES[level]}${n === 1 ? "" : "s"}`];
+    });
+    const worst = LEVELS.flatMap(of)[0];
+    if (!worst) return html`<p class="fine" role="status">No problems found</p>`;
     return html`
-      <details ?open=${count("error") > 0}>
-        <summary><span role="status" class=${count("error") ? "bad" : ""}>${words.join(", ")}</span></summary>
+      <details>
+        <summary class=${worst.level}><span role="status"><b>${words.join(", ")}:</b> ${worst.message}</span></summary>
         <ul>
-          ${findings.map(
-            (f) => html`<li class=${f.level}><span class="level">${f.level}</span> ${f.message}
-              ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${f.path}</a>` : ""}</li>`,
+          ${LEVELS.flatMap(of).map(
+            (f) => html`<li class=${f.level}><span class="level">${NAMES[f.level]}</span> ${f.message}
+              ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${f.path}</a>` : nothing}</li>`,
           )}
         </ul>
       </details>

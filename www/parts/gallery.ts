@@ -1,14 +1,15 @@
 import { html, type TemplateResult } from "lit";
-import { type CycleEntry, defaultJob, View } from "../core/browser.js";
+import { type CycleEntry, defaultJob } from "../core/browser.js";
+import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
 
 /** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
   private query = "";
-  private readonly views = new Map<string, View>();
+  private readonly drawings = new Map<string, Drawing>();
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.paint(true);
+  private readonly recolour = () => this.paint();
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -18,8 +19,8 @@ class GalleryPart extends Part {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.dark.removeEventListener("change", this.recolour);
-    for (const view of this.views.values()) view.free();
-    this.views.clear();
+    for (const drawing of this.drawings.values()) drawing.free();
+    this.drawings.clear();
   }
 
   override render(): TemplateResult {
@@ -47,7 +48,7 @@ class GalleryPart extends Part {
   }
 
   protected override firstUpdated(): void {
-    this.paint(false);
+    this.paint();
     this.querySelector<HTMLInputElement>("input")?.focus();
   }
 
@@ -63,21 +64,14 @@ class GalleryPart extends Part {
     this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
   }
 
-  private paint(again: boolean): void {
-    const style = getComputedStyle(this);
-    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
-    const theme = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()]));
+  private paint(): void {
     for (const button of this.querySelectorAll<HTMLElement>("button[data-type]")) {
       const type = button.dataset.type as CycleEntry["type"];
       const canvas = button.querySelector("canvas");
       if (!canvas) continue;
-      const known = this.views.get(type);
-      const view = known ?? new View(canvas);
-      this.views.set(type, view);
-      view.setTheme(theme);
-      if (known && again) continue;
-      view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1);
-      view.showSmall(defaultJob(type));
+      const drawing = this.drawings.get(type) ?? new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
+      this.drawings.set(type, drawing);
+      drawing.dress();
     }
   }
 }

@@ -6,9 +6,10 @@ import {
   type LentoaxQuery,
   lentoax,
   lentoaxWords,
-  View,
 } from "../core/browser.js";
 import { parseNumber, type Store } from "../store.js";
+import { Drawing } from "./drawing.js";
+import { copy } from "./hand.js";
 
 const GROUPS: [string, number][] = [
   ["Milling tools (100 to 199)", 120],
@@ -42,7 +43,7 @@ class LentoaxPart extends LitElement {
     sd42950: 0,
   };
   private typed = new Map<string, string>();
-  private view?: View;
+  private drawing?: Drawing;
   private told = "";
   private readonly observer = new ResizeObserver(() => this.draw());
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
@@ -55,18 +56,15 @@ class LentoaxPart extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.dark.addEventListener("change", this.recolour);
+    this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.dark.removeEventListener("change", this.recolour);
     this.observer.disconnect();
-  }
-
-  protected override firstUpdated(): void {
-    const canvas = this.querySelector("canvas") as HTMLCanvasElement;
-    this.view = new View(canvas);
-    this.observer.observe(canvas);
+    this.drawing?.free();
+    this.drawing = undefined;
   }
 
   protected override updated(): void {
@@ -270,21 +268,18 @@ class LentoaxPart extends LitElement {
 
   private draw(): void {
     const canvas = this.querySelector("canvas");
-    if (!canvas || !this.view || canvas.clientWidth === 0) return;
-    const style = getComputedStyle(this);
-    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
-    this.view.setTheme(Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
-    this.view.resize(canvas.clientWidth, canvas.clientHeight, devicePixelRatio || 1);
-    this.view.showLentoax(this.query);
+    if (!canvas || !this.isConnected) return;
+    if (!this.drawing) {
+      this.drawing = new Drawing(canvas, (view) => view.showLentoax(this.query));
+      this.observer.observe(canvas);
+    }
+    if (canvas.clientWidth === 0) return;
+    this.drawing.dress();
+    this.drawing.use((view) => view.showLentoax(this.query));
   }
 
   private async copy(text: string): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(text);
-      this.told = "Copied";
-    } catch {
-      this.told = "The browser did not allow it";
-    }
+    this.told = await copy(text);
     this.requestUpdate();
   }
 }

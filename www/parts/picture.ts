@@ -1,19 +1,23 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { type Vec3, View } from "../core/browser.js";
+import type { Vec3 } from "../core/browser.js";
+import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
 
 const VIEWS = ["top", "front", "side", "isometric"] as const;
 
 /** The picture with its tools: views, zoom, and a slider over the moves. */
 class PicturePart extends Part {
-  private view?: View;
+  private drawing?: Drawing;
+  /** The job in the picture; a hover draws it again but does not plan it again. */
+  private drawn?: object;
   private look: (typeof VIEWS)[number] = "top";
   private pointers = new Map<number, { x: number; y: number }>();
-  private handle: string | null = null;
+  /** The handle that is dragged, and how far beside its middle it was gripped. */
+  private grip: { handle: string; x: number; y: number } | null = null;
   private dragged = false;
-  private readonly observer = new ResizeObserver(() => this.fitCanvas());
+  private readonly observer = new ResizeObserver(() => this.drawing?.dress());
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.theme();
+  private readonly recolour = () => this.drawing?.dress();
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
@@ -24,7 +28,7 @@ class PicturePart extends Part {
         <span class="gap"></span>
         <button type="button" aria-label="Zoom out" @click=${() => this.zoom(1 / 1.4)}>−</button>
         <button type="button" aria-label="Zoom in" @click=${() => this.zoom(1.4)}>+</button>
-        <button type="button" @click=${() => this.view?.fit()}>fit</button>
+        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
       </div>
       <div class=${stale ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
@@ -57,48 +61,49 @@ class PicturePart extends Part {
     super.disconnectedCallback();
     this.dark.removeEventListener("change", this.recolour);
     this.observer.disconnect();
-    this.view?.free();
+    this.drawing?.free();
+    this.drawing = undefined;
   }
 
   protected override firstUpdated(): void {
-    const canvas = this.canvas();
-    this.view = new View(canvas);
-    this.observer.observe(canvas);
-    canvas.addEventListener("wheel", (e) => this.wheel(e), { passive: false });
-    this.theme();
-    this.fitCanvas();
+    this.canvas().addEventListener("wheel", (e) => this.wheel(e), { passive: false });
   }
 
   protected override updated(_changed: PropertyValues): void {
-    this.view?.show(this.store.shown);
-    this.view?.highlight(this.store.highlight ?? undefined);
+    const { shown, highlight } = this.store;
+    if (!this.drawing && this.isConnected) {
+      const canvas = this.canvas();
+      this.drawing = new Drawing(canvas, (view) => {
+        view.look(this.look);
+        view.show(this.store.shown);
+        view.highlight(this.store.highlight ?? undefined);
+      });
+      this.observer.observe(canvas);
+    }
+    this.drawing?.use((view) => {
+      if (this.drawn !== shown) view.show(shown);
+      view.highlight(highlight ?? undefined);
+    });
+    this.drawn = shown;
   }
 
   private canvas(): HTMLCanvasElement {
     return this.querySelector("canvas") as HTMLCanvasElement;
   }
 
-  private fitCanvas(): void {
-    const { clientWidth, clientHeight } = this.canvas();
-    this.view?.resize(clientWidth, clientHeight, devicePixelRatio || 1);
-  }
-
-  /** The page's colours, as the style sheet has them now. */
-  private theme(): void {
-    const style = getComputedStyle(this);
-    const names = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
-    this.view?.setTheme(Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
+  private frame(): HTMLElement {
+    return this.querySelector(".canvas") as HTMLElement;
   }
 
   private turn(name: (typeof VIEWS)[number]): void {
     this.look = name;
-    this.view?.look(name);
+    this.drawing?.use((view) => view.look(name));
     this.requestUpdate();
   }
 
   private zoom(factor: number): void {
     const { clientWidth, clientHeight } = this.canvas();
-    this.view?.zoom(factor, clientWidth / 2, clientHeight / 2);
+    this.drawing?.use((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
   }
 
   private describe(): string {
@@ -129,17 +134,34 @@ class PicturePart extends Part {
     this.canvas().setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, at);
     this.dragged = false;
-    if (this.pointers.size === 1) this.handle = this.view?.handleAt(at.x, at.y) ?? null;
+    if (this.pointers.size > 1) return this.release();
+    this.drawing?.use((view) => {
+      const handle = view.handleAt(at.x, at.y);
+      const [x, y] = (handle && view.handleSpot(handle)) || [];
+      if (!handle || x === undefined || y === undefined) return;
+      this.grip = { handle, x: at.x - x, y: at.y - y };
+      view.hold(true);
+    });
+    // Messages that come and go must not move the canvas under the pointer.
+    if (this.grip) this.frame().style.cssText = `flex: none; height: ${this.frame().getBoundingClientRect().height}px`;
+  }
+
+  /** The handle is let go. */
+  private release(): void {
+    if (!this.grip) return;
+    this.grip = null;
+    this.frame().style.cssText = "";
+    this.drawing?.use((view) => view.hold(false));
   }
 
   private move(event: PointerEvent): void {
     const at = this.at(event);
     const before = this.pointers.get(event.pointerId);
-    const view = this.view;
-    if (!view) return;
     if (!before) {
-      this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : "";
-      this.store.point(view.pick(at.x, at.y) ?? null);
+      this.drawing?.use((view) => {
+        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : "";
+        this.store.point(view.pick(at.x, at.y) ?? null);
+      });
       return;
     }
     this.dragged ||= Math.hypot(at.x - before.x, at.y - before.y) > 2;
@@ -147,13 +169,15 @@ class PicturePart extends Part {
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
       if (other) {
         const reach = (p: { x: number; y: number }) => Math.hypot(p.x - other.x, p.y - other.y);
-        view.zoom(reach(at) / Math.max(reach(before), 1), (at.x + other.x) / 2, (at.y + other.y) / 2);
-        view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
+        this.drawing?.use((view) => {
+          view.zoom(reach(at) / Math.max(reach(before), 1), (at.x + other.x) / 2, (at.y + other.y) / 2);
+          view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
+        });
       }
-    } else if (this.handle) {
-      this.drag(this.handle, at);
+    } else if (this.grip) {
+      this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
     } else if (this.dragged) {
-      view.pan(at.x - before.x, at.y - before.y);
+      this.drawing?.use((view) => view.pan(at.x - before.x, at.y - before.y));
     } else {
       return;
     }
@@ -162,13 +186,13 @@ class PicturePart extends Part {
 
   /** A handle is dragged: the form follows. */
   private drag(handle: string, at: { x: number; y: number }): void {
-    const { store, view } = this;
+    const { store } = this;
     if (handle === "start" || handle === "sweep") {
-      const degrees = view?.dragAngle(handle, at.x, at.y);
+      const degrees = this.drawing?.use((view) => view.dragAngle(handle, at.x, at.y));
       if (degrees !== undefined) store.set(handle === "start" ? "cycle.startingAngle" : "cycle.angularLength", degrees);
       return;
     }
-    const lie = view?.dragPart(handle, at.x, at.y) as { offset: Vec3; rotation: number } | null;
+    const lie = this.drawing?.use((view) => view.dragPart(handle, at.x, at.y)) as { offset: Vec3; rotation: number } | null;
     if (!lie) return;
     for (const i of [0, 1, 2]) store.typed.delete(`part.offset[${i}]`);
     store.typed.delete("part.rotation");
@@ -178,8 +202,10 @@ class PicturePart extends Part {
   private up(event: PointerEvent): void {
     const at = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
-    if (at && !this.dragged && !this.handle) this.store.point(this.view?.pick(at.x, at.y) ?? null);
-    this.handle = null;
+    if (at && !this.dragged && !this.grip) {
+      this.store.point(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
+    }
+    this.release();
   }
 
   private leave(event: PointerEvent): void {
@@ -189,7 +215,9 @@ class PicturePart extends Part {
   private wheel(event: WheelEvent): void {
     event.preventDefault();
     const { x, y } = this.at(event);
-    this.view?.zoom(Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004), x, y);
+    if (this.grip) return;
+    const factor = Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004);
+    this.drawing?.use((view) => view.zoom(factor, x, y));
   }
 
   private key(event: KeyboardEvent): void {
@@ -200,10 +228,10 @@ class PicturePart extends Part {
       ArrowDown: [0, -24],
     };
     const pan = pans[event.key];
-    if (pan) this.view?.pan(...pan);
+    if (pan) this.drawing?.use((view) => view.pan(...pan));
     else if (event.key === "+") this.zoom(1.4);
     else if (event.key === "-") this.zoom(1 / 1.4);
-    else if (event.key === "0") this.view?.fit();
+    else if (event.key === "0") this.drawing?.use((view) => view.fit());
     else return;
     event.preventDefault();
   }

@@ -1,12 +1,20 @@
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
+import { copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
 /** The program, line by line; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
   private told = "";
+  /** The program that was saved or copied: what is said of it holds for no other. */
+  private toldOf = "";
 
   override render(): TemplateResult {
+    const { stale, catalog } = this.store;
     const { program } = this.store.plan;
+    // The extension is the chosen control's, also while there is no program for it.
+    const chosen = catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    const extension = chosen?.extension ?? program.extension;
+    const why = stale ? "withheld-program" : nothing;
     const lines = program.text.replace(/\n$/, "").split("\n");
     const moves = new Map(program.moveLines.map((line, move) => [line, move]));
     const lit = this.store.highlight === null ? -1 : program.moveLines[this.store.highlight];
@@ -23,11 +31,12 @@ class ProgramPart extends Part {
           : ""
       }
       <div class="tools">
-        <button type="button" @click=${this.copy}>Copy</button>
-        <button type="button" @click=${this.save}>Save .${program.extension}</button>
-        <span role="status" class="told">${this.told}</span>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy</button>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.save}>Save .${extension}</button>
+        <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
       </div>
-      <div class=${this.store.stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
+      ${withheld(this.store, "withheld-program")}
+      <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
         ${lines.map((text, line) => {
           const move = moves.get(line);
@@ -66,27 +75,20 @@ class ProgramPart extends Part {
   }
 
   private async copy(): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(this.store.plan.program.text);
-      this.tell("Copied");
-    } catch {
-      this.tell("The browser did not allow it");
-    }
+    if (!this.store.stale) this.tell(await copy(this.store.plan.program.text));
   }
 
   private save(): void {
+    if (this.store.stale) return;
     const { text, extension } = this.store.plan.program;
     const name = String(this.store.shown.name ?? "").replace(/[^A-Za-z0-9_-]+/g, "_") || "PROBE";
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-    link.download = `${name}.${extension}`;
-    link.click();
-    URL.revokeObjectURL(link.href);
-    this.tell(`Saved ${link.download}`);
+    download(text, `${name}.${extension}`, "text/plain");
+    this.tell(`Saved ${name}.${extension}`);
   }
 
   private tell(text: string): void {
     this.told = text;
+    this.toldOf = this.store.plan.program.text;
     this.requestUpdate();
   }
 }

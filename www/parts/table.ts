@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { exportTable, type Job, type ParameterRow } from "../core/browser.js";
+import { exportTable, type Job, type ParameterRow, type Plan } from "../core/browser.js";
+import { copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
 const GROUPS = ["System", "Dimensions", "Touches", "Original touches", "Properties and own codes", "Cycle"] as const;
@@ -18,26 +19,31 @@ function groupOf(row: ParameterRow): Group {
 /** The parameter table of the source, by groups. Rows of a touch light up with it. */
 class TablePart extends Part {
   private told = "";
+  /** The plan that was saved or copied: what is said of it holds for no other. */
+  private toldOf?: Plan;
   private filter = "";
   private readonly closed = new Set<Group>();
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
+    const why = stale ? "withheld-table" : nothing;
+    const told = stale || this.toldOf !== plan ? "" : this.told;
     const lit = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
     const wanted = this.filter.trim().toLowerCase();
     const rows = plan.table.filter((row) => `${row.code} ${row.meaning}`.toLowerCase().includes(wanted));
     const groups = GROUPS.map((name) => ({ name, rows: rows.filter((row) => groupOf(row) === name) }));
     return html`
       <div class="tools">
-        <button type="button" @click=${this.copy}>Copy as text</button>
-        <button type="button" @click=${this.save}>Save .csv</button>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy as text</button>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.save}>Save .csv</button>
         <input class="filter" type="search" placeholder="Filter: code or word" aria-label="Filter the parameters" .value=${this.filter}
           @input=${(e: Event) => {
             this.filter = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }} />
-        <span role="status" class="told">${this.told || (wanted ? `${rows.length} of ${plan.table.length}` : "")}</span>
+        <span role="status" class="told">${told || (wanted ? `${rows.length} of ${plan.table.length}` : "")}</span>
       </div>
+      ${withheld(this.store, "withheld-table")}
       <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label="Parameter table">
         <table>
           <thead><tr><th>Code</th><th>Type</th><th class="n">Value</th><th>Meaning</th></tr></thead>
@@ -72,22 +78,19 @@ class TablePart extends Part {
   }
 
   private async copy(): Promise<void> {
-    try {
-      await navigator.clipboard.writeText(exportTable(this.store.shown as unknown as Job, "text"));
-      this.told = "Copied";
-    } catch {
-      this.told = "The browser did not allow it";
-    }
+    if (this.store.stale) return;
+    const { plan } = this.store;
+    this.told = await copy(exportTable(this.store.shown as unknown as Job, "text"));
+    this.toldOf = plan;
     this.requestUpdate();
   }
 
   private save(): void {
-    const link = document.createElement("a");
-    const text = exportTable(this.store.shown as unknown as Job, "csv");
-    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
-    link.download = "parameters.csv";
-    link.click();
-    URL.revokeObjectURL(link.href);
+    if (this.store.stale) return;
+    download(exportTable(this.store.shown as unknown as Job, "csv"), "parameters.csv", "text/csv");
+    this.told = "Saved parameters.csv";
+    this.toldOf = this.store.plan;
+    this.requestUpdate();
   }
 
   private go(event: Event, path: string): void {

@@ -1,0 +1,103 @@
+// What the page's tests share: the served page in Chromium, and that nothing goes wrong on it unseen.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach } from "node:test";
+import { chromium } from "playwright-core";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+
+const args = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** @type {import("node:http").Server} */
+let server;
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("playwright-core").BrowserContext} */
+export let context;
+/** @type {import("playwright-core").Page} */
+export let page;
+/** Exceptions and errors on the console, those of the Content-Security-Policy among them. @type {string[]} */
+export let problems = [];
+
+/** A page of its own for every test of a file; a problem on it fails the test. */
+export function setUp(viewport = { width: 1280, height: 800 }) {
+  before(async () => {
+    server = await serve(0);
+    browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
+  });
+  beforeEach(() => open({ viewport }));
+  afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
+  after(async () => {
+    await browser?.close();
+    server?.close();
+  });
+}
+
+/**
+ * The page in a browser of its own.
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+export async function open(options) {
+  await context?.close();
+  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], ...options });
+  problems = [];
+  page = await openTab();
+}
+
+/** One more tab of the same browser. */
+export async function openTab() {
+  const tab = await context.newPage();
+  tab.on("pageerror", (error) => problems.push(String(error)));
+  tab.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  await tab.addInitScript(() => {
+    document.addEventListener("securitypolicyviolation", (e) => console.error(`policy: ${e.violatedDirective} ${e.blockedURI}`));
+  });
+  await tab.goto(addressOf(server));
+  await ready(tab);
+  return tab;
+}
+
+/** Until the page stands. */
+export async function ready(tab = page) {
+  await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
+  await tab.locator("canvas").waitFor();
+}
+
+/** A field by its path in the job. */
+export const field = (/** @type {string} */ path, tab = page) => tab.locator(`[id="f-${path}"]`);
+
+/** What a locator shows, as text. */
+export const textOf = async (/** @type {import("playwright-core").Locator} */ locator) => (await locator.textContent()) ?? "";
+
+/** The program as it is shown. */
+export const program = async (tab = page) => (await tab.locator("tp-program .text").allTextContents()).join("\n");
+
+/** Chooses a file with this text. */
+export const openText = (/** @type {string} */ text, name = "job.json", tab = page) =>
+  tab.locator("input[type=file]").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+
+/** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
+export const pixels = () =>
+  page.locator("canvas:visible").evaluate((node) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (node);
+    const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    let count = 0;
+    let sum = 0;
+    data.forEach((pixel, i) => {
+      if (pixel === data[0]) return;
+      count++;
+      sum = (sum * 31 + i + pixel) % 1_000_000_007;
+    });
+    return { count, sum };
+  });
+
+/** The value at a path of the job as the page holds it. */
+export const held = (/** @type {string} */ path, tab = page) =>
+  tab.evaluate((path) => /** @type {any} */ (document.querySelector("touchpath-app")).store.get(path), path);

@@ -1,0 +1,53 @@
+// What is handed out is what the form says: with an error in it, nothing is.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { field, page, program, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+const button = (/** @type {string | RegExp} */ name) => page.getByRole("button", { name, exact: true });
+
+/** The text that stands beside a button and that it names as its description. */
+async function reason(/** @type {import("playwright-core").Locator} */ locator) {
+  const id = await locator.getAttribute("aria-describedby");
+  assert.ok(id, "the button names its reason");
+  const text = page.locator(`#${id}`);
+  assert.ok(await text.isVisible(), "the reason is seen");
+  return textOf(text);
+}
+
+test("HEIDENHAIN chosen after SINUMERIK: the SINUMERIK program was saved, and 'Saved' was said", async () => {
+  await field("control.post").selectOption("sinumerik");
+  assert.match(await program(), /MEAS=1/);
+  await field("control.post").selectOption("heidenhain");
+  for (const name of ["Save .h", "Copy"]) {
+    assert.ok(await button(name).isDisabled(), name);
+    assert.match(await reason(button(name)), /HEIDENHAIN/i);
+  }
+  const downloads = [];
+  page.on("download", (download) => downloads.push(download));
+  await page.getByRole("button", { name: /^Save \./ }).click({ force: true });
+  await page.waitForTimeout(200);
+  assert.equal(downloads.length, 0);
+  assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Saved/);
+  await field("control.post").selectOption("linuxcnc");
+  assert.ok(await button("Save .ngc").isEnabled());
+  assert.equal(await button("Copy").getAttribute("aria-describedby"), null);
+});
+
+test("a width in error: the table of the width before was copied and saved", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  await field("cycle.width1").fill("-5");
+  for (const name of ["Copy as text", "Save .csv"]) {
+    assert.ok(await button(name).isDisabled(), name);
+    assert.match(await reason(button(name)), /Width 1/);
+  }
+  assert.ok(await button("Save job").isEnabled(), "the form itself can always be saved");
+});
+
+test("'Copied' stood beside a program that was not the copied one", async () => {
+  await button("Copy").click();
+  await page.getByText("Copied").waitFor();
+  await field("cycle.width1").fill("81");
+  assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
+});

@@ -1,0 +1,100 @@
+// Nothing sticks out, nothing covers what has the focus, and a warning is seen.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { field, open, page, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+for (const [width, height] of /** @type {[number, number][]} */ ([
+  [1440, 900],
+  [1280, 800],
+  [1024, 768],
+  [900, 700],
+  [720, 900],
+  [390, 844],
+])) {
+  test(`the page was wider than its window at 1024 and 900 pixels: ${width}`, async () => {
+    await open({ viewport: { width, height } });
+    const over = () => page.evaluate(() => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth);
+    assert.ok((await over()) <= 0);
+    for (const tab of await page.getByRole("tab").all()) {
+      await tab.click();
+      assert.ok((await over()) <= 0, `${await tab.textContent()}`);
+      const panel = page.locator(`#${await tab.getAttribute("aria-controls")}`);
+      assert.ok(await panel.isVisible());
+    }
+    // What is cut off by a pane of its own does not widen the page: every part must end inside the window.
+    const beyond = await page.evaluate(() => {
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+      const all = root.querySelectorAll("header > *, main > section, main > .tabs, tp-picture, .picture .tools > *, .scrub > *");
+      return [...all].filter((node) => node.getBoundingClientRect().right > innerWidth + 0.5).map((node) => node.outerHTML.slice(0, 80));
+    });
+    assert.deepEqual(beyond, []);
+    for (const name of ["Gallery", "Tool lengths"]) {
+      await page.getByRole("button", { name }).click();
+      assert.ok((await over()) <= 0, name);
+    }
+  });
+}
+
+for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
+  [390, 844, "a phone"],
+  [390, 480, "a phone with its keyboard up"],
+  [844, 390, "a phone on its side"],
+  [640, 400, "200 % zoom"],
+])) {
+  test(`the picture covered the field in focus: ${what}`, async () => {
+    await open({ viewport: { width, height } });
+    await field("cycle.depth").fill("-1");
+    await field("cycle.width1").fill("-1");
+    await field("cycle.type").focus();
+    const fields = await page.locator("tp-form :is(input, select, button):visible:not(:disabled)").count();
+    const look = () =>
+      page.evaluate(() => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+        const node = root.activeElement;
+        if (!node?.closest("tp-form")) return null;
+        const box = node.getBoundingClientRect();
+        const seen = root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+        return { id: node.id, free: seen !== null && (node.contains(seen) || seen.contains(node) && seen.matches("label")), seen: seen?.outerHTML.slice(0, 60) };
+      });
+    const covered = [];
+    for (const key of ["Tab", "Shift+Tab"]) {
+      let met = 0;
+      await field("cycle.type").focus();
+      if (key === "Shift+Tab") {
+        await page.locator("tp-form :is(input, select, button):visible:not(:disabled)").last().focus();
+      }
+      for (let state = await look(); state; state = await look()) {
+        met++;
+        if (!state.free) covered.push({ key, ...state });
+        await page.keyboard.press(key);
+      }
+      assert.equal(met, fields, `every field has the focus once by ${key}`);
+    }
+    assert.deepEqual(covered, []);
+  });
+}
+
+test("a warning was a closed line in the colour of text: it is counted and read out in the summary", async () => {
+  await field("feeds.work").fill("4000");
+  const summary = page.locator("tp-findings summary");
+  assert.match(await textOf(summary), /1 warning:\s+\S.*feed/i);
+  const colours = await summary.evaluate((node) => ({
+    own: getComputedStyle(/** @type {Element} */ (node.querySelector("span"))).color,
+    text: getComputedStyle(/** @type {Element} */ (node.closest("main"))).color,
+  }));
+  assert.notEqual(colours.own, colours.text);
+  assert.ok(await summary.getByText("1 warning").isVisible());
+  await field("cycle.depth").fill("-1");
+  assert.match(await textOf(summary), /1 error, 1 warning: Depth must/, "the gravest comes first");
+});
+
+test("the licences of what the page is made of were missing", async () => {
+  const link = page.getByRole("link", { name: "Licences" });
+  const response = await page.request.get(new URL((await link.getAttribute("href")) ?? "", page.url()).href);
+  assert.equal(response.status(), 200);
+  const text = await response.text();
+  assert.match(text, /lit-html[\s\S]*BSD[\s\S]*Redistribution and use in source and binary forms/);
+  for (const name of ["serde", "wasm-bindgen", "glam"]) assert.match(text, new RegExp(`^## ${name} - `, "m"));
+});

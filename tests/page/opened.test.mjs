@@ -1,0 +1,207 @@
+// Jobs that come from outside: files, pasted texts, what the browser kept.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { plan } from "touchpath";
+import { context, field, held, open, openTab, openText, page, program, ready, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+const note = () => textOf(page.locator(".note"));
+/** Everything that must agree: the form's cycle, the job that is held, the program's own words. */
+const cycles = async () => ({
+  form: await field("cycle.type").inputValue(),
+  held: await held("cycle.type"),
+  program: /type (\d+):/.exec(await program())?.[1],
+});
+
+/** @type {[string, object][]} */
+const unusable = [
+  ["cycle.touches", { format: 1, cycle: { type: "boss", touches: "abc" } }],
+  ["cycle.touches", { format: 1, cycle: { type: "boss", touches: [{ point: [1, 2], vector: [0, 0, 1] }] } }],
+  ["cycle.custom", { format: 1, cycle: { type: "boss", custom: 5 } }],
+  ["cycle.properties", { format: 1, cycle: { type: "boss", properties: [] } }],
+  ["cycle.origin", { format: 1, cycle: { type: "boss", origin: "here" } }],
+  ["cycle.depth", { format: 1, cycle: { type: "boss", depth: { mm: 5 } } }],
+  ["cycle.type", { format: 1, cycle: { type: "bogus" } }],
+  ["cycle", { format: 1, cycle: [] }],
+  ["tool.frame", { format: 1, cycle: { type: "boss" }, tool: { frame: 5 } }],
+  ["tool.frame", { format: 1, cycle: { type: "boss" }, tool: { frame: ["X"] } }],
+  ["part", { format: 1, cycle: { type: "boss" }, part: 5 }],
+  ["part.sizes", { format: 1, cycle: { type: "boss" }, part: { sizes: { diameter: [] } } }],
+  ["feeds", { format: 1, cycle: { type: "boss" }, feeds: "x" }],
+  ["feeds.work", { format: 1, cycle: { type: "boss" }, feeds: { work: [] } }],
+  ["newer", { format: 2, cycle: { type: "boss" } }],
+  ["format", { cycle: { type: "boss" } }],
+];
+
+test("a file that the form cannot show left three cycles at once: it changes nothing, and its path is named", async () => {
+  await field("cycle.width1").fill("71");
+  const before = { ...(await cycles()), text: await program() };
+  for (const [path, job] of unusable) {
+    await openText(JSON.stringify(job));
+    await page.locator(".note", { hasText: path }).waitFor({ timeout: 2000 });
+    assert.match(await note(), /Nothing was changed/, path);
+    assert.deepEqual({ ...(await cycles()), text: await program() }, before, path);
+    await page.locator(".note").getByRole("button", { name: "OK" }).click();
+  }
+  await page.getByRole("button", { name: "Paste" }).click();
+  await page.locator("#paste").fill(JSON.stringify(unusable[0]?.[1]));
+  await page.getByRole("button", { name: "Read it" }).click();
+  assert.match(await note(), /cycle\.touches/);
+  assert.deepEqual({ ...(await cycles()), text: await program() }, before);
+});
+
+test("a stored state that the form cannot show left an empty page: the defaults stand, and the page says so", async () => {
+  for (const [path, draft] of unusable) {
+    const tab = await context.newPage();
+    const state = JSON.stringify({ draft, typed: 7 });
+    await tab.addInitScript((state) => {
+      sessionStorage.clear();
+      localStorage.setItem("touchpath.job.1", state);
+    }, state);
+    await tab.goto(page.url());
+    await ready(tab);
+    assert.match(await textOf(tab.locator(".note")), new RegExp(path.replace(".", "\\.")), path);
+    assert.equal(await field("cycle.type", tab).inputValue(), "internal-rectangle-protected", path);
+    await tab.close();
+  }
+});
+
+test("a leaf of a wrong type stands in its field, beside its message", async () => {
+  await openText(JSON.stringify({ format: 1, cycle: { type: "boss", depth: "ten", diameter: true } }));
+  await page.waitForFunction(() => document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='e-cycle.depth']"));
+  assert.equal(await field("cycle.depth").inputValue(), "ten");
+  assert.equal(await field("cycle.diameter").inputValue(), "true");
+  assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "7" }, "the program is the last good one");
+});
+
+test("the page could not leave a job that says only its cycle", async () => {
+  await openText('{"format":1,"cycle":{"type":"hole"}}');
+  await page.waitForFunction(() => document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='f-cycle.diameter']"));
+  assert.match(await program(), /type 3:/);
+  await field("cycle.type").selectOption("boss");
+  assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "5" });
+  await field("units").selectOption("inch");
+  assert.match(await program(), /G20/);
+});
+
+test("what a job leaves out is at the catalog's default in the job's own units, as in the package", async () => {
+  /** @type {any[]} */
+  const jobs = [
+    { format: 1, cycle: { type: "hole" }, part: null, feeds: {}, tool: null },
+    { format: 1, units: "inch", cycle: { type: "hole", diameter: 1.5 } },
+    { format: 1, cycle: { type: "probing-two-circles", probe: { feed: 100 }, extrusion: { points: 3 } } },
+  ];
+  for (const job of jobs) {
+    const { part, tool, ...sound } = job;
+    await openText(JSON.stringify(job));
+    await page.waitForFunction(
+      (type) => /** @type {any} */ (document.querySelector("touchpath-app")).store.get("cycle.type") === type,
+      job.cycle.type,
+    );
+    assert.equal(`${await program()}\n`, plan(part === null ? sound : job).program.text, JSON.stringify(job));
+  }
+});
+
+test("two tabs overwrote each other: what was typed in one was gone after its reload", async () => {
+  const other = await openTab();
+  await field("cycle.width1").fill("61");
+  await field("cycle.depth", other).fill("12");
+  await page.reload();
+  await ready();
+  assert.equal(await field("cycle.width1").inputValue(), "61");
+  assert.equal(await field("cycle.depth").inputValue(), "10");
+  await other.reload();
+  await ready(other);
+  assert.equal(await field("cycle.depth", other).inputValue(), "12");
+  await field("cycle.depth", other).fill("13");
+  const third = await openTab();
+  assert.equal(await field("cycle.depth", third).inputValue(), "13", "a new tab starts with what was written last");
+});
+
+const points = "37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10";
+
+test("measured points stayed across a change of cycle and units: they belong to the job they were entered for", async () => {
+  const box = page.locator("#measured");
+  await page.getByText("Points that a machine measured").click();
+  await box.fill(points);
+  await field("cycle.type").selectOption("surface");
+  assert.equal(await box.inputValue(), "");
+  assert.doesNotMatch(await textOf(page.locator("tp-results")), /points are given/);
+  await field("cycle.type").selectOption("internal-rectangle-protected");
+  assert.equal(await box.inputValue(), points, "they come back with their form");
+  await field("units").selectOption("inch");
+  assert.equal(await box.inputValue(), "", "in inches they would be other points");
+  await field("units").selectOption("mm");
+  assert.equal(await box.inputValue(), points);
+  await page.reload();
+  await ready();
+  assert.equal(await box.inputValue(), points);
+  await openText('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}');
+  await page.waitForFunction(() => {
+    const box = document.querySelector("touchpath-app")?.shadowRoot?.querySelector("#measured");
+    return /** @type {HTMLTextAreaElement} */ (box).value === "";
+  });
+});
+
+test("ten megabytes that are pasted, dropped or opened froze the tab: they are refused with a sentence", async () => {
+  const most = await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.longest);
+  for (const kind of ["paste", "drop"]) {
+    await page.getByRole("button", { name: "Paste" }).click();
+    const taken = await page.locator("#paste").evaluate(
+      (box, { kind, length }) => {
+        const data = new DataTransfer();
+        data.setData("text/plain", "x".repeat(length));
+        const options = { bubbles: true, composed: true, cancelable: true };
+        const event =
+          kind === "paste"
+            ? new ClipboardEvent("paste", { ...options, clipboardData: data })
+            : new DragEvent("drop", { ...options, dataTransfer: data });
+        return box.dispatchEvent(event);
+      },
+      { kind, length: 10_000_000 },
+    );
+    assert.equal(taken, false, `${kind}: the browser does not put it into the page`);
+    assert.match(await note(), /10,000,000 characters, and at most/);
+    assert.equal(await page.locator("#paste").inputValue(), "");
+    await page.getByRole("button", { name: "Cancel" }).click();
+    await page.locator(".note").getByRole("button", { name: "OK" }).click();
+  }
+  await page.evaluate(() => {
+    Blob.prototype.text = () => Promise.reject(new Error("the file was read"));
+  });
+  const before = await program();
+  await openText(" ".repeat(most + 1));
+  await page.locator(".note", { hasText: "at most" }).waitFor();
+  assert.equal(await program(), before);
+});
+
+test("a text that is pasted by the keyboard, and is short enough, is read", async () => {
+  await page.getByRole("button", { name: "Paste" }).click();
+  await page.evaluate((text) => navigator.clipboard.writeText(text), '{"format":1,"cycle":{"type":"hole"}}');
+  await page.locator("#paste").press("Control+v");
+  await page.getByRole("button", { name: "Read it" }).click();
+  assert.match(await program(), /type 3:/);
+});
+
+test("texts with tolerances stayed as they were when the units changed: ten millimetres became ten inches", async () => {
+  await open({ viewport: { width: 1280, height: 800 } });
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("cycle.diameter1").fill("10H7");
+  await field("cycle.diameter2").fill("20+0.05-0.02");
+  const places = async () => (await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.touches)).map(
+    (/** @type {any} */ t) => t.point,
+  );
+  const before = await places();
+  await field("units").selectOption("inch");
+  assert.equal(await textOf(page.locator("tp-findings .error")).catch(() => ""), "");
+  const after = await places();
+  assert.equal(after.length, before.length);
+  before.forEach((/** @type {number[]} */ point, /** @type {number} */ k) => {
+    point.forEach((mm, i) => assert.ok(Math.abs(after[k][i] * 25.4 - mm) < 1e-3, `touch ${k + 1}: ${after[k]} against ${point}`));
+  });
+  await field("units").selectOption("mm");
+  await field("cycle.diameter1").fill("ten");
+  await field("units").selectOption("inch");
+  assert.equal(await held("cycle.diameter1"), "ten", "what is no number stays as it is");
+});

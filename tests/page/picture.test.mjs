@@ -1,0 +1,141 @@
+// The picture: a drag, a hover, what it leaves behind.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { context, field, held, page, pixels, program, setUp } from "./common.mjs";
+
+setUp();
+
+/** The picture's View and the middle of a handle in the window, with the pixels of one unit. */
+const handle = (/** @type {string} */ name) =>
+  page.evaluate((name) => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
+    return picture.drawing.use((/** @type {any} */ view) => {
+      const [x, y] = view.handleSpot(name);
+      const reach = view.dragPart("shift", x + 1000, y).offset[0] - view.dragPart("shift", x, y).offset[0];
+      return { x: box.x + x, y: box.y + y, scale: 1000 / reach, height: box.height };
+    });
+  }, name);
+
+/** Drags from a place by so many pixels. */
+async function drag(/** @type {{x: number, y: number}} */ from, /** @type {number} */ dx, /** @type {number} */ dy, /** @type {number} */ steps) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + dx, from.y + dy, { steps });
+}
+
+const near = (/** @type {number} */ value, /** @type {number} */ wanted, /** @type {string} */ what) =>
+  assert.ok(Math.abs(value - wanted) < 0.004, `${what}: ${value}, wanted ${wanted}`);
+
+for (const steps of [1, 10]) {
+  test(`a dragged part ran away from the pointer: ${steps} steps`, async () => {
+    const { x, y, scale } = await handle("shift");
+    // Gripped beside its middle, it stays gripped there.
+    await drag({ x: x + 4, y: y - 3 }, 20, -12, steps);
+    const offset = /** @type {number[]} */ (await held("part.offset"));
+    near(offset[0] ?? 0, 20 / scale, "X");
+    near(offset[1] ?? 0, 12 / scale, "Y");
+    await page.mouse.up();
+    assert.deepEqual(await held("part.offset"), offset, "letting go moves nothing");
+  });
+}
+
+test("a dragged part ran away where it was turned and errors came up: the canvas keeps its height", async () => {
+  await field("cycle.sideClearance1").fill("3.2");
+  const { x, y, scale, height } = await handle("shift");
+  await drag({ x, y }, 60, -45, 12);
+  assert.equal((await handle("shift")).height, height);
+  const offset = /** @type {number[]} */ (await held("part.offset"));
+  near(offset[0] ?? 0, 60 / scale, "X");
+  near(offset[1] ?? 0, 45 / scale, "Y");
+  await page.mouse.up();
+  assert.equal((await handle("shift")).height, height, "nor does it change when the messages are there to stay");
+});
+
+test("a handle jumped to the pointer when it was gripped beside its middle: no turn without a way", async () => {
+  const { x, y } = await handle("turn");
+  await drag({ x: x + 5, y: y + 6 }, 0, 0, 1);
+  await page.mouse.move(x + 5, y + 6);
+  await page.mouse.up();
+  assert.ok(Math.abs(Number(await held("part.rotation"))) < 0.05, `${await held("part.rotation")}`);
+});
+
+test("every hover planned again: only another job is planned and shown", async () => {
+  const count = () =>
+    page.evaluate(() => {
+      const counts = /** @type {any} */ (window).counts;
+      const now = { ...counts };
+      counts.show = 0;
+      counts.highlight = 0;
+      return now;
+    });
+  await page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const counts = { show: 0, highlight: 0 };
+    Object.assign(window, { counts });
+    const { drawing } = /** @type {any} */ (root.querySelector("tp-picture"));
+    for (const name of /** @type {("show" | "highlight")[]} */ (["show", "highlight"])) {
+      const method = drawing.view[name];
+      drawing.view[name] = function (/** @type {unknown[]} */ ...args) {
+        counts[name]++;
+        return method.apply(this, args);
+      };
+    }
+  });
+  const plain = await pixels();
+  await page.locator("tp-program .line", { hasText: "G38.2 X42" }).hover();
+  const hovered = await count();
+  assert.equal(hovered.show, 0);
+  assert.ok(hovered.highlight > 0, "the move lights up");
+  assert.notEqual((await pixels()).sum, plain.sum);
+  await field("cycle.width1").fill("90");
+  assert.equal((await count()).show, 1, "a keystroke is shown once");
+});
+
+test("each opening of Tool lengths kept 512 nodes and a View", async () => {
+  const session = await context.newCDPSession(page);
+  await session.send("Performance.enable");
+  const cycles = page.getByRole("button", { name: "Cycles", exact: true });
+  const lengths = page.getByRole("button", { name: "Tool lengths" });
+  const gallery = page.getByRole("button", { name: "Gallery" });
+  const measure = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    const value = (/** @type {string} */ name) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
+    return { nodes: value("Nodes"), listeners: value("JSEventListeners") };
+  };
+  const open = async (/** @type {number} */ times) => {
+    for (let i = 0; i < times; i++) {
+      await lengths.click();
+      if (i % 10 === 0) await gallery.click();
+      await cycles.click();
+    }
+  };
+  await open(11);
+  const before = await measure();
+  await open(40);
+  const after = await measure();
+  const grown = { nodes: after.nodes - before.nodes, listeners: after.listeners - before.listeners };
+  assert.ok(grown.nodes < 1000 && grown.listeners < 20, JSON.stringify(grown));
+});
+
+test("a View of a broken instance stopped the page: the picture makes itself a new one", async () => {
+  // A canvas whose 2D context throws: the exception goes through the module and breaks its instance.
+  const before = await pixels();
+  await page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
+    const drawn = /** @type {any} */ (canvas.getContext("2d"));
+    drawn.fillRect = () => {
+      delete drawn.fillRect;
+      throw new RangeError("Maximum call stack size exceeded");
+    };
+  });
+  await page.getByRole("button", { name: "front", exact: true }).click();
+  await page.getByRole("button", { name: "top", exact: true }).click();
+  assert.deepEqual(await pixels(), before, "the same picture by a new View");
+  await field("cycle.width1").fill("90");
+  assert.match(await program(), /G38\.2 X47 F150/);
+  assert.notEqual((await pixels()).sum, before.sum);
+});

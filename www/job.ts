@@ -1,0 +1,83 @@
+// A job that comes from outside (a file, a pasted text, the browser's storage): whether the form can show it, and what it leaves out.
+import { type Catalog, convertUnits, type Cycle, defaultJob, type FieldEntry, type Job } from "./core/browser.js";
+
+/** A job while it is typed: any field may hold what is not (yet) a value. */
+export type Draft = Record<string, unknown>;
+
+export const isObject = (value: unknown): value is Draft =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const isScalar = (value: unknown) => value === null || typeof value !== "object";
+const isPoint = (value: unknown) => Array.isArray(value) && value.length === 3 && value.every(isScalar);
+/** Left out, or null: the default stands in. */
+const isOut = (value: unknown) => value === undefined || value === null;
+
+/** Why the form cannot show a job, as a sentence that names the path; null where it can. A leaf may hold any wrong scalar. */
+export function misfit(job: unknown, catalog: Catalog): string | null {
+  if (!isObject(job)) return "The job must be an object";
+  const { cycle } = job;
+  if (!isObject(cycle)) return "cycle must be an object";
+  const entry = catalog.cycles.find((c) => c.type === cycle.type);
+  if (!entry) return "cycle.type must name a cycle that is known here";
+  const problems: string[] = [];
+  const need = (holds: boolean, path: string, what: string) => {
+    if (!holds) problems.push(`${path} must be ${what}`);
+  };
+  const leaves = (place: Draft, prefix: string, fields: FieldEntry[]) => {
+    for (const { key, kind } of fields) {
+      const value = place[key];
+      if (value === undefined) continue;
+      if (kind === "point" || kind === "nominalPoint") need(isPoint(value), prefix + key, "a list of three numbers");
+      else need(isScalar(value), prefix + key, "a single value");
+    }
+  };
+  const section = (place: Draft, path: string, key: string, fields: FieldEntry[]) => {
+    const value = place[key];
+    if (isObject(value)) leaves(value, `${path}.`, fields);
+    else need(isOut(value), path, "an object");
+  };
+  const list = (value: unknown, path: string, what: string, fits: (item: unknown) => boolean) => {
+    if (!isOut(value)) need(Array.isArray(value) && value.every(fits), path, `a list of ${what}`);
+  };
+
+  for (const { path, fields } of catalog.sections) {
+    if (path === "") leaves(job, "", fields);
+    else section(job, path, path, fields);
+  }
+  leaves(cycle, "cycle.", entry.fields);
+  for (const { key, fields } of entry.sections) section(cycle, `cycle.${key}`, key, fields);
+  const isTouch = (t: unknown) => isObject(t) && isPoint(t.point) && isPoint(t.vector);
+  list(cycle.touches, "cycle.touches", "touches, each with a point and a vector of three numbers", isTouch);
+  list(cycle.custom, "cycle.custom", "own codes", isObject);
+  if (isObject(job.tool)) list(job.tool.frame, "tool.frame", "steps, each a turn or a mirror", isObject);
+  const sizes = isObject(job.part) ? job.part.sizes : undefined;
+  if (!isOut(sizes)) need(isObject(sizes) && Object.values(sizes).every(isScalar), "part.sizes", "an object of numbers");
+  return problems[0] ?? null;
+}
+
+/** A job that fits, with every key that it leaves out at the catalog's default in its own units. */
+export function complete(job: Draft, catalog: Catalog): Draft {
+  const units = job.units === "inch" ? "inch" : "mm";
+  const cycle = job.cycle as Draft;
+  const fresh = convertUnits(defaultJob(cycle.type as Cycle["type"]), units) as unknown as Draft;
+  // A fresh 1411 is for its own control; a job that names no control is for the catalog's first.
+  const control = catalog.sections.find((s) => s.path === "control")?.fields ?? [];
+  fresh.control = Object.fromEntries(control.map((field) => [field.key, field.default]));
+  const whole = over(fresh, job);
+  for (const { path } of catalog.sections) if (path !== "") whole[path] = over(fresh[path], job[path]);
+  whole.cycle = over(fresh.cycle, cycle);
+  for (const { key, optional } of catalog.cycles.find((c) => c.type === cycle.type)?.sections ?? [])
+    if (!optional) (whole.cycle as Draft)[key] = over((fresh.cycle as Draft)[key], cycle[key]);
+  const part = whole.part as Draft;
+  part.sizes ??= {};
+  return structuredClone(whole);
+}
+
+function over(base: unknown, given: unknown): Draft {
+  return { ...(base as Draft), ...(isObject(given) ? given : {}) };
+}
+
+/** A cycle's own form in other units. */
+export function cycleIn(units: "mm" | "inch", cycle: Draft, from: "mm" | "inch"): Draft {
+  const job = { format: 1, units: from, cycle } as unknown as Job;
+  return convertUnits(job, units).cycle as unknown as Draft;
+}

@@ -1,0 +1,30 @@
+// Handing something out: as a file, or to the clipboard.
+import { html, nothing, type TemplateResult } from "lit";
+import type { Store } from "../store.js";
+
+/** Saves a text as a file. */
+export function download(text: string, name: string, type: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+/** Copies a text; gives what is to be said of it. */
+export async function copy(text: string): Promise<string> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return "Copied";
+  } catch {
+    return "The browser did not allow it";
+  }
+}
+
+/** Why nothing is handed out, beside the buttons that would; they name it by `aria-describedby`. */
+export function withheld(store: Store, id: string): TemplateResult | typeof nothing {
+  const why = store.withheld;
+  return why === null
+    ? nothing
+    : html`<p class="problem error withheld" id=${id}><b>Nothing to save or copy while the form has an error:</b> ${why}</p>`;
+}
