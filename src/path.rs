@@ -15,6 +15,13 @@ pub const RAPID_RATE: f64 = 5000.0;
 /// Moves shorter than this, in mm, are none.
 pub const ZERO_LENGTH: f64 = 1e-9;
 
+/// The shortest way from where a touch begins to its nominal contact, mm: a clearance is at least so much more than the ball radius.
+/// Less would be lost in a program's last decimals, and the ball would begin in contact.
+pub const SHORTEST_TOUCH: f64 = 0.01;
+
+/// How far a touch may run askew of its inverted target vector, degrees.
+pub const MOST_ASKEW: f64 = 1.0;
+
 /// What a cycle needs to know of the job around it.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
@@ -181,8 +188,9 @@ pub struct Round {
     pub hole: bool,
     /// How deep below the top it is drawn.
     pub drawn_depth: f64,
-    /// Whether a hole is in a plate: material lies around it as far as anybody moves. Else nothing is known beyond its rim.
-    pub plate: bool,
+    /// How far from the axis of a hole the material around it reaches, mm: infinity where it is in a plate. None: nothing is known
+    /// beyond its rim.
+    pub plate: Option<f64>,
 }
 
 /// A surface of the feature.
@@ -192,7 +200,7 @@ pub enum Surface {
     Flat(Wall),
     /// A round wall.
     Round(Round),
-    /// Somewhere; nobody knows where. It is not drawn and not met.
+    /// Somewhere: its place is not known. It is not drawn, and no contact with it is found.
     Unknown,
 }
 
@@ -228,6 +236,8 @@ pub enum ParameterValue {
     Flag(bool),
     /// Text, as it was given.
     Text(String),
+    /// A word of the control that stands for a number.
+    Word(&'static str),
 }
 
 /// How touches are spread over a circle.
@@ -250,6 +260,10 @@ pub struct Path {
     pub touches: Vec<Touch>,
     /// The moves, in order.
     pub moves: Vec<Move>,
+    /// Where the ball is before the first move, where the job says so.
+    pub start: Option<Vec3>,
+    /// Height of the feature's top side along the tool axis, mm, where the source has one.
+    pub top: Option<f64>,
     /// The nominal feature.
     pub surfaces: Vec<Surface>,
     /// Feeds of the cycle's own, where it does not use the job's.
@@ -269,6 +283,17 @@ pub struct Path {
     pub picked: bool,
 }
 
+/// What is wrong with a touch of a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TouchFault {
+    /// It is not in the path, or more than once.
+    Missing,
+    /// Its way to the nominal contact is so short, mm.
+    Short(f64),
+    /// Its way is askew of the inverted target vector by so many degrees.
+    Askew(f64),
+}
+
 /// Where a touch stands among those that measure the same point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Repeat {
@@ -283,6 +308,40 @@ pub struct Repeat {
 }
 
 impl Path {
+    /// What is wrong with each touch: it must be in the path once, begin at a distance from its contact, and run along its inverted
+    /// target vector.
+    pub fn touch_faults(&self, radius: f64) -> Vec<(usize, TouchFault)> {
+        let mut ways: Vec<Option<Vec3>> = vec![None; self.touches.len()];
+        let mut faults = Vec::new();
+        let mut at = self.start;
+        for step in &self.moves {
+            if let Purpose::Touch(k) = step.purpose {
+                match (ways.get_mut(k), at) {
+                    (Some(way @ None), Some(from)) => *way = Some(self.touches[k].contact(radius) - from),
+                    _ => faults.push((k, TouchFault::Missing)),
+                }
+            }
+            at = Some(step.to);
+        }
+        for (k, way) in ways.into_iter().enumerate() {
+            let Some(way) = way else {
+                faults.push((k, TouchFault::Missing));
+                continue;
+            };
+            let along = -way.dot(self.touches[k].vector);
+            if along < SHORTEST_TOUCH - 1e-6 {
+                faults.push((k, TouchFault::Short(along)));
+                continue;
+            }
+            let aside = (way + self.touches[k].vector * along).length();
+            let askew = aside.atan2(along).to_degrees();
+            if askew > MOST_ASKEW {
+                faults.push((k, TouchFault::Askew(askew)));
+            }
+        }
+        faults
+    }
+
     /// Where touch `k` stands among those of its sample.
     pub fn samples(&self, k: usize) -> Repeat {
         let index = self.touches[k].sample;
@@ -305,9 +364,14 @@ pub struct Tracer {
 }
 
 impl Tracer {
-    /// Starts at a place nobody knows: the first move is always kept.
+    /// Starts at an unknown place: the first move is always kept.
     pub fn new(setup: &Setup) -> Self {
         Tracer { at: None, radius: setup.radius, moves: Vec::new() }
+    }
+
+    /// Starts where the ball is.
+    pub fn starting_at(setup: &Setup, start: Vec3) -> Self {
+        Tracer { at: Some(start), ..Tracer::new(setup) }
     }
 
     /// A positioning move.
@@ -343,8 +407,9 @@ impl Tracer {
         self.moves
     }
 
+    /// A touch and its way back are never left out, however short: the check of the whole path reports them.
     fn push(&mut self, next: Move) {
-        if self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH) {
+        if next.purpose != Purpose::Position || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH) {
             self.at = Some(next.to);
             self.moves.push(next);
         }

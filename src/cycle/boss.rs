@@ -4,12 +4,14 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RoundProtected, Shape, words};
+use crate::path::MAX_TOUCHES;
 
 pub static DEF: CycleDef = CycleDef {
     key: "boss",
     title: "Boss",
     source: "ENCY/SprutCAM type 5",
     number: Some(5),
+    most_touches: MAX_TOUCHES,
     doc: "docs/cycles/boss.md",
     fields: RoundProtected::FIELDS,
     sections: &[ency::PROPERTIES],

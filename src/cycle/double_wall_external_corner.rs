@@ -5,6 +5,7 @@
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::geom::Vec3;
+use crate::path::MAX_TOUCHES;
 use crate::spec::{Field, form};
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Double wall external corner",
     source: "ENCY/SprutCAM type 14",
     number: Some(14),
+    most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-external-corner.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

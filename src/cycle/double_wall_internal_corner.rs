@@ -6,6 +6,7 @@
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::geom::Vec3;
+use crate::path::MAX_TOUCHES;
 use crate::spec::{Field, form};
 
 pub static DEF: CycleDef = CycleDef {
@@ -13,6 +14,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Double wall internal corner",
     source: "ENCY/SprutCAM type 13",
     number: Some(13),
+    most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-internal-corner.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

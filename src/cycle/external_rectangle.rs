@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "External rectangle",
     source: "ENCY/SprutCAM type 8",
     number: Some(8),
+    most_touches: 4,
     doc: "docs/cycles/external-rectangle.md",
     fields: RectangleProtected::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Groove",
     source: "ENCY/SprutCAM type 11",
     number: Some(11),
+    most_touches: 2,
     doc: "docs/cycles/groove.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Groove, protected",
     source: "ENCY/SprutCAM type 12",
     number: Some(12),
+    most_touches: 2,
     doc: "docs/cycles/groove-protected.md",
     fields: PairProtected::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -5,6 +5,7 @@
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Circle, Shape, Variant, field, words};
 use crate::geom::Vec3;
+use crate::path::MAX_TOUCHES;
 use crate::spec::form;
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Hole",
     source: "ENCY/SprutCAM type 3",
     number: Some(3),
+    most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -4,12 +4,14 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RoundProtected, Shape, words};
+use crate::path::MAX_TOUCHES;
 
 pub static DEF: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
     source: "ENCY/SprutCAM type 4",
     number: Some(4),
+    most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole-protected.md",
     fields: RoundProtected::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Internal rectangle",
     source: "ENCY/SprutCAM type 6",
     number: Some(6),
+    most_touches: 4,
     doc: "docs/cycles/internal-rectangle.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Internal rectangle, protected",
     source: "ENCY/SprutCAM type 7",
     number: Some(7),
+    most_touches: 4,
     doc: "docs/cycles/internal-rectangle-protected.md",
     fields: RectangleProtected::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -20,7 +20,7 @@ mod two_circles;
 mod web;
 mod web_three_points;
 
-pub use ency::{Pick, Placement, code_of};
+pub use ency::{Pick, Placement, code_of, only_angular};
 
 use std::fmt::Debug;
 
@@ -51,7 +51,7 @@ pub static CYCLES: &[&CycleDef] = &[
     &nc_action::DEF,
 ];
 
-/// What is known of a cycle before anybody fills in its form.
+/// What is known of a cycle before its form is filled in.
 #[derive(Debug)]
 pub struct CycleDef {
     /// `cycle.type` in the job.
@@ -62,6 +62,8 @@ pub struct CycleDef {
     pub source: &'static str,
     /// Its type number in the source's parameter table (code −1), where it has one.
     pub number: Option<i32>,
+    /// The most touches it can have.
+    pub most_touches: usize,
     /// Page of the manual.
     pub doc: &'static str,
     /// Its form.
@@ -91,6 +93,9 @@ pub trait Cycle: Debug {
 
     /// The whole path. Total on every cycle that passed its rules.
     fn plan(&self, setup: &Setup) -> Path;
+
+    /// Reports what only the whole path shows: where it begins and ends against the feature. Paths start with `cycle.`.
+    fn review(&self, _setup: &Setup, _path: &Path, _checker: &mut Checker) {}
 
     /// The surfaces of the feature alone, as [`Cycle::plan`] gives them.
     fn surfaces(&self, setup: &Setup) -> Vec<Surface>;

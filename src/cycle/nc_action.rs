@@ -9,6 +9,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "NC action",
     source: "ENCY/SprutCAM type 1",
     number: Some(1),
+    most_touches: 0,
     doc: "docs/cycles/nc-action.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

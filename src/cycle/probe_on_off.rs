@@ -9,6 +9,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Probe on/off",
     source: "ENCY/SprutCAM type 0",
     number: Some(0),
+    most_touches: 0,
     doc: "docs/cycles/probe-on-off.md",
     fields: Form::FIELDS,
     sections: &[],

@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Surface",
     source: "ENCY/SprutCAM type 2",
     number: Some(2),
+    most_touches: 1,
     doc: "docs/cycles/surface.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

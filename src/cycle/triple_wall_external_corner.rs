@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Triple wall external corner",
     source: "ENCY/SprutCAM type 16",
     number: Some(16),
+    most_touches: 3,
     doc: "docs/cycles/triple-wall-external-corner.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Triple wall internal corner",
     source: "ENCY/SprutCAM type 15",
     number: Some(15),
+    most_touches: 3,
     doc: "docs/cycles/triple-wall-internal-corner.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

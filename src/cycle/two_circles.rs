@@ -21,6 +21,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Probing two circles",
     source: "HEIDENHAIN cycle 1411",
     number: None,
+    most_touches: 2 * 8 * 99,
     place: None,
     doc: "docs/cycles/probing-two-circles.md",
     fields: Form::FIELDS,
@@ -48,8 +49,11 @@ pub static DEF: CycleDef = CycleDef {
          before the first touch, goes down at the probing feed, and the cycle ends where its last touch began.",
         "DIST is the longest way of a touch, counted from where it begins.",
         "A hole too small for the set-up clearance is touched from its centre; the reachable clearance is D/2 less the ball radius.",
-        "Material is taken to reach up to a ball radius below the clearance height (with Q1125 = -1: below the height where the \
-         stylus comes from), since nothing else is known of it.",
+        "How high the material reaches is not known. For the check against collisions it is taken to reach half-way from the highest touch \
+         to a ball radius below the clearance height (with Q1125 = -1: below the height where the stylus comes from). Around a hole there is \
+         material as far as the other object.",
+        "The stylus is taken to be at `start` before the cycle: no block moves it there.",
+        "With 1493 the ball goes deeper along the extrusion at the probing feed, and up at rapid.",
         "An extrusion along the main or minor axis is refused: repeated touches would run off a round object.",
         "Three points give the exact circle, more the one of geometric least squares.",
         "Deviations are measured from the middle of the tolerance zone. Q183: in the zone, limits included, is good; a hole too \
@@ -130,6 +134,10 @@ form! {
         set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
         /// Clearance height? Where nothing can be met.
         clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
+        /// Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show.
+        set_up_clearance_predef: bool = Field::flag("setUpClearancePredef", "Set-up clearance: PREDEF", false).group("Heights"),
+        /// Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show.
+        clearance_height_predef: bool = Field::flag("clearanceHeightPredef", "Clearance height: PREDEF", false).group("Heights"),
         /// Traverse to clearance height? When the ball goes there.
         clearance_height_mode: i32 = Field::code_of("clearanceHeightMode", "Clear. height mode", 2, HEIGHT_MODE).code("Q1125").group("Heights"),
         /// Reaction to tolerance error?
@@ -353,8 +361,14 @@ impl TwoCircles {
         push(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints");
         push(325, "STARTING ANGLE", ParameterValue::Number(form.starting_angle), "cycle.startingAngle");
         push(1119, "ANGULAR LENGTH", ParameterValue::Number(form.angular_length), "cycle.angularLength");
-        push(320, "SET-UP CLEARANCE", ParameterValue::Length(form.set_up_clearance), "cycle.setUpClearance");
-        push(260, "CLEARANCE HEIGHT", ParameterValue::Length(form.clearance_height), "cycle.clearanceHeight");
+        let global = |predefined: bool, mm: f64| match predefined {
+            true => ParameterValue::Word("PREDEF"),
+            false => ParameterValue::Length(mm),
+        };
+        let set_up = global(form.set_up_clearance_predef, form.set_up_clearance);
+        push(320, "SET-UP CLEARANCE", set_up, "cycle.setUpClearance");
+        let height = global(form.clearance_height_predef, form.clearance_height);
+        push(260, "CLEARANCE HEIGHT", height, "cycle.clearanceHeight");
         push(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode");
         push(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction");
         push(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis");
@@ -374,6 +388,8 @@ impl Cycle for TwoCircles {
         let (touches, moves) = planner::Planner::new(self, setup).run();
         Path {
             touches,
+            start: (!moves.is_empty()).then_some(self.form.start),
+            top: None,
             moves,
             surfaces: self.surfaces(setup),
             feeds: Some(Feeds {
@@ -395,20 +411,30 @@ impl Cycle for TwoCircles {
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = Self::frame(setup);
-        let top = self.free_height(setup) - setup.radius;
-        self.objects()
-            .iter()
-            .map(|object| {
-                let Some([a, o, w]) = object.place().filter(|_| object.state != State::Semi) else { return Surface::Unknown };
-                Surface::Round(Round {
-                    center: frame.point(a, o, top.max(w)),
-                    radius: object.nominal_diameter() / 2.0,
-                    hole: object.hole,
-                    drawn_depth: top.max(w) - w + setup.radius,
-                    plate: false,
-                })
+        let free = self.free_height(setup) - setup.radius;
+        let highest = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        let objects = self.objects();
+        let place = |object: &Object| object.place().filter(|_| object.state != State::Semi);
+        let known = |object: &Object, other: &Object| {
+            let Some([a, o, w]) = place(object) else { return Surface::Unknown };
+            let radius = object.nominal_diameter() / 2.0;
+            // The top is not known: half-way between the highest touch and the height at which the ball is free.
+            let touched = w + highest;
+            let top = touched + ((free - touched) / 2.0).max(0.0);
+            // Around a hole there is material, but not where the other object is, nor where the ball goes around that.
+            let clear = if other.hole { 0.0 } else { self.stand_off(setup) + setup.radius };
+            let reach = place(other)
+                .map_or(f64::INFINITY, |[oa, oo, _]| (oa - a).hypot(oo - o) - other.nominal_diameter() / 2.0 - clear);
+            Surface::Round(Round {
+                center: frame.point(a, o, top),
+                radius,
+                hole: object.hole,
+                drawn_depth: top - w + setup.radius,
+                plate: object.hole.then_some(reach),
             })
-            .collect()
+        };
+        let [one, two] = &objects;
+        vec![known(one, two), known(two, one)]
     }
 
     fn resized(&self, _setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {

@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Web",
     source: "ENCY/SprutCAM type 9",
     number: Some(9),
+    most_touches: 2,
     doc: "docs/cycles/web.md",
     fields: PairProtected::FIELDS,
     sections: &[ency::PROPERTIES],

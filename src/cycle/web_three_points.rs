@@ -12,6 +12,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Web, three points",
     source: "ENCY/SprutCAM type 10",
     number: Some(10),
+    most_touches: 3,
     doc: "docs/cycles/web-three-points.md",
     fields: Form::FIELDS,
     sections: &[ency::PROPERTIES],

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::cycle::{self, CYCLES, CycleDef};
 use crate::job::form::{FORMAT, SECTIONS};
+use crate::job::import::LONGEST_TEXT;
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 use crate::post::POSTS;
 use crate::spec::{Choice, Code, Default, Field, Kind, Value};
@@ -22,12 +23,15 @@ pub struct Catalog {
     pub posts: Vec<PostEntry>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min.
     pub rapid_rate: f64,
-    /// The most touches a cycle may have.
+    /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
     pub max_touches: usize,
+    /// The longest text that is read, in bytes.
+    pub longest_text: usize,
 }
 
 /// One cycle.
 #[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct CycleEntry {
     /// `cycle.type`.
     #[serde(rename = "type")]
@@ -40,6 +44,8 @@ pub struct CycleEntry {
     pub number: Option<i32>,
     /// Whether its touches may be picked one by one (`cycle.touches`).
     pub touches: bool,
+    /// The most touches it can have.
+    pub max_touches: usize,
     /// Page of the manual.
     pub doc: &'static str,
     /// Its form.
@@ -187,6 +193,7 @@ pub fn catalog() -> Catalog {
             .collect(),
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
+        longest_text: LONGEST_TEXT,
     }
 }
 
@@ -197,8 +204,11 @@ pub fn default_job(key: &str) -> Option<Value> {
 
 /// The same with lengths and feeds told in units of `scale` mm; the units themselves stay to be set.
 pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
-    let def = cycle::find(key)?;
-    let default_values = |fields: &[Field]| default_values(fields, scale);
+    cycle::find(key).map(|def| complete_job(def, scale, true))
+}
+
+fn complete_job(def: &CycleDef, scale: f64, short: bool) -> Value {
+    let default_values = |fields: &[Field]| default_values(fields, scale, short);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
     for (path, fields) in SECTIONS {
         if path.is_empty() {
@@ -227,11 +237,47 @@ pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
         entries.push((section.key.to_owned(), value));
     }
     job.push(("cycle".to_owned(), Value::Map(entries)));
-    Some(Value::Map(job))
+    Value::Map(job)
 }
 
-fn default_values(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
-    let rounded = |x: f64| if scale == 1.0 { x } else { (x / scale * 1e6).round() / 1e6 };
+/// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
+pub fn resolved(job: &Value) -> Option<Value> {
+    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
+    let scale = if job.get("units") == Some(&Value::Text("inch".to_owned())) { 25.4 } else { 1.0 };
+    let def = cycle::find(key)?;
+    let mut whole = complete_job(def, scale, false);
+    for section in def.sections {
+        // A form inside the form that is there has all its fields.
+        if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
+            let values = Value::Map(default_values(section.fields, scale, false));
+            overlay(&mut whole, &Value::Map(vec![("cycle".to_owned(), Value::Map(vec![(section.key.to_owned(), values)]))]));
+        }
+    }
+    overlay(&mut whole, job);
+    Some(whole)
+}
+
+/// Puts what `over` says over what is there; lists are taken whole.
+fn overlay(under: &mut Value, over: &Value) {
+    let (Value::Map(entries), Value::Map(given)) = (&mut *under, over) else {
+        *under = over.clone();
+        return;
+    };
+    for (key, value) in given {
+        match entries.iter_mut().find(|(k, _)| k == key) {
+            Some((_, place)) => overlay(place, value),
+            None => entries.push((key.clone(), value.clone())),
+        }
+    }
+}
+
+/// Default values in units of `scale` mm: as people write them, or in full.
+fn default_values(fields: &[Field], scale: f64, short: bool) -> Vec<(String, Value)> {
+    let rounded = |x: f64| match (scale == 1.0, short) {
+        (true, _) => x,
+        (false, true) => (x / scale * 1e6).round() / 1e6,
+        (false, false) => x / scale,
+    };
     let value = |field: &Field| match field.default {
         Default::Number(x) => match field.kind {
             Kind::Length | Kind::Feed | Kind::Nominal => Value::Number(rounded(x)),
@@ -253,6 +299,7 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         source: def.source,
         number: def.number,
         touches: def.place.is_some(),
+        max_touches: def.most_touches,
         doc: def.doc,
         fields: entries(def.fields),
         sections: def

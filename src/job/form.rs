@@ -27,6 +27,9 @@ pub const POST_CHOICES: &[Choice] = &[
 const FORMS: &[Choice] =
     &[Choice { value: "moves", label: "Plain moves" }, Choice { value: "cycle", label: "The control's own cycle" }];
 
+const PROTECTIONS: &[Choice] =
+    &[Choice { value: "checked", label: "Watched and checked" }, Choice { value: "none", label: "Not watched" }];
+
 form! {
     /// The job itself.
     pub struct General {
@@ -76,8 +79,10 @@ form! {
         form: String = Field::choice("form", "Program form", FORMS).group("Control"),
         /// The work offset that the program writes at its end: 1 is G54. Empty measures only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
-        /// Tool number of the probe, for controls whose programs call it.
-        tool: i32 = Field::count("tool", "Probe's tool number", 100, 0, 32_767).group("Control"),
+        /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
+        protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
+        /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none.
+        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 0, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
     }
 }
 
@@ -138,8 +143,10 @@ pub struct Job {
     pub post: &'static PostDef,
     /// `moves`, or `cycle` for the control's own.
     pub form: String,
-    /// Tool number of the probe.
-    pub tool: i32,
+    /// Tool number of the probe; none is not called.
+    pub tool: Option<i32>,
+    /// Whether positioning is to be watched, where the control can.
+    pub protected: bool,
     /// The work offset to write.
     pub work_offset: Option<i32>,
     /// How the real part lies.
@@ -177,7 +184,7 @@ impl Job {
         let post = post::find(&control.post).expect("a checked choice is a post");
         check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
         check_length(checker, post, &length);
-        check_name(checker, &general.name);
+        check_name(checker, post, &general.name);
         let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
 
         let (def, cycle) = cycle?;
@@ -203,6 +210,7 @@ impl Job {
             post,
             form: control.form,
             tool: control.tool,
+            protected: control.protection == "checked",
             work_offset: control.work_offset,
             lie: Lie {
                 rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
@@ -338,8 +346,8 @@ fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
     }
 }
 
-fn check_name(checker: &mut Checker, name: &str) {
-    let written = post::comment_text(name);
+fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
+    let written = (post.name)(name);
     if written != name {
         let message =
             format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");

@@ -45,7 +45,7 @@ pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     let form = QueryForm::read(&mut section);
     let frame = read_frame(&mut section);
     if checker.failed() {
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     }
     Ok(Query {
         plane: Plane::named(&form.plane),

@@ -15,14 +15,18 @@ mod lentoax;
 pub mod mpf;
 mod plan;
 mod schema;
+mod units;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use export::export_table;
 pub use form::{Job, SECTIONS};
-pub use import::{Imported, import, is_dump};
+#[cfg(not(target_arch = "wasm32"))]
+pub use import::import;
+pub use import::{Imported, LONGEST_TEXT, import_with, is_dump, too_long};
 pub use lentoax::lentoax_query;
-pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ResultRow, TouchPoint};
+pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ResultRow, TouchPoint};
 pub use schema::job_schema;
+pub use units::convert_units;
 
 use crate::spec::{Checker, Finding, Value};
 
@@ -53,21 +57,33 @@ pub fn check(value: &Value) -> Vec<Finding> {
 
 /// The whole plan of a job, in the job's units.
 pub fn plan(value: &Value) -> Result<Plan, JobError> {
-    let mut checker = Checker::default();
-    let job = Job::read(&mut checker, value);
-    match job {
-        Some(job) => plan::make(&job, value, checker),
-        None => Err(JobError { findings: checker.findings }),
-    }
+    plan_with_path(value).map(|(_, plan)| plan)
 }
 
-/// What is needed to draw a job: the checked job, its path, and what happens on the actual part. Lengths in mm.
+/// The same with the path that it is made of: what a picture needs.
+pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
+    let mut checker = Checker::default();
+    let Some(job) = Job::read(&mut checker, value) else {
+        return Err(JobError { findings: checker.findings() });
+    };
+    let planned = Planned::of(job);
+    let plan = plan::make(&planned, value, checker)?;
+    Ok((planned, plan))
+}
+
+/// The path of a job and what happens on the actual part; none for a job whose form has errors.
+pub fn planned(value: &Value) -> Option<Planned> {
+    Job::read(&mut Checker::default(), value).map(Planned::of)
+}
+
+/// What is needed to draw a job: the checked job, its path, the surfaces of the actual part, and what happens there. None for a job with
+/// errors. Lengths in mm.
 pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Surface>, crate::part::Run)> {
     let job = Job::read(&mut Checker::default(), value)?;
     let path = job.cycle.plan(&job.setup);
-    let walls = plan::actual_surfaces(&job);
-    let run = crate::part::run(&path, &walls, &job.setup);
-    Some((job, path, walls, run))
+    let surfaces = plan::actual_surfaces(&job);
+    let run = crate::part::run(&path, &surfaces, &job.setup);
+    Some((job, path, surfaces, run))
 }
 
 /// The results from ball centres that a machine really measured, one a touch, in the job's units. See
@@ -75,7 +91,7 @@ pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::
 pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
     let mut checker = Checker::default();
     let Some(job) = Job::read(&mut checker, value) else {
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     };
     plan::evaluate(&job, measured, checker)
 }

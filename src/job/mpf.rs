@@ -29,6 +29,10 @@ pub struct Program {
     pub blocks: Vec<Block>,
     /// Its comments, without the semicolon.
     pub comments: Vec<String>,
+    /// Where it takes the ball to be before the start, where it says so.
+    pub start: Option<[f64; 3]>,
+    /// Whether it says that positioning is not watched.
+    pub unwatched: bool,
 }
 
 /// One block.
@@ -66,6 +70,8 @@ pub enum Statement {
 pub struct Motion {
     /// `MEAS=1`.
     pub measuring: bool,
+    /// `G0`: as fast as the control can.
+    pub rapid: bool,
     /// X, Y, Z.
     pub axes: [Option<f64>; 3],
     /// F.
@@ -133,7 +139,10 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
     for (index, full) in text.lines().enumerate() {
         let (code, comment) = split_comment(full);
         if let Some(comment) = comment {
-            program.comments.push(comment.trim().to_owned());
+            let comment = comment.trim();
+            program.start = program.start.or_else(|| stated_start(comment));
+            program.unwatched |= comment.ends_with("Positioning is NOT watched");
+            program.comments.push(comment.to_owned());
         }
         let code = without_number(code.trim());
         // What stands before a program in an archive.
@@ -146,6 +155,17 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
         }
     }
     if troubles.is_empty() { Ok(program) } else { Err(troubles) }
+}
+
+/// `The stylus is taken to be at X0 Y0 Z100 before the start: …`
+fn stated_start(comment: &str) -> Option<[f64; 3]> {
+    let words = comment.strip_prefix("The stylus is taken to be at ")?;
+    let mut place = [None; 3];
+    for word in words.split(' ').take(3) {
+        let axis = AXIS_NAMES.iter().position(|name| word.starts_with(name))?;
+        place[axis] = word[1..].parse::<f64>().ok().filter(|x| x.is_finite());
+    }
+    Some([place[0]?, place[1]?, place[2]?])
 }
 
 /// The code of a line and its comment. A semicolon inside a text begins none.
@@ -262,8 +282,11 @@ fn words(code: &str) -> Result<Statement, String> {
         }
     }
     match (moves, others.as_slice()) {
-        (true, [one]) if one == "G1" => Ok(Statement::Motion(motion)),
-        (true, _) => Err("a block with axis words must be a G1 and nothing else".into()),
+        (true, [one]) if one == "G1" || (one == "G0" && !motion.measuring && motion.feed.is_none()) => {
+            motion.rapid = one == "G0";
+            Ok(Statement::Motion(motion))
+        }
+        (true, _) => Err("a block with axis words must be a G1, or a G0 without a feed".into()),
         (false, []) => Err("nothing is in this block".into()),
         (false, _) if motion.measuring || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
         (false, _) => Ok(Statement::Words(others)),
@@ -406,11 +429,11 @@ impl Parser<'_> {
 
 impl Program {
     /// What a control would not find, or only with the probe on the way: jumps without labels, protected moves without their
-    /// check, moves that nobody watches, units and absolute mode that are not stated.
+    /// check, moves that are not watched, units and absolute mode that are not stated.
     pub fn troubles(&self) -> Vec<Trouble> {
         let mut troubles = Vec::new();
         let mut say = |line: usize, message: &str| troubles.push(Trouble { line, message: message.to_owned() });
-        let mut at = [None; 3];
+        let mut at = self.start.map_or([None; 3], |start| start.map(Some));
         let mut before_touch: Option<[Option<f64>; 3]> = None;
         let (mut units, mut absolute, mut exits) = (false, false, false);
         let mut labels: HashMap<&str, Vec<usize>> = HashMap::new();
@@ -439,22 +462,22 @@ impl Program {
                     if !units || !absolute {
                         say(line, "this moves before units and G90 are stated");
                     }
-                    if !exits && motion.feed.is_none_or(|f| f <= 0.0) {
+                    if !exits && !motion.rapid && motion.feed.is_none_or(|f| f <= 0.0) {
                         say(line, "this moves without a feed of its own");
                     }
                     let to = motion.after(at);
                     if motion.measuring {
                         match self.check_after(i) {
                             Some(touches) => before_touch = touches.then_some(at),
-                            None => say(line, "nobody looks whether this MEAS move touched something"),
+                            None => say(line, "this MEAS move is not checked: a contact in it would go unnoticed"),
                         }
-                    } else if before_touch.take().is_none_or(|start| start != to) && !exits {
-                        say(line, "a move without MEAS is none back from a touch");
+                    } else if before_touch.take().is_none_or(|start| start != to) && !exits && !self.unwatched {
+                        say(line, "a move without MEAS that does not lead back from a touch");
                     }
                     at = to;
                 }
                 Statement::Call(name, arguments) => match (name.as_str(), arguments.len()) {
-                    ("CYCLE977", 27) | ("MSG" | "SETAL", 1) => {}
+                    ("CYCLE977", 29) | ("MSG" | "SETAL", 1) => {}
                     _ => say(line, "this call is not known, or not with so many arguments"),
                 },
                 Statement::Declare(_) | Statement::Label(_) | Statement::Assign(..) => {}
@@ -472,10 +495,11 @@ impl Program {
         (stopped.statement == stop && **left == state && **right == Term::Number(0.0)).then_some(*operator == "==")
     }
 
-    /// The path, up to the end of the program. A first move must name all axes.
+    /// The path, up to the end of the program. To its first place the ball may come in steps, axis by axis: they are one step here, with the
+    /// line of the last.
     pub fn moves(&self) -> Result<Vec<Step>, Trouble> {
-        let mut at: [Option<f64>; 3] = [None; 3];
-        let (mut number, mut feed, mut steps) = (None, 0.0, Vec::new());
+        let mut at: [Option<f64>; 3] = self.start.map_or([None; 3], |start| start.map(Some));
+        let (mut number, mut feed, mut steps) = (None, 0.0, Vec::<Step>::new());
         for (i, block) in self.blocks.iter().enumerate() {
             match &block.statement {
                 Statement::Words(words) if words.iter().any(|w| w == "M30") => break,
@@ -483,17 +507,28 @@ impl Program {
                 Statement::Motion(motion) => {
                     at = motion.after(at);
                     feed = motion.feed.unwrap_or(feed);
-                    let [Some(x), Some(y), Some(z)] = at else {
-                        let message = "the first move must name X, Y and Z".to_owned();
-                        return Err(Trouble { line: block.line, message });
-                    };
                     let purpose = match (motion.measuring, self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
                         (false, _) => Purpose::Back,
                     };
+                    let [Some(x), Some(y), Some(z)] = at else {
+                        if steps.is_empty() && purpose != Purpose::Touch {
+                            continue;
+                        }
+                        let message = "the first moves must name X, Y and Z".to_owned();
+                        return Err(Trouble { line: block.line, message });
+                    };
                     let number = number.filter(|_| purpose != Purpose::Back);
-                    steps.push(Step { line: block.line, number, purpose, to: [x, y, z], feed });
+                    let step = Step { line: block.line, number, purpose, to: [x, y, z], feed };
+                    match steps.last_mut() {
+                        Some(first)
+                            if i > 0 && first.number == number && first.to == step.to && purpose == Purpose::Position =>
+                        {
+                            *first = step;
+                        }
+                        _ => steps.push(step),
+                    }
                 }
                 _ => {}
             }

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::formula::Unit;
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::job::{Job, JobError};
+use crate::job::{Job, JobError, catalog};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{self, Feed, Feeds, Path, Purpose, RAPID_RATE, Surface};
+use crate::path::{self, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 use crate::post::Request;
 use crate::spec::{Checker, Finding, Value};
 
@@ -22,7 +22,7 @@ pub struct Plan {
     pub touches: Vec<TouchPoint>,
     /// The moves, of the ball centre.
     pub moves: Vec<Move>,
-    /// Length of the whole path, from where its first move ends.
+    /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
     pub length: f64,
     /// Minutes for the same, rapids at 5000 mm/min.
     pub time: f64,
@@ -161,20 +161,77 @@ fn planned(job: &Job) -> Path {
     path
 }
 
-/// Makes the plan; `value` is the job as it was given. `checker` holds what the check has found.
-pub fn make(job: &Job, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
-    let path = planned(job);
-    let run = part::run(&path, &actual_surfaces(job), &job.setup);
-    report_run(job, &path, &run, &mut checker);
-    if checker.failed() {
-        return Err(JobError { findings: checker.findings });
+/// Where a job's path runs, and what happens on the actual part. Lengths in mm.
+#[derive(Debug)]
+pub struct Planned {
+    /// The checked job.
+    pub job: Job,
+    /// Its path.
+    pub path: Path,
+    /// The surfaces of the actual part.
+    pub surfaces: Vec<Surface>,
+    /// What happens there.
+    pub run: part::Run,
+}
+
+impl Planned {
+    /// Plans the path of a checked job and runs it.
+    pub fn of(job: Job) -> Self {
+        let path = planned(&job);
+        let surfaces = actual_surfaces(&job);
+        let run = part::run(&path, &surfaces, &job.setup);
+        Planned { job, path, surfaces, run }
     }
-    let mut rows = part::evaluate(&path, &run.triggers, job.repeatability);
+}
+
+/// What the whole path must hold, whatever cycle it is of.
+fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
+    for (k, fault) in path.touch_faults(job.setup.radius) {
+        let field = if path.picked { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
+        let n = k + 1;
+        let (code, message) = match fault {
+            TouchFault::Missing => {
+                ("touch-missing", format!("Touch {n} is not in the path once: nothing would assign its trigger"))
+            }
+            TouchFault::Short(way) => (
+                "touch-too-short",
+                format!(
+                    "Touch {n} begins {} before its nominal contact: at least {} are needed, or the ball begins in contact",
+                    checker.length(way),
+                    checker.length(SHORTEST_TOUCH)
+                ),
+            ),
+            TouchFault::Askew(angle) => (
+                "touch-askew",
+                format!(
+                    "Touch {n} would run askew by {}° of its inverted target vector: at most {MOST_ASKEW}° are taken",
+                    decimal(angle, 2)
+                ),
+            ),
+        };
+        checker.error(code, field, message);
+    }
+    job.cycle.review(&job.setup, path, checker);
+}
+
+/// Makes the plan; `value` is the job as it was given. `checker` holds what the check has found.
+pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
+    let Planned { job, path, run, .. } = planned;
+    check_path(job, path, &mut checker);
+    if !checker.failed() {
+        report_run(job, path, run, &mut checker);
+    }
+    if checker.failed() {
+        return Err(JobError { findings: checker.findings() });
+    }
+    let mut rows = part::evaluate(path, &run.triggers, job.repeatability);
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.plan(&job.setup).formula);
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
-    job.cycle.judge(&job.setup, &path, &run.triggers, &mut rows);
-    let results = result_rows(job, &path, rows);
+    job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    let results = result_rows(job, path, rows);
+    report_untrue(job, &results, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
+    let told = job.post.says_job.then(|| catalog::resolved(value)).flatten();
     let request = Request {
         tool: job.tool,
         name: &job.name,
@@ -186,15 +243,16 @@ pub fn make(job: &Job, value: &Value, mut checker: Checker) -> Result<Plan, JobE
         setup: &job.setup,
         feeds: &feeds,
         work_offset: job.work_offset,
-        path: &path,
-        job: value,
+        path,
+        protected: job.protected,
+        job: told.as_ref(),
     };
     (job.post.check)(&request, &mut checker);
     if checker.failed() {
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     }
     let program = (job.post.emit)(&request);
-    let (length, time) = length_and_time(job, &path, &feeds);
+    let (length, time) = length_and_time(job, &request);
     Ok(Plan {
         touches: path
             .touches
@@ -213,16 +271,16 @@ pub fn make(job: &Job, value: &Value, mut checker: Checker) -> Result<Plan, JobE
         table: path.parameters.iter().map(|p| parameter_row(job, p)).collect(),
         results,
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
-        findings: checker.findings,
+        findings: checker.findings(),
     })
 }
 
 /// The results from measured points.
 pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
     let path = planned(job);
-    let before = checker.findings.len();
+    let before = checker.count();
     let points = part::read_measured(&mut checker, measured);
-    if checker.findings.len() == before && points.len() != path.touches.len() {
+    if checker.count() == before && points.len() != path.touches.len() {
         let message =
             format!("{} points are given for {} touches: one ball centre a touch, in order", points.len(), path.touches.len());
         checker.error("wrong-count", "measured", message);
@@ -247,7 +305,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
         }
     }
     if checker.failed() {
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     }
     let mut rows = part::evaluate(&path, &points, job.repeatability);
     job.cycle.judge(&job.setup, &path, &points, &mut rows);
@@ -256,11 +314,9 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
 
 /// How far a touch goes to its nominal contact, mm.
 fn way_to(path: &Path, touch: usize) -> f64 {
-    let index = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch));
-    match index {
-        Some(i) if i > 0 => path.moves[i - 1].to.distance(path.moves[i].to),
-        _ => 0.0,
-    }
+    let Some(i) = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch)) else { return 0.0 };
+    let from = if i > 0 { Some(path.moves[i - 1].to) } else { path.start };
+    from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
@@ -303,6 +359,34 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
             format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);
         checker.warning("wrong-wall", field, message);
     }
+}
+
+/// A result that the control stores and that is not true of the part, where somebody would be misled by it.
+fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
+    /// In mm, and in degrees.
+    const MISLEADING: f64 = 0.05;
+    let off = |row: &ResultRow| {
+        let off = row.value? - row.truth?;
+        let size = off.abs() * if row.unit == "deg" { 1.0 } else { job.scale };
+        (size > MISLEADING).then_some((size, off))
+    };
+    let mut untrue: Vec<(&ResultRow, (f64, f64))> = results.iter().filter_map(|row| Some((row, off(row)?))).collect();
+    untrue.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+    let Some((worst, (_, off))) = untrue.first() else { return };
+    let unit = if worst.unit == "deg" { "°".to_owned() } else { format!(" {}", worst.unit) };
+    let places = if job.scale == 1.0 { 3 } else { 4 };
+    let others = match untrue.len() {
+        1 => String::new(),
+        n => format!(" ({} of the results are off by more than {})", n, checker.length(MISLEADING)),
+    };
+    let message = format!(
+        "On this part the control stores {}{unit} as {}, and {}{unit} is true: off by {}{unit}{others}",
+        decimal(worst.value.unwrap_or(0.0), places),
+        worst.code,
+        decimal(worst.truth.unwrap_or(0.0), places),
+        decimal(*off, places),
+    );
+    checker.warning("result-untrue", "part", message);
 }
 
 fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
@@ -371,6 +455,7 @@ fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
             path::ParameterValue::Whole(n) => ParameterValue::Whole(*n),
             path::ParameterValue::Flag(on) => ParameterValue::Flag(*on),
             path::ParameterValue::Text(text) => ParameterValue::Text(text.clone()),
+            path::ParameterValue::Word(word) => ParameterValue::Text((*word).to_owned()),
         },
         meaning: parameter.meaning.clone(),
         field: parameter.field.clone(),
@@ -378,19 +463,20 @@ fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
     }
 }
 
-fn length_and_time(job: &Job, path: &Path, feeds: &Feeds) -> (f64, f64) {
-    let plain_moves = (job.post.supports)(job.def.key, "moves").is_ok();
+fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
     let mut length = 0.0;
     let mut time = 0.0;
-    for pair in path.moves.windows(2) {
-        let way = match pair[1].arc {
-            Some(arc) => pair[0].to.distance(arc.center) * arc.sweep.abs(),
-            None => pair[0].to.distance(pair[1].to),
-        };
-        length += way;
-        // A program of moves cuts an arc at a stated feed, also where its rapid has no number.
-        let arc_feed = pair[1].arc.filter(|_| plain_moves && !job.post.arcs_as_rapids).map(|_| feeds.work);
-        time += way / feeds.rate(pair[1].feed).or(arc_feed).unwrap_or(RAPID_RATE);
+    let mut at = request.path.start;
+    for step in &request.path.moves {
+        if let Some(from) = at {
+            let way = match step.arc {
+                Some(arc) => from.distance(arc.center) * arc.sweep.abs(),
+                None => from.distance(step.to),
+            };
+            length += way;
+            time += way / (job.post.rate)(request, at, step).unwrap_or(RAPID_RATE);
+        }
+        at = Some(step.to);
     }
     (tidy(length / job.scale), tidy(time))
 }

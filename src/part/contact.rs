@@ -38,8 +38,8 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
     Some(Contact { fraction, center: from + (to - from) * fraction, surface, edge })
 }
 
-/// The fraction of the way at which the ball meets a hole or a stud. Of a hole only the wall and its rim are known, not how
-/// far the material goes around it: a second hole lies there, or nothing.
+/// The fraction of the way at which the ball meets a hole or a stud. Around a hole there is material as far as its plate reaches;
+/// beyond that nothing is known.
 fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let flat = |v: Vec3| v - up * v.dot(up);
     let (start, way) = (flat(from - round.center), flat(to - from));
@@ -47,7 +47,8 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     // Distance in front of the wall: from inside a hole, from outside otherwise.
     let inside = round.hole && start.length() <= round.radius + SKIN;
     let front = if inside { round.radius - start.length() } else { start.length() - round.radius };
-    if round.plate && !inside && h0.min(h1) < radius - SKIN {
+    let material = !inside && round.plate.is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
+    if material && h0.min(h1) < radius - SKIN {
         // Over the plate, or in it: its top side is met on the way down.
         return if h0 < radius - SKIN { Some(0.0) } else { (h1 < h0).then(|| ((h0 - radius) / (h0 - h1)).clamp(0.0, 1.0)) };
     }
@@ -323,7 +324,7 @@ mod tests {
 
     fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
-        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0, plate: false });
+        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0, plate: None });
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
         first_contact(&[surface], Vec3::Z, 3.0, from, to).map(|c| c.center.distance(from))
     }

@@ -94,7 +94,7 @@ mod tests {
     fn text(text: &str) -> (Measured, Vec<String>) {
         let mut checker = Checker::default();
         let points = read(&mut checker, &Value::Text(text.to_owned()));
-        (points, checker.findings.into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
+        (points, checker.findings().into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
     }
 
     #[test]

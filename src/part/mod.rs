@@ -59,9 +59,9 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;
     let mut triggers = vec![None; path.touches.len()];
     let (mut strays, mut edges) = (Vec::new(), Vec::new());
-    let mut at: Option<Vec3> = None;
+    let mut at: Option<Vec3> = path.start;
     for (index, step) in path.moves.iter().enumerate() {
-        // The way to the first place is not known: only the place itself is looked at.
+        // Where the job does not say where the ball is, only the first place itself is looked at.
         let from = at.unwrap_or(step.to);
         match step.purpose {
             Purpose::Touch(k) => {

@@ -4,10 +4,11 @@
 //! (`TRANSER POSITION` too). That values with a tolerance go out as `QS1116="10H7"`, and the parameters of 1493, are recalled
 //! and not verified on a control.
 
-use crate::geom::Plane;
+use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::ParameterValue;
 use crate::post::{PostDef, Program, Request};
+use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
@@ -18,9 +19,11 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty",
     first_length: false,
     plain_arithmetic: false,
-    arcs_as_rapids: false,
+    says_job: false,
+    name: program_name,
+    rate: |request, _, step| request.feeds.rate(step.feed),
     supports,
-    check: |_, _| {},
+    check,
     emit,
 };
 
@@ -51,8 +54,16 @@ fn emit(request: &Request<'_>) -> Program {
         Plane::G18 => "Y",
         Plane::G19 => "X",
     };
-    let mut text = format!("0 BEGIN PGM {name} {unit}\n1 TOOL CALL {} {axis} S50\n", request.tool);
-    let mut number = 2;
+    let mut text = format!("0 BEGIN PGM {name} {unit}\n");
+    let mut number = 1;
+    for comment in header(request, &name, axis) {
+        text.push_str(&format!("{number} ; {comment}\n"));
+        number += 1;
+    }
+    if let Some(tool) = request.tool {
+        text.push_str(&format!("{number} TOOL CALL {tool} {axis} S50\n"));
+        number += 1;
+    }
     let extrusion = |code: i32| matches!(code, 1140 | 1145 | 1146 | 1149);
     let (before, block): (Vec<_>, Vec<_>) = request.path.parameters.iter().partition(|p| extrusion(p.code));
     for (head, parameters) in [("1493 EXTRUSION PROBING", before), ("1411 PROBING TWO CIRCLES", block)] {
@@ -71,9 +82,53 @@ fn emit(request: &Request<'_>) -> Program {
     Program { text, move_lines: vec![None; request.path.moves.len()] }
 }
 
+/// What will happen, as comments. None ends in the sign that continues a block.
+fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
+    let places = if request.scale == 1.0 { 4 } else { 5 };
+    let number = |mm: f64| decimal(mm / request.scale, places);
+    let mut lines = vec![
+        format!("Job: {name}"),
+        format!("{}: {}", request.source, request.title),
+        format!(
+            "Units {}, plane {}, stylus ball diameter {}",
+            if request.scale == 1.0 { "mm" } else { "inch" },
+            request.plane.word(),
+            number(2.0 * request.setup.radius)
+        ),
+    ];
+    match request.tool {
+        Some(tool) => lines.push(format!("Before the start: tool {tool} is the probe, it is called")),
+        None => {
+            lines.push(format!("Before the start: the probe is in the spindle and active, tool axis {axis}. No tool is called"))
+        }
+    }
+    if let Some(start) = request.path.start {
+        let place: Vec<String> = (0..3).map(|i| format!("{}{}", AXIS_NAMES[i], number(start[i]))).collect();
+        lines.push(format!("The stylus is taken to be at {}; the control moves from there by itself", place.join(" ")));
+    }
+    lines.push("Reset cycles 8, 11 and 26 first; FUNCTION MODE MILL only".to_owned());
+    lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
+    lines
+}
+
+/// Angles have three decimals on the control.
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
+        let row = request.path.parameters.iter().find(|p| p.accessor == "Q" && p.code == code);
+        if let Some(ParameterValue::Number(angle)) = row.map(|p| &p.value)
+            && (angle * 1e3 - (angle * 1e3).round()).abs() > 1e-6
+        {
+            let message = format!("The control takes three decimals: Q{code} is written as {}", decimal(*angle, 3));
+            checker.info("angle-rounded", path, message);
+        }
+    }
+}
+
 /// `Q1116=+10`, or `QS1116="10H7"`.
 fn word(code: i32, value: &ParameterValue, scale: f64) -> String {
     let places = if scale == 1.0 { 4 } else { 5 };
+    // Q325 and Q1119 have three decimals.
+    let places = if matches!(value, ParameterValue::Number(_)) { 3 } else { places };
     let signed = |x: f64| {
         let text = decimal(x, places);
         if text.starts_with('-') { text } else { format!("+{text}") }
@@ -83,6 +138,7 @@ fn word(code: i32, value: &ParameterValue, scale: f64) -> String {
         ParameterValue::Number(x) => format!("Q{code}={}", signed(*x)),
         ParameterValue::Whole(n) => format!("Q{code}={}", signed(f64::from(*n))),
         ParameterValue::Flag(on) => format!("Q{code}={}", signed(f64::from(u8::from(*on)))),
+        ParameterValue::Word(word) => format!("Q{code}={word}"),
         ParameterValue::Text(text) => format!("QS{code}=\"{}\"", text.replace(',', ".")),
     }
 }

@@ -11,8 +11,8 @@ mod sinumerik;
 mod words;
 
 use crate::formula::Datum;
-use crate::geom::{AXIS_NAMES, Plane};
-use crate::path::{Feeds, ParameterValue, Path, Setup};
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::path::{Feeds, Move, ParameterValue, Path, Setup};
 use crate::spec::{Checker, Value};
 
 /// Every control, in the order of the form.
@@ -37,11 +37,15 @@ pub struct PostDef {
     pub first_length: bool,
     /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
     pub plain_arithmetic: bool,
-    /// Whether its arcs without a rate of their own run as fast as its rapids; else at the feed of the touches.
-    pub arcs_as_rapids: bool,
+    /// Whether its programs say their job, and can be read back.
+    pub says_job: bool,
+    /// The name that its programs bear, from the one in the job.
+    pub name: fn(&str) -> String,
+    /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
+    pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
     /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
     pub supports: fn(&str, &str) -> Result<(), &'static str>,
-    /// Reports what of this very program it cannot do, or what somebody should know of it.
+    /// Reports what of this very program it cannot do, or what its user should know.
     pub check: fn(&Request<'_>, &mut Checker),
     /// Prints the program.
     pub emit: fn(&Request<'_>) -> Program,
@@ -66,18 +70,23 @@ pub struct Request<'a> {
     pub setup: &'a Setup,
     /// Feeds in mm/min; none is rapid.
     pub feeds: &'a Feeds,
-    /// Tool number of the probe, for programs that call it.
-    pub tool: i32,
+    /// Tool number of the probe, for programs that call it; none where the probe is in the spindle.
+    pub tool: Option<i32>,
+    /// Whether positioning is to be watched by the probe, where the control can.
+    pub protected: bool,
     /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
     /// What to print.
     pub path: &'a Path,
-    /// The job as it was given, for controls whose programs say it.
-    pub job: &'a Value,
+    /// The job with every value, for controls whose programs say it.
+    pub job: Option<&'a Value>,
 }
 
-/// What begins a comment that says a value of the job.
+/// What begins a comment that says values of the job.
 pub const JOB_LINE: &str = "job ";
+
+/// What begins the comment that says who wrote the program.
+pub const MADE_BY: &str = "Made by Touchpath ";
 
 /// A printed program.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,45 +115,57 @@ pub fn comment_text(text: &str) -> String {
         .collect()
 }
 
-/// The job as comment lines, `job cycle.width1 = 80`: everything but its name and the virtual part, by the alphabet, since the order
-/// of a job's keys says nothing.
-fn job_lines(job: &Value) -> Vec<String> {
-    let mut lines = Vec::new();
-    for (key, value) in by_key(job).into_iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part" | "format")) {
-        push_lines(key, value, &mut lines);
+/// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
+fn job_lines(job: &Value, width: usize) -> Vec<String> {
+    let mut words = Vec::new();
+    if let Value::Map(entries) = job {
+        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
+            push_words(key, value, &mut words);
+        }
+    }
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut().filter(|line| line.len() + 1 + word.len() <= width) {
+            Some(line) => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            None => lines.push(format!("{JOB_LINE}{word}")),
+        }
     }
     lines
 }
 
-fn by_key(value: &Value) -> Vec<&(String, Value)> {
-    let Value::Map(entries) = value else { return Vec::new() };
-    let mut entries: Vec<&(String, Value)> = entries.iter().collect();
-    entries.sort_by(|a, b| a.0.cmp(&b.0));
-    entries
+fn push_words(path: &str, value: &Value, words: &mut Vec<String>) {
+    match value {
+        Value::Map(entries) if !entries.is_empty() => {
+            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, words));
+        }
+        Value::List(items) if items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_))) => {
+            items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, words));
+        }
+        value => words.push(format!("{path}={}", value_word(value))),
+    }
 }
 
-fn push_lines(path: &str, value: &Value, lines: &mut Vec<String>) {
-    let text = match value {
-        Value::Map(entries) if !entries.is_empty() => {
-            return by_key(value).into_iter().for_each(|(key, inner)| push_lines(&format!("{path}.{key}"), inner, lines));
-        }
-        Value::List(items) if !items.is_empty() => {
-            return items.iter().enumerate().for_each(|(i, inner)| push_lines(&format!("{path}[{i}]"), inner, lines));
-        }
+/// A value as a word: no spaces, nothing that could end a comment.
+fn value_word(value: &Value) -> String {
+    match value {
         Value::Map(_) => "{}".to_owned(),
-        Value::List(_) => "[]".to_owned(),
-        Value::Null => "null".to_owned(),
+        Value::List(items) => format!("[{}]", items.iter().map(value_word).collect::<Vec<_>>().join(",")),
+        Value::Null | Value::Other(_) => "null".to_owned(),
         Value::Flag(on) => on.to_string(),
-        Value::Number(x) => x.to_string(),
-        // Words and tolerances: nothing that could end a comment.
-        Value::Text(text) => {
-            text.chars().map(|c| if matches!(c, '@' | '?') { c.to_string() } else { comment_text(&c.to_string()) }).collect()
-        }
-        Value::Other(_) => return,
-    };
-    // Only what a checked job can hold is told.
-    if path.bytes().all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'[' | b']' | b'_')) {
-        lines.push(format!("{JOB_LINE}{path} = {text}"));
+        // In full, so that it reads back as the same number; never -0.
+        Value::Number(x) => format!("{:?}", x + 0.0).trim_end_matches(".0").to_owned(),
+        Value::Text(text) => text
+            .chars()
+            .filter(|c| *c != ' ')
+            .map(|c| match c {
+                ',' => ".".to_owned(),
+                '@' | '?' => c.to_string(),
+                c => comment_text(&c.to_string()),
+            })
+            .collect(),
     }
 }
 

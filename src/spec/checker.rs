@@ -13,36 +13,69 @@ pub struct Checker {
     pub scale: f64,
     /// The unit's name, `mm` or `inch`.
     pub unit: &'static str,
-    /// Everything found so far, in the order found.
-    pub findings: Vec<Finding>,
+    found: Vec<Finding>,
+    /// How many errors, warnings and notes there were beyond the most that are listed.
+    more: [usize; 3],
 }
+
+/// The most findings that are listed; the rest is counted.
+const MOST_FINDINGS: usize = 200;
 
 /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
 impl std::default::Default for Checker {
     fn default() -> Self {
-        Checker { scale: 1.0, unit: "mm", findings: Vec::new() }
+        Checker { scale: 1.0, unit: "mm", found: Vec::new(), more: [0; 3] }
     }
 }
 
 impl Checker {
     /// Reports an error.
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
-        self.findings.push(Finding::new(Level::Error, code, path, message));
+        self.push(Level::Error, code, path, message);
     }
 
     /// Reports a warning.
     pub fn warning(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
-        self.findings.push(Finding::new(Level::Warning, code, path, message));
+        self.push(Level::Warning, code, path, message);
     }
 
     /// Reports a note.
     pub fn info(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
-        self.findings.push(Finding::new(Level::Info, code, path, message));
+        self.push(Level::Info, code, path, message);
+    }
+
+    fn push(&mut self, level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        if self.found.len() < MOST_FINDINGS {
+            self.found.push(Finding::new(level, code, path, message));
+        } else {
+            self.more[level as usize] += 1;
+        }
+    }
+
+    /// How many findings there are, listed or only counted.
+    pub fn count(&self) -> usize {
+        self.found.len() + self.more.iter().sum::<usize>()
+    }
+
+    /// Whether a finding with this code is listed.
+    pub fn has(&self, code: &str) -> bool {
+        self.found.iter().any(|f| f.code == code)
+    }
+
+    /// Everything found, in the order found; last, where there are too many to list, how many more.
+    pub fn findings(mut self) -> Vec<Finding> {
+        if self.more != [0; 3] {
+            let level = [Level::Error, Level::Warning, Level::Info].into_iter().find(|l| self.more[*l as usize] > 0);
+            let [errors, warnings, notes] = self.more;
+            let message = format!("More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes");
+            self.found.push(Finding::new(level.unwrap_or(Level::Info), "more-findings", "", message));
+        }
+        self.found
     }
 
     /// Whether any finding so far is an error.
     pub fn failed(&self) -> bool {
-        self.findings.iter().any(|f| f.level == Level::Error)
+        self.more[Level::Error as usize] > 0 || self.found.iter().any(|f| f.level == Level::Error)
     }
 
     /// Whether none of these paths (or anything inside or around them) has an error.
@@ -50,15 +83,20 @@ impl Checker {
         let inside = |long: &str, short: &str| {
             long.strip_prefix(short).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
         };
-        let touched = |path: &str| {
-            self.findings.iter().any(|f| f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path)))
-        };
+        let touched =
+            |path: &str| self.found.iter().any(|f| f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path)));
         !paths.iter().any(|path| touched(path))
     }
 
     /// A length in mm as the job's user reads it: `3.5 mm`, `0.1378 inch`.
     pub fn length(&self, mm: f64) -> String {
         format!("{} {}", self.number(mm), self.unit)
+    }
+
+    /// A length in mm that must not come out smaller: rounded up to the last decimal that is shown.
+    pub fn rounded_up(&self, mm: f64) -> String {
+        let step = if self.scale == 1.0 { 1e4 } else { 1e5 };
+        self.length((mm / self.scale * step - 1e-3).ceil() / step * self.scale)
     }
 
     /// A length in mm as a bare number in the job's units.

@@ -115,6 +115,18 @@ pub struct Range {
 }
 
 impl Range {
+    /// Whether a number that was computed lies inside, give or take the noise of the computation.
+    pub fn nearly_holds(&self, x: f64) -> bool {
+        self.holds(self.snapped(x))
+    }
+
+    /// A computed number, brought to an end of the range where it lies beyond it by no more than noise.
+    pub fn snapped(&self, x: f64) -> f64 {
+        const NOISE: f64 = 1e-6;
+        let inside = x.clamp(self.min, self.max);
+        if (x - inside).abs() <= NOISE { inside } else { x }
+    }
+
     /// Whether a number lies inside. NaN does not.
     pub fn holds(&self, x: f64) -> bool {
         x <= self.max && if self.above { x > self.min } else { x >= self.min }

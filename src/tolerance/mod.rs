@@ -89,6 +89,42 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, String> {
     Ok(value)
 }
 
+/// The same value with every length multiplied by `by`; none for a text that is no value. Letters and signs stay.
+pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
+    // Only the form of the text matters here, not whether a class is known for its size.
+    let mut rest = text.trim();
+    let mut out = String::new();
+    let digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',');
+    while let Some(first) = rest.chars().next() {
+        // The grade of a class is no length.
+        if first.is_ascii_alphabetic() {
+            let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
+            out.push_str(&rest[..end]);
+            rest = &rest[end..];
+        } else if digit(rest) || (matches!(first, '+' | '-') && digit(&rest[1..])) {
+            let end = end_of_number(rest)?;
+            let converted = decimal(by(number(&rest[..end])?), 9);
+            if first == '+' && !converted.starts_with('-') {
+                out.push('+');
+            }
+            // A deviation that vanishes keeps its sign.
+            if first == '-' && !converted.starts_with('-') {
+                out.push('-');
+            }
+            out.push_str(&converted);
+            rest = &rest[end..];
+        } else if matches!(first, '?' | '@') {
+            out.push(first);
+            rest = &rest[1..];
+        } else {
+            return None;
+        }
+    }
+    let has_form = out == "?" || out.contains(|c: char| c.is_ascii_digit());
+    let starts_well = !text.trim().starts_with(|c: char| c.is_ascii_alphabetic());
+    (has_form && starts_well).then_some(out)
+}
+
 /// One or two signed deviations; a missing one is 0.
 fn signed(text: &str) -> Option<(f64, f64)> {
     let split = end_of_number(text)?;
@@ -114,6 +150,9 @@ fn standard(text: &str, nominal: f64) -> Result<(f64, f64), String> {
     iso_286(class, grade, nominal)
 }
 
+/// A size this little over the end of a band is the end itself, mm: 10 mm are 0.393701 inch, and those are 10.0000054 mm.
+const AT_BAND_END: f64 = 2e-5;
+
 /// ISO 2768-1, linear sizes.
 fn general(class: &str, size: f64) -> Result<(f64, f64), String> {
     const BANDS: [f64; 8] = [3.0, 6.0, 30.0, 120.0, 400.0, 1000.0, 2000.0, 4000.0];
@@ -124,7 +163,7 @@ fn general(class: &str, size: f64) -> Result<(f64, f64), String> {
         "c" => [0.2, 0.3, 0.5, 0.8, 1.2, 2.0, 3.0, 4.0],
         _ => [NO, 0.5, 1.0, 1.5, 2.5, 4.0, 6.0, 8.0],
     };
-    let band = BANDS.iter().position(|upper| size <= *upper).filter(|_| size >= 0.5);
+    let band = BANDS.iter().position(|upper| size <= *upper + AT_BAND_END).filter(|_| size >= 0.5 - AT_BAND_END);
     match band.map(|b| row[b]).filter(|t| t.is_finite()) {
         Some(t) => Ok((-t, t)),
         None => Err(format!("ISO 2768-1 gives no {class} for a size of {} mm", decimal(size, 4))),
@@ -140,11 +179,15 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Strin
         g if g.starts_with('0') => return Err(unknown()),
         g => g.parse::<i32>().ok().filter(|g| (1..=18).contains(g)).ok_or_else(unknown)?,
     };
-    if !(size > 0.0 && size <= 500.0) {
+    // IT01 and IT0 are for H, h, JS and js only.
+    if grade < 1 && !matches!(class, "H" | "h" | "JS" | "js") {
+        return Err(unknown());
+    }
+    if !(size > 0.0 && size <= 500.0 + AT_BAND_END) {
         return Err(format!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {} mm", decimal(size, 4)));
     }
-    let main = MAIN_BANDS.iter().position(|upper| size <= f64::from(*upper)).expect("the last band ends at 500");
-    let sub = SUB_BANDS.iter().position(|upper| size <= f64::from(*upper)).expect("the last band ends at 500");
+    let main = MAIN_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");
+    let sub = SUB_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");
     let it = |grade: i32| f64::from(GRADES[(grade + 1) as usize][main]) / 10.0;
     let width = it(grade);
     let hole = class.starts_with(|c: char| c.is_ascii_uppercase());
@@ -184,8 +227,14 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Strin
             let high = shaft(letter)?;
             (high - width, high)
         }
+        // The hole K has one ei for every grade up to 8, and is not defined above, over 3 mm.
+        ("k", true) if grade > 8 && size > 3.0 + AT_BAND_END => return Err(unknown()),
+        ("k", true) => {
+            let upper = hole_upper("k", grade, size, given(SHAFT_K[sub])?, width - it(grade - 1));
+            (upper - width, upper)
+        }
         (letter, true) => {
-            let upper = hole_upper(letter, grade, size, shaft(letter)?, width - if grade > -1 { it(grade - 1) } else { 0.0 });
+            let upper = hole_upper(letter, grade, size, shaft(letter)?, width - it(grade - 1));
             (upper - width, upper)
         }
         (letter, false) => {
@@ -199,14 +248,15 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Strin
 /// ES of the holes K … ZC from the shaft's ei, micrometres; `delta` is IT(n) − IT(n − 1).
 fn hole_upper(letter: &str, grade: i32, size: f64, shaft: f64, delta: f64) -> f64 {
     let middle = matches!(letter, "k" | "m" | "n");
-    if letter == "m" && grade == 6 && size > 250.0 && size <= 315.0 {
+    let over = |end: f64| size > end + AT_BAND_END;
+    if letter == "m" && grade == 6 && over(250.0) && !over(315.0) {
         return -9.0;
     }
-    if letter == "n" && grade > 8 && size > 3.0 {
+    if letter == "n" && grade > 8 && over(3.0) {
         return 0.0;
     }
     let finest = if middle { 8 } else { 7 };
-    if size > 3.0 && grade <= finest { -shaft + delta } else { -shaft }
+    if over(3.0) && grade <= finest { -shaft + delta } else { -shaft }
 }
 
 /// A plain decimal number, sign allowed, no exponent.
@@ -270,6 +320,10 @@ mod tests {
             ("25k6", 2.0, 15.0),
             ("50k6", 2.0, 18.0),
             ("25K7", -15.0, 6.0),
+            ("25K8", -23.0, 10.0),
+            ("25K6", -11.0, 2.0),
+            ("25M8", -29.0, 4.0),
+            ("25N8", -36.0, -3.0),
             ("50K7", -18.0, 7.0),
             ("25m6", 8.0, 21.0),
             ("25M7", -21.0, 0.0),
@@ -383,6 +437,10 @@ mod tests {
             "@10",
             "?@1",
             "10h",
+            "25K9",
+            "25Y0",
+            "25T0",
+            "25P01",
             "10hh7",
             "10Hh7",
             "10+",

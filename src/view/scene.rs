@@ -160,7 +160,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     };
     let walls = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
     let mut lines = Vec::new();
-    let mut at = None;
+    let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let from = at.unwrap_or(step.to);
         let stroke = match (step.purpose, step.feed) {

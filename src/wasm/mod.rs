@@ -8,11 +8,15 @@ mod view;
 
 pub use view::View;
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array};
 use serde::Serialize;
+use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
-use crate::job::{self, JobError, Move};
+use crate::job::{self, JobError, Move, Planned};
 use crate::spec::{Finding, Level, Value};
 use crate::tool_length;
 use crate::wasm::input::from_js;
@@ -26,7 +30,7 @@ pub fn catalog() -> Result<JsValue, JsValue> {
 /// A complete, valid job of a type.
 #[wasm_bindgen(js_name = defaultJob)]
 pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
-    let key = kind.as_string().unwrap_or_default();
+    let key = input::text_of(kind, 100).unwrap_or_default();
     job::default_job(&key).map(|value| value_to_js(&value)).ok_or_else(|| {
         let message = "There is no cycle of this type; catalog() lists them";
         thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)], message)
@@ -42,7 +46,32 @@ pub fn check(job: &JsValue) -> Result<JsValue, JsValue> {
 /// The whole plan; throws where the job has an error.
 #[wasm_bindgen]
 pub fn plan(job: &JsValue) -> Result<JsValue, JsValue> {
-    to_js(&job::plan(&from_js(job)).map_err(refused)?)
+    let value = from_js(job);
+    let (planned, plan) = job::plan_with_path(&value).map_err(refused)?;
+    LAST.with_borrow_mut(|last| *last = Some(Rc::new((value, planned))));
+    to_js(&plan)
+}
+
+thread_local! {
+    /// The job that was planned last, and its path: its picture needs no second plan.
+    static LAST: RefCell<Option<Rc<(Value, Planned)>>> = const { RefCell::new(None) };
+}
+
+/// The path of a job: of the last plan where it is the same job, else planned now. None for a job with errors.
+fn planned(job: &JsValue) -> Option<Rc<(Value, Planned)>> {
+    let value = from_js(job);
+    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.0 == value) {
+        return Some(last);
+    }
+    let planned = job::planned(&value)?;
+    Some(Rc::new((value, planned)))
+}
+
+/// The same job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. What is no value stays as it is.
+#[wasm_bindgen(js_name = convertUnits)]
+pub fn convert_units(job: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
+    let units = input::text_of(units, 100).unwrap_or_default();
+    job::convert_units(&from_js(job), &units).map(|job| value_to_js(&job)).map_err(refused)
 }
 
 /// The results from points that a machine really measured.
@@ -55,11 +84,7 @@ pub fn evaluate(job: &JsValue, measured: &JsValue) -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = exportTable)]
 pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> {
     let plan = job::plan(&from_js(job)).map_err(refused)?;
-    job::export_table(&plan, &format.as_string().unwrap_or_default()).map_err(refused)
-}
-
-fn has(object: &JsValue, key: &str) -> bool {
-    js_sys::Reflect::has(object, &key.into()).unwrap_or(false)
+    job::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
 }
 
 /// JSON Schema (2020-12) of a job.
@@ -71,19 +96,19 @@ pub fn job_schema() -> JsValue {
 /// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; throws where no job can be made of it.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
+    let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
+    if length > job::LONGEST_TEXT {
+        // Not even copied.
+        return Err(refused(job::too_long(length)));
+    }
     let text = text.as_string().unwrap_or_default();
-    let (job, findings) = match js_sys::JSON::parse(&text) {
-        // What JSON says is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
-        // An object of codes is a dump.
-        Ok(job) if job.is_object() && !js_sys::Array::is_array(&job) && (has(&job, "cycle") || !job::is_dump(&text)) => {
-            let findings = job::check(&from_js(&job));
-            (job, findings)
-        }
-        _ => {
-            let imported = job::import(&text).map_err(refused)?;
-            (value_to_js(&imported.job), imported.findings)
-        }
-    };
+    let parsed = js_sys::JSON::parse(text.trim_start_matches('\u{feff}')).ok();
+    let value = parsed.as_ref().map(from_js);
+    let imported = job::import_with(&text, value.as_ref()).map_err(refused)?;
+    // A job in JSON is given back as it is, also where it holds more than a job can.
+    let same = value.as_ref() == Some(&imported.job);
+    let job = parsed.filter(|_| same).unwrap_or_else(|| value_to_js(&imported.job));
+    let findings = imported.findings;
     let result = Object::new();
     set(&result, "job", &job);
     set(&result, "findings", &to_js(&findings)?);
@@ -181,7 +206,8 @@ fn value_to_js(value: &Value) -> JsValue {
         Value::List(items) => items.iter().map(value_to_js).collect::<Array>().into(),
         Value::Map(entries) => {
             let object = Object::new();
-            for (key, value) in entries {
+            // No value of a job stands under this name; set, it would change the object itself.
+            for (key, value) in entries.iter().filter(|(key, _)| key != "__proto__") {
                 set(&object, key, &value_to_js(value));
             }
             object.into()

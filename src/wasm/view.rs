@@ -1,9 +1,11 @@
 //! The picture for JavaScript.
 
+use std::rc::Rc;
+
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use crate::job;
+use crate::job::{self, Planned};
 use crate::spec::Value;
 use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
@@ -29,7 +31,7 @@ pub struct View {
 /// The job that is shown.
 #[derive(Debug)]
 struct Shown {
-    value: Value,
+    planned: Rc<(Value, Planned)>,
     scene: Scene,
     deviates: bool,
     scale: f64,
@@ -68,10 +70,10 @@ impl View {
 
     /// Shows a job. One that has errors leaves the picture as it is and gives `false`.
     pub fn show(&mut self, job: &JsValue) -> bool {
-        let Some(shown) = self.build(from_js(job)) else {
+        let Some(planned) = crate::wasm::planned(job) else {
             return false;
         };
-        self.shown = Some(shown);
+        self.shown = Some(self.build(planned));
         self.refit();
         self.draw();
         true
@@ -104,7 +106,7 @@ impl View {
         };
         self.projection = projection;
         if let Some(shown) = self.shown.take() {
-            self.shown = self.build(shown.value);
+            self.shown = Some(self.build(shown.planned));
         }
         self.fit();
         self.draw();
@@ -251,18 +253,18 @@ impl View {
         }
     }
 
-    fn build(&self, value: Value) -> Option<Shown> {
-        let (job, path, surfaces, run) = job::scene_parts(&value)?;
+    fn build(&self, planned: Rc<(Value, Planned)>) -> Shown {
+        let Planned { job, path, surfaces, run } = &planned.1;
         let actual = Actual {
-            surfaces: &surfaces,
-            run: &run,
+            surfaces,
+            run,
             origin: job.lie.rigid.point(path.frame.origin),
             direction: job.lie.rigid.direction(path.frame.u),
             line: path.line.map(|line| line.map(|p| job.lie.rigid.point(p))),
         };
         let feeds = path.feeds.unwrap_or(job.feeds);
-        let scene = scene::build(&path, &job.setup, &feeds, &actual, self.projection);
-        Some(Shown {
+        let scene = scene::build(path, &job.setup, &feeds, &actual, self.projection);
+        Shown {
             scene,
             deviates: !job.lie.nominal,
             scale: job.scale,
@@ -270,8 +272,8 @@ impl View {
             offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
             turn: job.lie.turn,
             origin: path.frame.origin,
-            value,
-        })
+            planned,
+        }
     }
 
     fn draw(&self) {

@@ -177,7 +177,9 @@ impl Shape for Corner {
         if !picks::counted(picks, self.counts[0] + self.counts[1], checker) {
             return;
         }
-        picks::levelled(picks, &(0..picks.len()).collect::<Vec<_>>(), plane, checker);
+        let all: Vec<usize> = (0..picks.len()).collect();
+        picks::levelled(picks, &all, plane, checker);
+        picks::one_level(picks, &all, plane, checker);
         let firsts = [0, self.counts[0]];
         for (k, pick) in picks.iter().enumerate() {
             let first = &picks[firsts[self.wall_of(k)]];
@@ -310,6 +312,10 @@ impl Shape for Corner {
                 })
             })
             .collect()
+    }
+
+    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+        None
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {

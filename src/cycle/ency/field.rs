@@ -2,6 +2,9 @@
 
 use crate::spec::{Code, Field, form};
 
+/// The smallest size, step or clearance, mm: less would be lost in a program's last decimals.
+const SMALLEST: f64 = 0.001;
+
 /// Where a feature with a top side is.
 pub const fn top_centre() -> Field {
     Field::point("origin", "Centre on the top side").help("Centre of the feature, on its top side.").group("Place")
@@ -16,14 +19,14 @@ pub const fn rotation() -> Field {
 
 /// A width between two touch points.
 pub const fn width(key: &'static str, label: &'static str, default: f64, code: &'static str) -> Field {
-    Field::length(key, label, default).above(0.0, 10_000.0).usual(5.0, 2000.0).code(code).group("Size").size()
+    Field::length(key, label, default).range(SMALLEST, 10_000.0).usual(5.0, 2000.0).code(code).group("Size").size()
 }
 
 /// A diameter.
 pub const fn diameter() -> Field {
     Field::length("diameter", "Diameter", 40.0)
         .help("Diameter of the feature.")
-        .above(0.0, 10_000.0)
+        .range(SMALLEST, 10_000.0)
         .usual(5.0, 1000.0)
         .code("CmdPrm.Flt[-52]")
         .group("Size")
@@ -34,7 +37,7 @@ pub const fn diameter() -> Field {
 pub const fn depth() -> Field {
     Field::length("depth", "Depth", 10.0)
         .help("From the top side down to the ball centre at the touches.")
-        .above(0.0, 1000.0)
+        .range(SMALLEST, 1000.0)
         .usual(0.5, 200.0)
         .code("CmdPrm.Flt[-51]")
         .group("Size")
@@ -44,7 +47,7 @@ pub const fn depth() -> Field {
 pub const fn top_clearance() -> Field {
     Field::length("topClearance", "Top clearance", 10.0)
         .help("How far above the top side the ball centre crosses from touch to touch.")
-        .above(0.0, 1000.0)
+        .range(SMALLEST, 1000.0)
         .usual(1.0, 200.0)
         .code("CmdPrm.Flt[-55]")
         .group("Clearances")
@@ -54,7 +57,7 @@ pub const fn top_clearance() -> Field {
 pub const fn entry_clearance() -> Field {
     Field::length("topClearance", "Top clearance", 10.0)
         .help("How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth.")
-        .above(0.0, 1000.0)
+        .range(SMALLEST, 1000.0)
         .usual(1.0, 200.0)
         .null_means("not checked")
         .code("CmdPrm.Flt[-55]")
@@ -63,7 +66,7 @@ pub const fn entry_clearance() -> Field {
 
 /// A clearance from a wall to the ball centre where a touch begins.
 pub const fn clearance(key: &'static str, label: &'static str, default: f64, code: &'static str) -> Field {
-    Field::length(key, label, default).above(0.0, 1000.0).usual(1.0, 200.0).code(code).group("Clearances")
+    Field::length(key, label, default).range(SMALLEST, 1000.0).usual(1.0, 200.0).code(code).group("Clearances")
 }
 
 /// How far above the start a cycle begins and ends.
@@ -104,7 +107,7 @@ pub const fn count(key: &'static str, label: &'static str, default: i32, code: &
 
 /// A distance between touches, or from a corner to one.
 pub const fn distance(key: &'static str, label: &'static str, default: f64) -> Field {
-    Field::length(key, label, default).above(0.0, 1000.0).usual(2.0, 500.0).group("Touches")
+    Field::length(key, label, default).range(SMALLEST, 1000.0).usual(2.0, 500.0).group("Touches")
 }
 
 /// The angle between two walls.

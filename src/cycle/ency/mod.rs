@@ -25,8 +25,8 @@ pub use picks::{Pick, Placement};
 pub use point::Point;
 pub use round::{Circle, Variant};
 pub use still::Still;
-pub use table::code_of;
 use table::table;
+pub use table::{code_of, only_angular};
 pub use triple::{Outside, Triple};
 
 use custom::Custom;
@@ -36,7 +36,7 @@ use std::fmt::Debug;
 use crate::cycle::Cycle;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, MAX_TOUCHES, Path, Setup, Surface, Touch, Tracer};
+use crate::path::{Feed, MAX_TOUCHES, Path, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 use crate::spec::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 
 /// The form that every cycle of the family may have besides its own.
@@ -79,6 +79,9 @@ pub trait Shape: Debug {
 
     /// The surfaces, one a group.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
+
+    /// Height of the top side along the tool axis, mm, where the source has one.
+    fn top(&self, on: &Seated<'_>) -> Option<f64>;
 
     /// Why the control's value of this result is off on a turned part, where it is.
     fn turned_error(&self, code: &str) -> Option<&'static str>;
@@ -274,7 +277,7 @@ impl Cycle for Ency {
             let Some((field, Shown::Number(given))) = self.form.values().into_iter().find(|(f, _)| f.key == *key) else {
                 continue;
             };
-            if !field.hard.holds(if *key == "angle" { size.abs() } else { *size }) {
+            if !field.hard.nearly_holds(if *key == "angle" { size.abs() } else { *size }) {
                 let message = format!("The picked touches give {} a value that it must not have", field.label);
                 checker.error("picks-out-of-range", "cycle.touches", message);
             } else if (size - given).abs() > 1e-3 && !field.code.is_empty() {
@@ -302,9 +305,11 @@ impl Cycle for Ency {
         let on = Seated { frame, touches: &touches, setup };
         let mut tracer = Tracer::new(setup);
         shape.walk(&on, self.form.number("feedDistance").unwrap_or(0.0), &mut tracer);
-        let (formula, surfaces) = (shape.formula(&on), shape.surfaces(&on));
+        let (formula, surfaces, top) = (shape.formula(&on), shape.surfaces(&on), shape.top(&on));
         Path {
             moves: tracer.moves(),
+            start: None,
+            top,
             surfaces,
             feeds: None,
             line: None,
@@ -318,6 +323,10 @@ impl Cycle for Ency {
             picked: self.picks.is_some(),
             touches,
         }
+    }
+
+    fn review(&self, setup: &Setup, path: &Path, checker: &mut Checker) {
+        review(self.form.number("feedDistance").unwrap_or(0.0), setup, path, checker);
     }
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
@@ -340,6 +349,44 @@ impl Cycle for Ency {
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
         self.form.shape().turned_error(code)
+    }
+}
+
+/// A path begins and ends above the feature, and never goes higher than where it ends. Where the source knows no top side, a small feed
+/// distance is a warning.
+fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker) {
+    const ROUNDING: f64 = 1e-6;
+    let heights: Vec<f64> = path.moves.iter().map(|m| m.to.dot(path.frame.w)).collect();
+    let [begin, .., end] = heights.as_slice() else { return };
+    let highest = heights.iter().copied().fold(*end, f64::max);
+    if highest > end + ROUNDING {
+        let message = format!(
+            "The path goes {} higher than it ends: a touch lies too high above the others",
+            checker.length(highest - end)
+        );
+        checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
+    }
+    let field = "cycle.feedDistance";
+    match path.top {
+        Some(top) => {
+            let missing = top + setup.radius - begin.min(*end);
+            if missing > ROUNDING {
+                let message = format!(
+                    "The path would begin and end inside the feature: with these clearances the feed distance must be at least {}, so that                      the ball is clear of the top side",
+                    checker.rounded_up(feed_distance + missing)
+                );
+                checker.error("start-in-feature", field, message);
+            }
+        }
+        // Our choice of what is small: the source says nothing of the wall above the touches.
+        None if feed_distance < (2.0 * setup.radius).max(5.0) - ROUNDING => {
+            let message = format!(
+                "This cycle knows no top side: the path begins and ends {} above the touches, which may be inside the feature",
+                checker.length(feed_distance)
+            );
+            checker.warning("low-start", field, message);
+        }
+        None => {}
     }
 }
 
@@ -395,12 +442,13 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
 /// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
 /// to the ball centre.
 pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &str, clearance: f64, path: &str) {
-    if checker.sound(&[path, "stylus.diameter"]) && clearance <= setup.radius {
+    if checker.sound(&[path, "stylus.diameter"]) && clearance < setup.radius + SHORTEST_TOUCH - 1e-6 {
         let message = format!(
-            "{label} ({}) must be larger than the ball radius ({}): it is measured from the wall to the ball centre, and the \
-             ball would touch before the touch begins",
+            "{label} ({}) must be larger than the ball radius ({}) by at least {}: it is measured from the wall to the ball centre, \
+             and the ball would touch before the touch begins",
             checker.length(clearance),
-            checker.length(setup.radius)
+            checker.length(setup.radius),
+            checker.length(SHORTEST_TOUCH)
         );
         checker.error("clearance-too-small", path, message);
     }

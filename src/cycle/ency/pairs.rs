@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
 use crate::formula::{Datum, Expr, Formula, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{Feed, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 use crate::spec::Checker;
 
 /// One pair of walls.
@@ -88,7 +88,7 @@ impl Shape for Pairs {
             if !self.internal {
                 continue;
             }
-            if checker.sound(&[&width_path, "stylus.diameter"]) && side.width <= 2.0 * setup.radius {
+            if checker.sound(&[&width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
                 let message = format!(
                     "{label} ({}) must be larger than the ball ({}): the ball does not go in",
                     checker.length(side.width),
@@ -122,7 +122,12 @@ impl Shape for Pairs {
         if !picks::counted(picks, walls + usize::from(self.middle.is_some()), checker) {
             return;
         }
-        picks::levelled(picks, &(0..walls).collect::<Vec<_>>(), plane, checker);
+        let sides: Vec<usize> = (0..walls).collect();
+        picks::levelled(picks, &sides, plane, checker);
+        picks::one_level(picks, &sides, plane, checker);
+        if self.middle.is_some() {
+            picks::below_top(picks, &sides, walls, plane, checker);
+        }
         for (i, pair) in picks[..walls].chunks(2).enumerate() {
             let (first, second) = (2 * i, 2 * i + 1);
             if (pair[0].vector + pair[1].vector).length() > NEAR {
@@ -272,6 +277,10 @@ impl Shape for Pairs {
                 })
             })
             .collect()
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        Some(on.frame.origin.dot(on.frame.w))
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {

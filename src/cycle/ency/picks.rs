@@ -7,6 +7,9 @@ use crate::spec::{Checker, Field, Section, Value};
 /// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
 pub const NEAR: f64 = 1e-3;
 
+/// How far apart in height touches may be that are at one level, mm: dumps are rounded.
+const ONE_LEVEL: f64 = 0.01;
+
 /// A picked touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
@@ -112,6 +115,38 @@ pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut C
         if picks[k].vector.dot(up).abs() > NEAR {
             let message = format!("The target vector of touch {} must lie in the plane {}", k + 1, plane.word());
             checker.error("vector-not-in-plane", format!("cycle.touches[{k}].vector"), message);
+        }
+    }
+}
+
+/// Reports touches of one body that are not at one level: the ball would cross at one height, go down at another, and the top side would be
+/// known from one of them only.
+pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut Checker) {
+    let up = plane.basis()[2];
+    let [first, rest @ ..] = touches else { return };
+    let level = picks[*first].point.dot(up);
+    for &k in rest {
+        let off = picks[k].point.dot(up) - level;
+        if off.abs() > ONE_LEVEL {
+            let message = format!(
+                "Touch {} lies {} {} touch {}: the touches of one feature must be at one level",
+                k + 1,
+                checker.length(off.abs()),
+                if off > 0.0 { "above" } else { "below" },
+                first + 1
+            );
+            checker.error("touches-not-level", format!("cycle.touches[{k}].point"), message);
+        }
+    }
+}
+
+/// Reports touches that do not lie below the touch on the top side.
+pub fn below_top(picks: &[Pick], touches: &[usize], top: usize, plane: Plane, checker: &mut Checker) {
+    let up = plane.basis()[2];
+    for &k in touches {
+        if (picks[top].point - picks[k].point).dot(up) < ONE_LEVEL {
+            let message = format!("Touch {} must lie below touch {}, which is on the top side", k + 1, top + 1);
+            checker.error("touch-above-top", format!("cycle.touches[{k}].point"), message);
         }
     }
 }

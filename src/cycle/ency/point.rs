@@ -102,6 +102,12 @@ impl Shape for Point {
         })]
     }
 
+    /// A top side is its own top; of a wall or a slope the source knows none.
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        let touch = &on.touches[0];
+        (touch.vector.dot(on.frame.w) > 1.0 - 1e-6).then(|| touch.point.dot(on.frame.w))
+    }
+
     fn turned_error(&self, _code: &str) -> Option<&'static str> {
         None
     }

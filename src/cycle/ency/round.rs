@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
 use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Round, Setup, Surface, Tracer};
+use crate::path::{Feed, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::spec::Checker;
 
 /// How the touches are spread.
@@ -92,7 +92,7 @@ impl Shape for Circle {
         }
         if self.internal && checker.sound(&["cycle.diameter", "stylus.diameter"]) {
             let ball = 2.0 * setup.radius;
-            if self.diameter <= ball {
+            if self.diameter < ball + 2.0 * SHORTEST_TOUCH - 1e-6 {
                 let message = format!(
                     "Diameter ({}) must be larger than the ball ({}): the ball does not go in",
                     checker.length(self.diameter),
@@ -124,7 +124,9 @@ impl Shape for Circle {
         if !picks::counted(picks, self.angles().len(), checker) {
             return;
         }
-        picks::levelled(picks, &(0..picks.len()).collect::<Vec<_>>(), plane, checker);
+        let all: Vec<usize> = (0..picks.len()).collect();
+        picks::levelled(picks, &all, plane, checker);
+        picks::one_level(picks, &all, plane, checker);
         if !checker.sound(&["cycle.touches"]) {
             return;
         }
@@ -217,8 +219,12 @@ impl Shape for Circle {
             radius: self.diameter / 2.0,
             hole: self.internal,
             drawn_depth,
-            plate: self.internal,
+            plate: self.internal.then_some(f64::INFINITY),
         })]
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        Some(on.frame.origin.dot(on.frame.w))
     }
 
     fn turned_error(&self, _code: &str) -> Option<&'static str> {

@@ -37,6 +37,10 @@ impl Shape for Still {
         Vec::new()
     }
 
+    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+        None
+    }
+
     fn turned_error(&self, _code: &str) -> Option<&'static str> {
         None
     }

@@ -5,6 +5,15 @@ use crate::geom::AXIS_NAMES;
 use crate::path::{Parameter, ParameterValue, Setup, Touch};
 use crate::spec::{Field, Kind, Shown, Values};
 
+/// The code of the variant, and those that say something only of the angular one.
+const VARIANT: i32 = -59;
+const ANGULAR: [i32; 3] = [-60, -61, -62];
+
+/// Whether a code may be missing with this variant.
+pub fn only_angular(code: i32, variant: f64) -> bool {
+    variant == 0.0 && ANGULAR.contains(&code)
+}
+
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
 pub(super) fn table(
@@ -25,6 +34,9 @@ pub(super) fn table(
         touch: None,
     };
     let mut own: Vec<Parameter> = form.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
+    // In the rectangular variant the touches follow from the variant alone.
+    let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
+    own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
     own.sort_by_key(|p| -p.code);
     let late = |p: &Parameter| p.code == -66 || (number == 2 && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);

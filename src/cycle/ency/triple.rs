@@ -143,6 +143,8 @@ impl Shape for Triple {
             picks::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
         } else {
             picks::levelled(picks, &[0, 1], plane, checker);
+            picks::one_level(picks, &[0, 1], plane, checker);
+            picks::below_top(picks, &[0, 1], 2, plane, checker);
             if (picks[2].vector - up).length() > NEAR {
                 let message = "The third touch is on the top side: its target vector must be along the tool axis";
                 checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
@@ -255,6 +257,10 @@ impl Shape for Triple {
                 })
             })
             .collect()
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        self.outside.map(|_| on.frame.origin.dot(on.frame.w))
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {

@@ -32,7 +32,14 @@ pub struct Planner<'a> {
 impl<'a> Planner<'a> {
     /// For a cycle.
     pub fn new(cycle: &'a TwoCircles, setup: &'a Setup) -> Self {
-        Planner { cycle, setup, frame: TwoCircles::frame(setup), tracer: Tracer::new(setup), touches: Vec::new(), samples: 0 }
+        Planner {
+            cycle,
+            setup,
+            frame: TwoCircles::frame(setup),
+            tracer: Tracer::starting_at(setup, cycle.form.start),
+            touches: Vec::new(),
+            samples: 0,
+        }
     }
 
     /// The touches and the moves.
@@ -83,11 +90,18 @@ impl<'a> Planner<'a> {
                 }
             }
             for (at, touch) in &stand.touches {
-                self.tracer.position(*at, Feed::Rapid, step);
+                self.along(*at, step);
                 self.tracer.touch(self.touches.len(), touch, Feed::Rapid, step);
                 self.touches.push(*touch);
             }
         }
+    }
+
+    /// Along the tool axis beside the object: down at the probing feed, up at rapid.
+    fn along(&mut self, to: Vec3, step: u8) {
+        let at = self.tracer.place().expect("the cycle has begun");
+        let down = to.dot(self.frame.w) < at.dot(self.frame.w) - 1e-9;
+        self.tracer.position(to, if down { Feed::Work } else { Feed::Rapid }, step);
     }
 
     /// With mode −1: at the height where the stylus is (but not below the measuring height) over the first stand; from there it
@@ -96,12 +110,11 @@ impl<'a> Planner<'a> {
         let w = self.frame.w;
         let start = self.cycle.form.start;
         let raised = start + w * (stand.dot(w) - start.dot(w)).max(0.0);
-        self.tracer.position(start, Feed::Rapid, step);
         self.tracer.position(raised, Feed::Rapid, step);
         self.tracer.position(self.level(raised, stand), Feed::Rapid, step);
     }
 
-    /// To centre 1 with positioning logic: from below the clearance height first up, then in the plane; from above first in
+    /// To centre 1 with positioning logic, from where the ball is: from below the clearance height first up, then in the plane; from above first in
     /// the plane, then down.
     fn go_to_first_centre(&mut self, object: &Object, step: u8) {
         let w = self.frame.w;
@@ -110,8 +123,6 @@ impl<'a> Planner<'a> {
         let height = form.clearance_height;
         let start = form.start;
         let raised = start + w * (height - start.dot(w)).max(0.0);
-        // The ball is at the start already: this move says where the path begins.
-        self.tracer.position(start, Feed::Rapid, step);
         self.tracer.position(raised, Feed::Rapid, step);
         let over = self.level(raised, centre);
         self.tracer.position(over, Feed::Rapid, step);
@@ -137,12 +148,12 @@ impl<'a> Planner<'a> {
         let at = self.tracer.place().expect("the cycle has begun");
         // The extrusion may have left the ball away from its stand.
         if at.distance(from.at) > 1e-9 {
-            self.tracer.position(from.at, Feed::Rapid, step);
+            self.along(from.at, step);
         }
         let centre = self.centre(object);
         let center = centre + w * (from.at.dot(w) - centre.dot(w));
         let sweep = to.angle - from.angle;
-        // So small an arc could be printed as none, or as a whole turn; straight it differs by less than anybody sees.
+        // So small an arc could be printed as none, or as a whole turn; straight it differs by less than can be seen.
         let small = from.at.distance(center) < SMALLEST_ARC || from.at.distance(to.at) < SMALLEST_ARC;
         if small || sweep.abs() >= TAU {
             self.tracer.position(to.at, Feed::Rapid, step);

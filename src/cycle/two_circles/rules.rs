@@ -1,7 +1,7 @@
 //! What must hold in 1411 beyond single fields.
 
 use crate::cycle::two_circles::{Object, State, TwoCircles};
-use crate::path::Setup;
+use crate::path::{SHORTEST_TOUCH, Setup};
 use crate::spec::Checker;
 
 impl TwoCircles {
@@ -37,6 +37,25 @@ impl TwoCircles {
         {
             let message = "Both circles are in one place: the line through their centres has no direction";
             checker.error("no-direction", "cycle.point2", message);
+        }
+        if let (Some(p), Some(q)) = (one.place(), two.place())
+            && one.state == State::Probed
+            && two.state == State::Probed
+            && checker.sound(&[points[0], points[1], diameters[0], diameters[1]])
+        {
+            let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
+            for (outer, inner, path) in [(&one, &two, diameters[0]), (&two, &one, diameters[1])] {
+                if apart + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
+                    let message = format!(
+                        "Circle {} (diameter {}) contains circle {} wholly: is a diameter in other units?",
+                        outer.number,
+                        checker.length(outer.nominal_diameter()),
+                        inner.number
+                    );
+                    checker.error("circle-in-circle", path, message);
+                    break;
+                }
+            }
         }
         let given = |o: &Object| Some([o.point[0].actual?, o.point[1].actual?]);
         if let (Some(p), Some(q)) = (given(&one), given(&two))
@@ -100,7 +119,7 @@ impl TwoCircles {
     /// Whether the ball fits, and whether a touch reaches the wall.
     fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
         let (number, diameter) = (object.number, object.nominal_diameter());
-        if object.hole && diameter <= 2.0 * setup.radius {
+        if object.hole && diameter < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
             let message = format!(
                 "Hole {number} ({}) must be larger than the ball ({})",
                 checker.length(diameter),
@@ -132,8 +151,12 @@ impl TwoCircles {
             );
             checker.error("dist-too-short", "cycle.probe.dist", message);
         }
-        if way <= 0.0 {
-            let message = "Q320 and SET_UP are both 0: the ball would stand at the wall before the touch begins";
+        if way < SHORTEST_TOUCH - 1e-6 {
+            let message = format!(
+                "Q320 and SET_UP together ({}) must be at least {}: the ball would stand at the wall before the touch begins",
+                checker.length(way),
+                checker.length(SHORTEST_TOUCH)
+            );
             checker.error("clearance-too-small", "cycle.setUpClearance", message);
         }
     }

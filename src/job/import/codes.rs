@@ -3,6 +3,8 @@
 //! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds behind it in the same line, or the `value` of its
 //! JSON object.
 
+use crate::spec::Value;
+
 /// A code with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
@@ -14,14 +16,8 @@ pub struct Entry {
     pub value: f64,
 }
 
-/// Every code with its value, in order.
+/// Every code of a text with its value, in order.
 pub fn entries(text: &str) -> Vec<Entry> {
-    if text.trim_start().starts_with(['[', '{']) {
-        let objects = json_objects(text);
-        if !objects.is_empty() {
-            return objects;
-        }
-    }
     let mut found = Vec::new();
     for line in text.lines() {
         let mut next = next_code(line);
@@ -37,17 +33,50 @@ pub fn entries(text: &str) -> Vec<Entry> {
     found
 }
 
-/// The objects of a JSON list, `{ "code": "CmdPrm.Flt[-50]", "value": 20 }`, however they are laid out.
-fn json_objects(text: &str) -> Vec<Entry> {
-    let chunks = text.split('{').filter_map(|chunk| chunk.split('}').next());
-    chunks
-        .filter_map(|chunk| {
-            let (accessor, code, _) = next_code(chunk)?;
-            let (_, behind) = chunk.split_once("\"value\"")?;
-            let cell = behind.trim_start().strip_prefix(':')?.split([',', '\n']).next()?;
-            Some(Entry { accessor, code, value: whole(cell.trim().trim_matches('"'))? })
-        })
-        .collect()
+/// Every code of parsed JSON, wherever it lies: objects with a `code` and a `value`, and objects whose keys are codes.
+pub fn json_entries(json: &Value) -> Vec<Entry> {
+    let mut found = Vec::new();
+    collect(json, 0, &mut found);
+    found
+}
+
+fn collect(json: &Value, depth: usize, found: &mut Vec<Entry>) {
+    const DEEPEST: usize = 32;
+    match json {
+        _ if depth > DEEPEST => {}
+        Value::List(items) => items.iter().for_each(|item| collect(item, depth + 1, found)),
+        Value::Map(entries) => {
+            let named = match json.get("code") {
+                Some(Value::Text(code)) => next_code(code),
+                _ => None,
+            };
+            if let (Some((accessor, code, _)), Some(value)) = (named, json.get("value").and_then(scalar)) {
+                return found.push(Entry { accessor, code, value });
+            }
+            for (key, inner) in entries {
+                match (next_code(key), scalar(inner)) {
+                    (Some((accessor, code, _)), Some(value)) => found.push(Entry { accessor, code, value }),
+                    _ => collect(inner, depth + 1, found),
+                }
+            }
+        }
+        Value::Null | Value::Flag(_) | Value::Number(_) | Value::Text(_) | Value::Other(_) => {}
+    }
+}
+
+/// A parsed value as a number; true is 1.
+fn scalar(value: &Value) -> Option<f64> {
+    match value {
+        Value::Number(x) => Some(*x).filter(|x| x.is_finite()),
+        Value::Flag(on) => Some(f64::from(u8::from(*on))),
+        Value::Text(text) => whole(&typographic(text)),
+        Value::Null | Value::List(_) | Value::Map(_) | Value::Other(_) => None,
+    }
+}
+
+/// Typographic minus signs and spaces as plain ones.
+fn typographic(text: &str) -> String {
+    text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ")
 }
 
 /// The next code of a text and what stands behind its bracket.
@@ -73,7 +102,7 @@ fn next_code(text: &str) -> Option<(&'static str, i32, &str)> {
 /// The value of what stands behind a code: in a table row the first cell that is a number as a whole; else what stands after an equals
 /// sign or a colon; else the first number. Typographic minus signs are minus signs.
 fn value(text: &str) -> Option<f64> {
-    let text = text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ");
+    let text = typographic(text);
     let text = text.trim_start_matches(['"', '\'', ' ']).trim_end();
     if let Some(separator) = ['\t', '|', ';', ','].into_iter().find(|c| text.starts_with(*c)) {
         return text.split(separator).find_map(|cell| whole(cell.trim().trim_matches(['"', '\''])));
@@ -164,7 +193,6 @@ mod tests {
             ("Flt[-50] 12.5", 12.5),
             ("CmdPrm.Flt[-50],Double,12.5,\"Feed distance 2\"", 12.5),
             ("CmdPrm.Flt[-50];Double;12,5;Feed distance", 12.5),
-            ("{ \"code\": \"CmdPrm.Flt[-50]\", \"type\": \"Double\", \"value\": 12.5, \"meaning\": \"x 3\" }", 12.5),
             ("| CmdPrm.Flt[-50] | Double | 1.25e1 |", 12.5),
             ("Flt[-50]=.125E+2", 12.5),
         ] {
@@ -180,18 +208,28 @@ mod tests {
         ] {
             assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
         }
-        let pretty =
-            "[\n {\n \"code\": \"CmdPrm.Int[-1]\",\n \"value\": 7\n },\n { \"value\": 2.5, \"code\": \"CmdPrm.Flt[-50]\" }\n]";
-        let read: Vec<(i32, f64)> = entries(pretty).iter().map(|e| (e.code, e.value)).collect();
-        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
-        let object = "{\"CmdPrm.Int[-1]\":7,\"CmdPrm.Flt[-50]\":2.5}";
-        let read: Vec<(i32, f64)> = entries(object).iter().map(|e| (e.code, e.value)).collect();
-        assert_eq!(read, [(-1, 7.0), (-50, 2.5)]);
         assert!(entries("TouchPoint[1] = 2.5").is_empty());
         assert_eq!(value(" = True"), Some(1.0));
         assert_eq!(value(",Boolean,false,On"), Some(0.0));
         assert_eq!(value("= -12"), Some(-12.0));
         assert_eq!(value(" | Double | Feed distance |"), None);
         assert_eq!(entries("Int[-1]=7 Flt[-50]=3 Flt[x]=1 [-3] Flt[99999999999]=1").len(), 2);
+    }
+
+    #[test]
+    fn json_is_read_as_json() {
+        let read = |text: &str| -> Vec<(i32, f64)> {
+            let json = crate::job::from_json(text).unwrap();
+            json_entries(&json).iter().map(|e| (e.code, e.value)).collect()
+        };
+        // A decimal comma inside a text is no end of the value; braces inside a text are none of the object.
+        assert_eq!(read(r#"[{ "code": "CmdPrm.Flt[-50]", "meaning": "a } b", "value": "12,5" }]"#), [(-50, 12.5)]);
+        assert_eq!(read(r#"{ "rows": [{ "a": { "code": "CmdPrm.Int[-1]", "value": 7 } }] }"#), [(-1, 7.0)]);
+        assert_eq!(
+            read(r#"[{"code":"CmdPrm.Int[-1]","value":7},{"value":2.5,"code":"CmdPrm.Flt[-50]"}]"#),
+            [(-1, 7.0), (-50, 2.5)]
+        );
+        assert_eq!(read(r#"{"CmdPrm.Int[-1]":7,"CmdPrm.Bol[-3]":true}"#), [(-1, 7.0), (-3, 1.0)]);
+        assert_eq!(read(r#"{"x":{"CmdPrm.Int[-1]":"x"}}"#), []);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The codes are found by [`codes`](crate::job::import::codes); here they become a job.
 
-use crate::cycle::{CYCLES, CycleDef, Pick, code_of};
+use crate::cycle::{CYCLES, CycleDef, Pick, code_of, only_angular};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
 use crate::job::catalog::default_job;
@@ -16,7 +16,7 @@ const SAME: f64 = 1e-6;
 
 /// Whether a text names a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
-    entries(text).iter().any(|e| e.code == -1)
+    text.len() <= super::LONGEST_TEXT && entries(text).iter().any(|e| e.code == -1)
 }
 
 /// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the
@@ -43,11 +43,10 @@ fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
     blocks
 }
 
-/// Makes a job of a dump. Several cycles in one text: the first that probes is taken.
-pub fn import(text: &str) -> Result<Imported, JobError> {
+/// Makes a job of the codes of a dump. Several cycles in one text: the first that probes is taken.
+pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
-    let all = entries(text);
-    let blocks = cycles(&all);
+    let blocks = cycles(all);
     let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
     let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
@@ -62,7 +61,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
             "cycle.type",
             "No job can be made of this dump: it holds no cycle type from 0 to 16",
         );
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     };
     if known.len() > 1 {
         let message = format!("The dump holds {} cycles: the first that probes, {}, is taken", known.len(), def.title);
@@ -113,11 +112,11 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
     let silent =
         "A dump does not say feeds, overtravel, units, the control and the program's name: the defaults are taken (mm)";
     checker.info("not-in-dump", "feeds", silent);
-    if !checker.findings.iter().any(|f| f.code == "stylus-from-dump") {
+    if !checker.has("stylus-from-dump") {
         let silent = "A dump does not say the stylus: the default ball is taken";
         checker.info("not-in-dump", "stylus", silent);
     }
-    Imported { job, findings: checker.findings }
+    Imported { job, findings: checker.findings() }
 }
 
 fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) -> Option<Value> {
@@ -126,7 +125,8 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
         if field.null.is_some() {
             return Some(Value::Null);
         }
-        if field.kind != Kind::Flag && code != -2 {
+        let angular = only_angular(code, find(block, -59).unwrap_or(0.0));
+        if field.kind != Kind::Flag && code != -2 && !angular {
             let message = format!("The dump has no code {code} ({}): the default is taken", field.label);
             checker.warning("missing-code", path, message);
         }
@@ -289,12 +289,15 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         set(&mut trial, "plane", Value::Text(plane.word().to_owned()));
         set(&mut trial, "cycle.origin", triple(Vec3::from_array(placement.origin.to_array().map(tidy))));
         set(&mut trial, "cycle.rotation", Value::Number(tidy(placement.rotation)));
-        let mut sound = true;
+        // A job says every size and place within its range: what cannot be said so stays as it was picked.
+        let within = |key: &str, x: f64| def.fields.iter().find(|f| f.key == key).is_none_or(|f| f.hard.holds(x));
+        let mut sound = placement.origin.to_array().iter().all(|x| within("origin", tidy(*x)));
         for (key, size) in &placement.sizes {
             // A size with a code of its own is in the dump.
             if let Some(field) = def.fields.iter().find(|f| f.key == *key && f.code.is_empty()) {
-                sound &= field.hard.holds(*size);
-                set(&mut trial, &format!("cycle.{key}"), Value::Number(tidy(*size)));
+                let size = field.hard.snapped(tidy(*size));
+                sound &= field.hard.holds(size);
+                set(&mut trial, &format!("cycle.{key}"), Value::Number(size));
             }
         }
         if same && sound {

@@ -27,6 +27,8 @@ const PARAMETERS: &[(u32, &str, f64)] = &[
     (1120, "transferPosition", 0.0),
     (1121, "confirmRotation", 0.0),
 ];
+/// Parameters that GLOBAL DEF may set, and the key that says so.
+const PREDEFINED: &[(u32, &str)] = &[(320, "setUpClearancePredef"), (260, "clearanceHeightPredef")];
 const EXTRUSION: &[(u32, &str, f64)] =
     &[(1140, "direction", 3.0), (1145, "points", 1.0), (1146, "length", 0.0), (1149, "modal", 0.0)];
 
@@ -63,7 +65,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                     // Only a spindle speed: the tool stays.
                     Some(Err(_)) if rest[0].starts_with('S') && rest[0][1..].parse::<f64>().is_ok() => {}
                     _ => {
-                        let message = "The tool is called by its name: its number is not known, and the default is taken";
+                        let message = "The tool is called by its name: its number is not known, and no tool is called";
                         checker.warning("tool-by-name", "control.tool", message);
                     }
                 }
@@ -86,7 +88,19 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                     );
                 } else {
                     for (key, value) in values(block, PARAMETERS, "1411", &mut checker) {
-                        set(&mut job, &format!("cycle.{key}"), value);
+                        let predefined =
+                            PREDEFINED.iter().find(|(n, _)| PARAMETERS.iter().any(|(m, k, _)| m == n && *k == key));
+                        match (predefined, value) {
+                            (Some((number, flag)), Value::Flag(_)) => {
+                                set(&mut job, &format!("cycle.{flag}"), Value::Flag(true));
+                                let message = format!(
+                                    "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the \
+                                     picture shows"
+                                );
+                                checker.warning("predefined", format!("cycle.{key}"), message);
+                            }
+                            (_, value) => set(&mut job, &format!("cycle.{key}"), value),
+                        }
                     }
                 }
             }
@@ -121,7 +135,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         let message = "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
                        cycle 1411, nor one that this project wrote for SINUMERIK";
         checker.error("nothing-to-import", "", message);
-        return Err(JobError { findings: checker.findings });
+        return Err(JobError { findings: checker.findings() });
     }
     set(&mut job, "cycle.extrusion", extrusion);
     if passed_over > 0 {
@@ -131,7 +145,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
                    the defaults are taken";
     checker.info("not-in-program", "stylus", unknown);
-    Ok(Imported { job, findings: checker.findings })
+    Ok(Imported { job, findings: checker.findings() })
 }
 
 /// Whether a block holds this word.
@@ -220,13 +234,17 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
         let value = value.trim_start();
         let (text, quoted) = match value.strip_prefix('"') {
             Some(inside) => (inside.split('"').next().unwrap_or_default(), true),
-            None => (value.split_whitespace().next().unwrap_or_default(), false),
+            // `*` ends an ISO block.
+            None => (value.split(|c: char| c.is_whitespace() || c == '*').next().unwrap_or_default(), false),
         };
         rest = &value[(text.len() + 2 * usize::from(quoted)).min(value.len())..];
         let plain = text.replace(',', ".");
         match plain.parse::<f64>() {
             Ok(x) if !quoted && x.is_finite() => found.push((number, Value::Number(x))),
             _ if quoted => found.push((number, Value::Text(plain))),
+            _ if PREDEFINED.iter().any(|(n, _)| *n == number) && plain.eq_ignore_ascii_case("PREDEF") => {
+                found.push((number, Value::Flag(true)));
+            }
             _ => {
                 let message = format!("Q{number} of cycle {cycle} is not a number: the control's default is taken");
                 checker.warning("not-a-number", "", message);

@@ -7,8 +7,10 @@ mod sinumerik;
 
 pub use dump::recognises as is_dump;
 
+use crate::cycle::CycleDef;
 use crate::job::JobError;
-use crate::spec::{Finding, Value};
+use crate::job::form::SECTIONS;
+use crate::spec::{Finding, Level, Value};
 
 /// A job made of a text, and what had to be said about it.
 #[derive(Debug)]
@@ -19,22 +21,91 @@ pub struct Imported {
     pub findings: Vec<Finding>,
 }
 
-/// Longest text that is read.
-const LONGEST: usize = 4_000_000;
+/// The longest text that is read, in bytes. A longer one is refused: half of a program would be another.
+pub const LONGEST_TEXT: usize = 2_000_000;
 
-/// Makes a job of a text that is not a job itself: a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a
-/// SINUMERIK program of ours, or a Klartext or ISO program with cycle 1411.
+/// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a SINUMERIK program of
+/// ours, or a Klartext or ISO program with cycle 1411.
+#[cfg(not(target_arch = "wasm32"))]
 pub fn import(text: &str) -> Result<Imported, JobError> {
-    let text = &text[..text.floor_char_boundary(LONGEST)];
+    check_length(text)?;
+    let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
+    import_with(plain, super::from_json(plain).ok().as_ref())
+}
+
+fn check_length(text: &str) -> Result<(), JobError> {
+    if text.len() <= LONGEST_TEXT { Ok(()) } else { Err(too_long(text.len())) }
+}
+
+/// Refuses a text of so many bytes.
+pub fn too_long(bytes: usize) -> JobError {
+    let most = LONGEST_TEXT / 1_000_000;
+    let message = format!("This text has {:.1} million characters: at most {most} million are read", bytes as f64 / 1e6);
+    JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
+}
+
+/// The same of a text and of what it says as JSON, where it is JSON.
+pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobError> {
+    check_length(text)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if let Some(json) = json.filter(|json| matches!(json, Value::Map(_) | Value::List(_))) {
+        let codes = codes::json_entries(json);
+        let dump = codes.iter().any(|e| e.code == -1);
+        // What says it is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
+        if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || !dump) {
+            return Ok(Imported { job: json.clone(), findings: super::check(json) });
+        }
+        if dump {
+            return dump::import(&codes);
+        }
+    }
     if sinumerik::says_job(text) {
         sinumerik::import(text)
     } else if dump::recognises(text) {
-        dump::import(text)
+        dump::import(&codes::entries(text))
     } else {
         // What only looks like a SINUMERIK program may be a Klartext one whose comments mention it.
         klartext::import(text).or_else(|error| if sinumerik::recognises(text) { sinumerik::import(text) } else { Err(error) })
     }
+}
+
+/// Whether a job with this cycle has a place for a value at `path`, such as `cycle.touches[2].point`.
+fn has_place(def: &CycleDef, path: &str) -> bool {
+    let mut plain = String::new();
+    let mut rest = path;
+    while let Some((before, inner)) = rest.split_once('[') {
+        let Some((index, after)) = inner.split_once(']') else { return false };
+        let most = match before {
+            "cycle.touches" => crate::path::MAX_TOUCHES,
+            "cycle.custom" => 200,
+            "tool.frame" => 50,
+            _ => 3,
+        };
+        if !index.parse::<usize>().is_ok_and(|i| i < most) {
+            return false;
+        }
+        plain.push_str(before);
+        plain.push_str("[]");
+        rest = after;
+    }
+    plain.push_str(rest);
+    // A point may be given axis by axis.
+    let plain = plain.as_str();
+    let whole = plain.strip_suffix("[]").unwrap_or(plain);
+    let known = |section: &str, fields: &[crate::spec::Field]| {
+        let key = if section.is_empty() { Some(whole) } else { whole.strip_prefix(section).and_then(|k| k.strip_prefix('.')) };
+        key.is_some_and(|key| fields.iter().any(|f| f.key == key))
+    };
+    SECTIONS.iter().any(|(section, fields)| *section != "part" && known(section, fields))
+        || known("cycle", def.fields)
+        || def
+            .sections
+            .iter()
+            .any(|s| plain.strip_prefix("cycle.") == Some(s.key) || known(&format!("cycle.{}", s.key), s.fields))
+        || (def.place.is_some() && matches!(whole, "cycle.touches" | "cycle.touches[].point" | "cycle.touches[].vector"))
+        || (def.number.is_some()
+            && matches!(plain, "cycle.custom" | "cycle.custom[].code" | "cycle.custom[].type" | "cycle.custom[].value"))
+        || matches!(plain, "cycle.type" | "tool.frame" | "tool.frame[].rot" | "tool.frame[].angle" | "tool.frame[].mirror")
 }
 
 /// Sets a value at a path such as `cycle.touches[2].point[0]`, making what is not there. Nothing is set where the path leads

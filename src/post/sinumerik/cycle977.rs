@@ -1,7 +1,10 @@
-//! The control's own cycle for an inside rectangle with a protection zone: CYCLE977, 27 arguments by position.
+//! The control's own cycle for an inside rectangle with a protection zone: CYCLE977, 29 arguments by position.
+//!
+//! Positions, fixed values and the meaning of 27 to 29 are those of working generators and their calls. Two things stay open, and the
+//! program says so: the sign of the infeed, on which sources disagree, and that a rectangle takes both coordinates of the centre.
 
 use crate::path::{Move, ParameterValue, Purpose};
-use crate::post::sinumerik::{DIALECT, begin, end, protected};
+use crate::post::sinumerik::{DIALECT, begin, end, position};
 use crate::post::words::Writer;
 use crate::post::{Program, Request};
 use crate::spec::Checker;
@@ -81,7 +84,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let message = format!(
         "The cycle moves by itself: it searches {0} before and behind each wall (side clearance less ball radius), not the job's \
          overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {1} is written \
-         without a sign, as in the one real call we have, is not verified",
+         positive is not verified: sources disagree on its sign",
         checker.length(rectangle.path),
         checker.length(rectangle.infeed)
     );
@@ -91,14 +94,18 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 /// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
 pub fn emit(request: &Request<'_>) -> Program {
     let mut w = Writer::new(request, &DIALECT);
-    let notes = ["Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed"];
+    let notes = [
+        "Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed",
+        "NOT VERIFIED: argument 11, the infeed, is written positive; sources disagree on its sign. A wrong one lifts instead",
+        "NOT VERIFIED: that a rectangle takes both 28 and 29, the centre",
+    ];
     begin(&mut w, request, "the cycle corrects it", &notes);
     let moves = &request.path.moves;
     let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
     // The approach: every move before the first that leaves the start.
     let approach = moves.iter().take_while(|m| m.step <= 1).count();
     for (i, step) in moves.iter().enumerate().take(approach) {
-        protected(&mut w, request, i, step, None);
+        position(&mut w, request, i, step, moves.get(i.wrapping_sub(1)).map(|m| m.to));
     }
     debug_assert!(moves.iter().any(touches), "a cycle touches");
     let call = call(&w, request);
@@ -107,28 +114,34 @@ pub fn emit(request: &Request<'_>) -> Program {
     for _ in approach..last {
         w.leaves_move();
     }
-    protected(&mut w, request, last, &moves[last], None);
+    position(&mut w, request, last, &moves[last], Some(moves[last - 1].to));
     end(&mut w, request);
     w.finish()
 }
 
-/// CYCLE977 for an inside rectangle with a protection zone: 27 arguments, by position as in real calls.
+/// The sign of the infeed, argument 11. Not settled: a generator for the control's own editor writes it positive, two others negative.
+const INFEED_SIGN: f64 = 1.0;
+
+/// CYCLE977 for an inside rectangle with a protection zone: 29 arguments, by position as in real calls.
 fn call(w: &Writer<'_>, request: &Request<'_>) -> String {
     let rectangle = Rectangle::of(request);
     let [w1, w2] = rectangle.widths.map(|x| w.number(x));
     let [za, zo] = rectangle.zone.map(|x| w.number(x));
     let path = w.number(rectangle.path);
     let safe = w.number(request.setup.overtravel.min(rectangle.path));
-    let infeed = w.number(rectangle.infeed);
+    let infeed = w.number(INFEED_SIGN * rectangle.infeed);
+    let [a, o, _] = request.plane.axes();
+    let [x, y] = [a, o].map(|axis| w.number(request.path.frame.origin[axis]));
     // Thousands: with a protection zone. Hundreds: corrects the work offset. Units: rectangle inside.
     let (variant, offset) = match request.work_offset {
-        Some(n) => (1105, 10_000 + n),
-        None => (1005, 0),
+        Some(n) => (1105, (10_000 + n).to_string()),
+        None => (1005, String::new()),
     };
     let tolerance = w.number(1.01);
+    // 22 to 24 are empty where nothing is corrected. 27 = 11: the centre follows.
+    let correction = if request.work_offset.is_some() { format!("{},1,0", w.number(0.34)) } else { ",,".to_owned() };
     format!(
         "CYCLE977({variant},{offset},,1,,{w1},{w2},{path},{safe},0,{infeed},{za},{zo},,1,\"\",,0,{tolerance},{tolerance},-{tolerance},\
-         {},1,0,,1,1)",
-        w.number(0.34)
+         {correction},,1,11,{x},{y})"
     )
 }

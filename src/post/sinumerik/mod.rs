@@ -8,8 +8,7 @@
 //! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
 //!
 //! Recalled and not verified on a control: the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
-//! system, components of `$P_UIFR`, `SETAL(65000)`, and what some arguments of CYCLE977 are called. Its positions are those of
-//! real calls.
+//! system, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
 
 mod cycle977;
 mod registers;
@@ -20,8 +19,8 @@ use crate::num::decimal;
 use crate::path::{Move, Purpose, RAPID_RATE};
 use crate::post::expr;
 use crate::post::sinumerik::registers::{RParameters, Registers};
-use crate::post::words::{Dialect, Writer};
-use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
+use crate::post::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
+use crate::post::{MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -33,7 +32,9 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "",
     first_length: true,
     plain_arithmetic: true,
-    arcs_as_rapids: true,
+    says_job: true,
+    name: crate::post::comment_text,
+    rate,
     supports,
     check,
     emit,
@@ -42,8 +43,10 @@ pub static DEF: PostDef = PostDef {
 static DIALECT: Dialect = Dialect {
     decimals_mm: 4,
     decimals_inch: 5,
-    probe: "MEAS=1 G1",
     comment: ("; ", ""),
+    comment_width: 120,
+    // Recalled: a block has at most 512 characters.
+    longest_block: 512,
     units: ("G71", "G70"),
     modes: "G40 G60 G90",
     arcs: "",
@@ -54,9 +57,6 @@ const LAST_REGISTER: usize = 99;
 
 /// How many more the write of the frame needs.
 const FRAME_REGISTERS: usize = 6;
-
-/// Circular moves are made as straight protected ones that leave the circle by no more than this, mm.
-const CHORD_SAG: f64 = 0.02;
 
 fn supports(cycle: &str, form: &str) -> Result<(), &'static str> {
     match (cycle, form) {
@@ -74,9 +74,9 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
                       it was run on a control: try it with a hand on the feed override";
     checker.info("not-verified", "control.post", unverified);
-    if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message = format!(
-            "A move is protected by MEAS only at a stated feed: rapids run as protected moves at {}/min",
+            "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {}/min",
             checker.length(RAPID_RATE)
         );
         checker.info("rapid-at-feed", "feeds", message);
@@ -105,9 +105,16 @@ fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
     if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
 }
 
-/// The feed of a move, mm/min.
-fn rate(request: &Request<'_>, step: &Move) -> f64 {
-    request.feeds.rate(step.feed).unwrap_or(RAPID_RATE)
+/// The feed of a move, mm/min: a watched move has one, and an arc is made of straight moves at one.
+fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let stated = request.feeds.rate(step.feed);
+    let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
+    stated.or(needed.then_some(RAPID_RATE))
+}
+
+/// The same where there is one.
+fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
+    rate(request, None, step).unwrap_or(RAPID_RATE)
 }
 
 fn emit(request: &Request<'_>) -> Program {
@@ -121,18 +128,17 @@ fn emit_moves(request: &Request<'_>) -> Program {
     let told = registers.told(&formula, frame_registers(request, &formula));
     let notes: Vec<&str> = told.iter().map(String::as_str).collect();
     begin(&mut w, request, &written(request, formula.datum.as_ref()), &notes);
-    let mut at = None;
+    let mut at = request.path.start;
     for (i, step) in request.path.moves.iter().enumerate() {
         match step.purpose {
-            Purpose::Position => protected(&mut w, request, i, step, at),
+            Purpose::Position => position(&mut w, request, i, step, at),
             Purpose::Touch(k) => {
                 touch(&mut w, request, i, step, k);
                 latch(&mut w, request, &formula, &registers, k);
             }
             Purpose::Back(_) => {
-                let block = format!("G1{} F{}", w.place(step.to, false), w.number(rate(request, step)));
                 w.makes_move();
-                w.line(&block);
+                w.straight("G1", step.to, false, Some(rate_of(request, step)));
             }
         }
         at = Some(step.to);
@@ -159,74 +165,128 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
     };
     w.header(&offset);
+    if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+        w.comment(&format!(
+            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+        ));
+    }
     w.comment("Not verified on a control: run it with a hand on the feed override");
-    w.comment("Protected moves are MEAS=1 G1 with a check; touches the same, the other way round");
+    w.comment(if request.protected {
+        "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round"
+    } else {
+        "Touches are MEAS=1 G1 with a check. Positioning is NOT watched"
+    });
     for note in notes {
         w.comment(note);
     }
-    for line in job_lines(request.job) {
-        w.comment(&line);
+    if let Some(job) = request.job {
+        w.comment(&format!("{MADE_BY}{} from this job, every value, defaults too:", env!("CARGO_PKG_VERSION")));
+        for line in job_lines(job, DIALECT.comment_width - 2) {
+            w.comment(&line);
+        }
     }
     w.line("DEF INT TP_MOVE");
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
     w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
     w.line("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED");
     w.modes();
-    if let Some(n) = request.work_offset {
-        w.line("TRANS");
-        w.line(&(DEF.work_offset_word)(n));
+    w.line("M5 M9");
+    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    let any = |frame: &str, axes: &[&str], parts: &[(&str, u8)]| {
+        let terms: Vec<String> = parts
+            .iter()
+            .flat_map(|(part, none)| axes.iter().map(move |axis| format!("({frame}{axis},{part}]<>{none})")))
+            .collect();
+        format!("IF {} GOTOF TP_FRAME", terms.join(" OR "))
+    };
+    let all = [a, o, tool];
+    let Some(n) = request.work_offset else {
+        w.comment("A programmed shift may be active, but no turn, mirror or scale");
+        w.line(&any("$P_PFRAME[", &all, &[("RT", 0), ("MI", 0)]));
+        w.line(&any("$P_PFRAME[", &all, &[("SC", 1)]));
+        return;
+    };
+    w.line("TRANS");
+    w.line(&(DEF.work_offset_word)(n));
+    if request.form != "moves" {
+        return;
     }
-    if let Some(n) = request.work_offset.filter(|_| request.form == "moves") {
-        let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
-        w.comment("The correction knows a turn about the tool axis only");
-        w.line(&format!("IF ($P_UIFR[{n},{a},RT]<>0) OR ($P_UIFR[{n},{o},RT]<>0) GOTOF TP_FRAME"));
-        let any = |part: &str, none: u8| {
-            let parts = [a, o, tool].map(|axis| format!("($P_UIFR[{n},{axis},{part}]<>{none})"));
-            format!("IF {} GOTOF TP_FRAME", parts.join(" OR "))
-        };
-        w.line(&any("MI", 0));
-        w.line(&any("SC", 1));
+    w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
+    let offset = format!("$P_UIFR[{n},");
+    w.line(&any(&offset, &[a, o], &[("RT", 0)]));
+    w.line(&any(&offset, &all, &[("MI", 0)]));
+    w.line(&any(&offset, &all, &[("SC", 1)]));
+    for frame in ["$P_TOOLFRAME[", "$P_WPFRAME["] {
+        w.line(&any(frame, &all, &[("TR", 0), ("RT", 0)]));
     }
 }
 
-/// A positioning move, straight or in short straight pieces, each watched by the probe and checked.
-fn protected(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
-    w.line(&format!("TP_MOVE={}", index + 1));
-    let mut first = true;
+/// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
+/// watched.
+fn position(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
+    if request.protected {
+        w.line(&format!("TP_MOVE={}", index + 1));
+    }
+    if comes_from_anywhere(request, index, step) {
+        return approach(w, request, step);
+    }
+    let mut from = at;
+    w.makes_move();
     for to in pieces(request, step, at) {
-        if first {
-            w.makes_move();
+        if request.protected {
+            // On the way up an exit that lifts would push on against what was met.
+            let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
+            let words = w.place(to, false);
+            watched(w, &words, rate_of(request, step), exit);
+        } else {
+            let rate = rate(request, at, step);
+            w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
         }
-        first = false;
-        // On the way up an exit that lifts would push on against what was met.
-        let up = request.path.frame.w;
-        let upwards = at.is_some_and(|from| (step.to - from).dot(up) > 1e-6);
-        watched(w, to, rate(request, step), if upwards { "TP_BLOCKED" } else { "TP_CONTACT" });
+        from = Some(to);
     }
 }
 
-/// The ends of the straight moves that make a positioning move.
-fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
-    let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
-    // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
-    let radius = from.distance(arc.center);
-    let degrees = (2.0 * (1.0 - CHORD_SAG / radius).clamp(-1.0, 1.0).acos()).to_degrees();
-    step.pieces(from, request.path.frame.w, degrees.clamp(0.1, 30.0))
+/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
+    let height = w.height_word(step.to);
+    let (axis, level) = height.split_at(1);
+    w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
+    let stated = rate(request, None, step);
+    let up = w.tool_word(step.to);
+    let feed = stated.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
+    let word = if stated.is_some() { "G1" } else { "G0" };
+    let go = |w: &mut Writer<'_>, words: &str, exit: &str| {
+        if request.protected {
+            watched(w, words, rate_of(request, step), exit);
+        } else {
+            w.line(&format!("{word}{words}{feed}"));
+        }
+    };
+    go(w, &up, "TP_BLOCKED");
+    w.line("TP_ABOVE:");
+    let across = w.plane_words(step.to);
+    go(w, &across, "TP_CONTACT");
+    w.makes_move();
+    let down = w.tool_word(step.to);
+    go(w, &down, "TP_CONTACT");
 }
 
 /// One move in which nothing may be touched, and where a contact jumps to.
-fn watched(w: &mut Writer<'_>, to: Vec3, rate: f64, exit: &str) {
-    let block = format!("MEAS=1 G1{} F{}", w.place(to, false), w.number(rate));
+fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
+    let block = format!("MEAS=1 G1{words} F{}", w.number(rate));
     w.line(&block);
     w.line("STOPRE");
     w.line(&format!("IF $AC_MEA[1]<>0 GOTOF {exit}"));
 }
 
 fn touch(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, k: usize) {
-    let touch = &request.path.touches[k];
     w.line(&format!("TP_MOVE={}", index + 1));
-    let block = format!("MEAS=1 G1{} F{}", w.place(step.to - touch.vector * touch.search, true), w.number(rate(request, step)));
     w.makes_move();
+    // MEAS takes the positions of the axes that its block names.
+    let touch = &request.path.touches[k];
+    let words = w.all_words(step.to - touch.vector * touch.search);
+    let block = format!("MEAS=1 G1{words} F{}", w.number(request.feeds.work));
     w.line(&block);
     w.line("STOPRE");
     w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
@@ -304,19 +364,20 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     if let Some(first) = request.path.moves.first() {
         let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
         // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
-        let top = request.path.moves.iter().map(|m| m.to[tool]).fold(f64::NEG_INFINITY, f64::max);
-        let (axis, height) = (AXIS_NAMES[tool], w.number(top));
-        w.line("TP_BLOCKED:");
-        w.line(&contact);
-        w.line("GOTOF TP_STOP");
-        w.line("TP_CONTACT:");
-        w.line(&contact);
-        w.line("GOTOF TP_EXIT");
+        let (axis, height) = (AXIS_NAMES[tool], w.number(highest(request)[tool]));
+        if request.protected {
+            w.line("TP_BLOCKED:");
+            w.line(&contact);
+            w.line("GOTOF TP_STOP");
+            w.line("TP_CONTACT:");
+            w.line(&contact);
+            w.line("GOTOF TP_EXIT");
+        }
         w.line("TP_MISSED:");
         w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
         w.line("TP_EXIT:");
         w.line(&format!("IF $AA_IW[{axis}]>={height} GOTOF TP_STOP"));
-        let lift = format!("G1 {axis}{height} F{}", w.number(rate(request, first)));
+        let lift = format!("G1 {axis}{height} F{}", w.number(rate_of(request, first)));
         w.line(&lift);
         w.line("TP_STOP:");
         stop(w);
@@ -329,9 +390,14 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
         w.line(&format!("MSG(\"{message}\")"));
         stop(w);
     }
-    if request.work_offset.is_some() && request.form == "moves" {
-        w.line("TP_FRAME:");
-        w.line("MSG(\"The work offset is turned about another axis, mirrored or scaled. Nothing has moved\")");
-        stop(w);
-    }
+    let frame = match (request.work_offset, request.form) {
+        (None, _) => "A programmed turn, mirror or scale is active. Nothing has moved",
+        (Some(_), "moves") => {
+            "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
+        }
+        _ => return,
+    };
+    w.line("TP_FRAME:");
+    w.line(&format!("MSG(\"{frame}\")"));
+    stop(w);
 }

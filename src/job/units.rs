@@ -1,0 +1,147 @@
+//! A job in other units: every length and feed converted, values with tolerances too. The geometry stays.
+
+use crate::cycle;
+use crate::job::JobError;
+use crate::job::form::SECTIONS;
+use crate::spec::{Field, Finding, Kind, Level, Value};
+use crate::tolerance;
+
+/// Millimetres in an inch.
+const INCH: f64 = 25.4;
+
+/// Where a number goes: how much it is multiplied by, and the decimals it keeps.
+#[derive(Clone, Copy)]
+struct Target {
+    factor: f64,
+    decimals: i32,
+}
+
+impl Target {
+    fn number(self, x: f64) -> f64 {
+        let step = 10f64.powi(self.decimals);
+        let rounded = (x * self.factor * step).round() / step;
+        if rounded.is_finite() { rounded + 0.0 } else { x }
+    }
+}
+
+/// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch, angles as they are. The job may have errors:
+/// what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
+pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
+    if !matches!(units, "mm" | "inch") {
+        let message = "Units are \"mm\" or \"inch\"";
+        return Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] });
+    }
+    let mut job = job.clone();
+    let from = if job.get("units") == Some(&Value::Text("inch".to_owned())) { "inch" } else { "mm" };
+    if !matches!(job, Value::Map(_)) || from == units {
+        return Ok(job);
+    }
+    let to = if units == "inch" { Target { factor: 1.0 / INCH, decimals: 6 } } else { Target { factor: INCH, decimals: 4 } };
+    for (path, fields) in SECTIONS {
+        let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
+        convert_fields(section, fields, to);
+    }
+    let def = match job.get("cycle").and_then(|c| c.get("type")) {
+        Some(Value::Text(key)) => cycle::find(key),
+        _ => None,
+    };
+    if let Some(def) = def {
+        convert_fields(entry(&mut job, "cycle"), def.fields, to);
+        for section in def.sections {
+            convert_fields(entry(&mut job, "cycle").and_then(|c| entry(c, section.key)), section.fields, to);
+        }
+        convert_fields(entry(&mut job, "part").and_then(|p| entry(p, "sizes")), def.fields, to);
+    }
+    if let Some(Value::List(touches)) = entry(&mut job, "cycle").and_then(|c| entry(c, "touches")) {
+        for point in touches.iter_mut().filter_map(|touch| entry(touch, "point")) {
+            convert(point, to);
+        }
+    }
+    put(&mut job, "units", Value::Text(units.to_owned()));
+    Ok(job)
+}
+
+fn entry<'a>(value: &'a mut Value, key: &str) -> Option<&'a mut Value> {
+    match value {
+        Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, v)| v),
+        _ => None,
+    }
+}
+
+fn put(value: &mut Value, key: &str, new: Value) {
+    match entry(value, key) {
+        Some(place) => *place = new,
+        None => {
+            if let Value::Map(entries) = value {
+                entries.push((key.to_owned(), new));
+            }
+        }
+    }
+}
+
+fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
+    let Some(section) = section else { return };
+    for field in fields {
+        let metric = matches!(field.kind, Kind::Length | Kind::Feed | Kind::Point | Kind::Nominal | Kind::NominalPoint);
+        if let Some(value) = entry(section, field.key).filter(|_| metric) {
+            convert(value, to);
+        }
+    }
+}
+
+fn convert(value: &mut Value, to: Target) {
+    match value {
+        Value::Number(x) => *x = to.number(*x),
+        Value::Text(text) => {
+            if let Some(converted) = tolerance::convert(text, |x| to.number(x)) {
+                *text = converted;
+            }
+        }
+        Value::List(items) => items.iter_mut().for_each(|item| convert(item, to)),
+        Value::Null | Value::Flag(_) | Value::Map(_) | Value::Other(_) => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::default_job;
+
+    fn number(job: &Value, section: &str, key: &str) -> f64 {
+        match job.get(section).and_then(|s| s.get(key)) {
+            Some(Value::Number(x)) => *x,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_job_comes_back_as_it_was() {
+        for def in cycle::CYCLES {
+            let job = default_job(def.key).unwrap();
+            let inch = convert_units(&job, "inch").unwrap();
+            assert_eq!(number(&inch, "stylus", "diameter"), 0.23622);
+            let back = convert_units(&inch, "mm").unwrap();
+            assert_eq!(back, job, "{}", def.key);
+            assert_eq!(convert_units(&job, "mm").unwrap(), job);
+        }
+        assert!(convert_units(&Value::Null, "cm").is_err());
+        assert_eq!(convert_units(&Value::Null, "inch").unwrap(), Value::Null);
+    }
+
+    #[test]
+    fn values_with_tolerances_keep_their_size() {
+        let mut job = default_job("probing-two-circles").unwrap();
+        let cycle = entry(&mut job, "cycle").unwrap();
+        put(cycle, "diameter1", Value::Text("10H7".to_owned()));
+        put(cycle, "diameter2", Value::Text("20+0,05-0.02".to_owned()));
+        put(cycle, "point1", Value::List(["?10", "-30@-30.02", "no value"].map(|t| Value::Text(t.to_owned())).to_vec()));
+        let inch = convert_units(&job, "inch").unwrap();
+        let text = |key: &str| inch.get("cycle").and_then(|c| c.get(key)).cloned().unwrap();
+        assert_eq!(text("diameter1"), Value::Text("0.393701H7".to_owned()));
+        assert_eq!(text("diameter2"), Value::Text("0.787402+0.001969-0.000787".to_owned()));
+        let points = ["?0.393701", "-1.181102@-1.18189", "no value"].map(|t| Value::Text(t.to_owned())).to_vec();
+        assert_eq!(text("point1"), Value::List(points));
+        let back = convert_units(&inch, "mm").unwrap();
+        assert_eq!(back.get("cycle").and_then(|c| c.get("diameter1")), Some(&Value::Text("10H7".to_owned())));
+    }
+}
