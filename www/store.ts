@@ -20,9 +20,6 @@ import { keep, kept } from "./keep.js";
 
 export type { Draft } from "./job.js";
 
-/** A text longer than this is not read: it would hold up the page. */
-const LONGEST = 2_000_000;
-
 /** What is kept of a cycle whose form was left. */
 interface Left {
   units: Units;
@@ -74,7 +71,7 @@ export class Store extends EventTarget {
 
   /** The longest text that is read, in characters. */
   get longest(): number {
-    return this.catalog.longestText ?? LONGEST;
+    return this.catalog.longestText;
   }
 
   /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */

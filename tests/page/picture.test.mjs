@@ -136,6 +136,6 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
   await page.getByRole("button", { name: "top", exact: true }).click();
   assert.deepEqual(await pixels(), before, "the same picture by a new View");
   await field("cycle.width1").fill("90");
-  assert.match(await program(), /G38\.2 X47 F150/);
+  assert.match(await program(), /G38\.2 X47 Y0 Z-10 F150/);
   assert.notEqual((await pixels()).sum, before.sum);
 });

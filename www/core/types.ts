@@ -407,7 +407,7 @@ export interface Catalog {
   rapidRate: number;
   maxTouches: number;
   /** The longest text that is read, in characters. */
-  longestText?: number;
+  longestText: number;
 }
 
 /** A job made of text. */
