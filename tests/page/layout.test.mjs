@@ -76,6 +76,29 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
   });
 }
 
+test("the picture covered the field that was typed in, where the browser scrolled to its caret", async () => {
+  await open({ viewport: { width: 390, height: 844 } });
+  const free = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return page.evaluate(() => {
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+      const box = /** @type {Element} */ (root.activeElement).getBoundingClientRect();
+      return root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2) === root.activeElement;
+    });
+  };
+  await field("feeds.work").fill("4000");
+  await page.screenshot();
+  await field("cycle.depth").fill("9");
+  assert.ok(await free(), "from below");
+  await page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    scrollBy(0, /** @type {Element} */ (root.activeElement).getBoundingClientRect().top - 40);
+  });
+  assert.ok(!(await free()), "scrolled under the picture by hand");
+  await page.keyboard.type("8");
+  assert.ok(await free(), "typing brings it back");
+});
+
 test("a warning was a closed line in the colour of text: it is counted and read out in the summary", async () => {
   await field("feeds.work").fill("4000");
   const summary = page.locator("tp-findings summary");

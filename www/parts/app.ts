@@ -49,6 +49,8 @@ class App extends LitElement {
     for (const { query } of this.layouts) query.addEventListener("change", this.relayout);
     this.addEventListener("paste", this.refuse);
     this.addEventListener("drop", this.refuse);
+    this.addEventListener("focusin", this.uncover);
+    this.addEventListener("input", this.uncover);
   }
 
   override disconnectedCallback(): void {
@@ -57,6 +59,8 @@ class App extends LitElement {
     this.observer.disconnect();
     this.removeEventListener("paste", this.refuse);
     this.removeEventListener("drop", this.refuse);
+    this.removeEventListener("focusin", this.uncover);
+    this.removeEventListener("input", this.uncover);
   }
 
   protected override firstUpdated(): void {
@@ -129,6 +133,18 @@ class App extends LitElement {
     this.show(next);
     this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   }
+
+  /** Brings a field out from under the picture that stays in sight: a browser that scrolls to the caret knows nothing of it. */
+  private readonly uncover = (event: Event): void => {
+    const field = event.composedPath()[0];
+    const picture = this.renderRoot.querySelector("tp-picture");
+    if (!(field instanceof HTMLElement) || !picture || picture.contains(field)) return;
+    requestAnimationFrame(() => {
+      if (getComputedStyle(picture).position !== "sticky") return;
+      const hidden = picture.getBoundingClientRect().bottom + 8 - field.getBoundingClientRect().top;
+      if (hidden > 0 && field.isConnected) scrollBy(0, -hidden);
+    });
+  };
 
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {
