@@ -8,11 +8,12 @@ import { at, run } from "./lib.mjs";
 await build();
 const { catalog, check, importJob, lentoax, moveColumns, plan } = await import("touchpath");
 
-const corner = (count1, count2, part) => ({
+const corner = (/** @type {number} */ count1, /** @type {number} */ count2, part = false) => ({
   format: 1,
   cycle: { type: "double-wall-internal-corner", count1, count2, step1: 7, step2: 6 },
   ...(part ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } } : {}),
 });
+/** @type {Record<string, any>} */
 const jobs = {
   "type 7, 4 touches": { format: 1, cycle: { type: "internal-rectangle-protected" } },
   "type 7, 4 touches, part": {
@@ -36,14 +37,14 @@ const jobs = {
 };
 
 /** Median microseconds of a call. */
-function time(work) {
+function time(/** @type {() => unknown} */ work) {
   for (let i = 0; i < 300; i++) work();
   const rounds = Array.from({ length: 21 }, () => {
     const start = performance.now();
     for (let i = 0; i < 100; i++) work();
     return ((performance.now() - start) / 100) * 1000;
   });
-  return rounds.sort((a, b) => a - b)[10];
+  return rounds.sort((a, b) => a - b)[10] ?? Number.NaN;
 }
 
 const args = Object.entries(jobs).map(([name, job]) => `${name}=${JSON.stringify(job)}`);
@@ -51,23 +52,26 @@ const native = new Map(
   run("cargo", ["bench", "--quiet", "--locked", "--bench", "plan", "--", ...args], { quiet: true })
     .trim()
     .split("\n")
-    .map((line) => line.match(/^(.*) (\d+) (\d+)$/))
-    .filter(Boolean)
-    .map(([, name, , ns]) => [name, Number(ns) / 1000]),
+    .flatMap((line) => {
+      const [, name, , ns] = line.match(/^(.*) (\d+) (\d+)$/) ?? [];
+      return name ? [/** @type {[string, number]} */ ([name, Number(ns) / 1000])] : [];
+    }),
 );
 
 console.log("\nForm edit to whole plan, median, µs");
 console.log("job                         native     wasm   wasm / native   wasm check   wasm columns");
+/** @type {Map<string, number>} */
 const wasm = new Map();
+const timeOf = (/** @type {Map<string, number>} */ times, /** @type {string} */ name) => times.get(name) ?? Number.NaN;
 for (const [name, job] of Object.entries(jobs)) {
   wasm.set(
     name,
     time(() => plan(job)),
   );
   const cells = [
-    native.get(name).toFixed(1).padStart(8),
-    wasm.get(name).toFixed(1).padStart(8),
-    (wasm.get(name) / native.get(name)).toFixed(2).padStart(12),
+    timeOf(native, name).toFixed(1).padStart(8),
+    timeOf(wasm, name).toFixed(1).padStart(8),
+    (timeOf(wasm, name) / timeOf(native, name)).toFixed(2).padStart(12),
     time(() => check(job))
       .toFixed(1)
       .padStart(13),
@@ -79,8 +83,8 @@ for (const [name, job] of Object.entries(jobs)) {
 }
 
 console.log("\nRatios                                          native     wasm");
-const ratio = (label, a, b) => {
-  const of = (times) => (times.get(a) / times.get(b)).toFixed(2).padStart(8);
+const ratio = (/** @type {string} */ label, /** @type {string} */ a, /** @type {string} */ b) => {
+  const of = (/** @type {Map<string, number>} */ times) => (timeOf(times, a) / timeOf(times, b)).toFixed(2).padStart(8);
   console.log(label.padEnd(45), of(native), of(wasm));
 };
 ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 touches");
@@ -88,7 +92,7 @@ ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part"
 ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
 
 // Every type of the family against its number of touches, in WebAssembly. A corner needs two, one a wall.
-const counted = (cycle, n) => {
+const counted = (/** @type {import("touchpath").CycleEntry} */ cycle, /** @type {number} */ n) => {
   const keys = cycle.fields.map((field) => field.key);
   if (keys.includes("stepCount")) return { variant: 1, stepCount: n, angularStep: 360 / Math.max(n, 3) };
   if (keys.includes("count1"))
@@ -100,21 +104,23 @@ console.log("\nPlan time against touches in WebAssembly, median, µs (16 / 4 tou
 console.log("type".padEnd(36), ...steps.map((n) => String(n).padStart(7)), "  16 / 4");
 for (const cycle of catalog()
   .cycles.filter((c) => c.number !== null)
-  .sort((a, b) => a.number - b.number)) {
+  .sort((a, b) => (a.number ?? 0) - (b.number ?? 0))) {
   const times = steps.map((n) => {
     const extra = counted(cycle, n);
     if (extra === null) return null;
+    /** @type {any} */
     const job = { format: 1, cycle: { type: cycle.type, ...extra } };
     const touches = plan(job).touches.length;
     return touches === n ? time(() => plan(job)) : null;
   });
+  /** @type {any} */
   const none = { format: 1, cycle: { type: cycle.type } };
   if (plan(none).touches.length === 0) times[0] = time(() => plan(none));
   const [four, sixteen] = [times[3], times[9]];
   const ratio = four && sixteen ? (sixteen / four).toFixed(2) : "";
   console.log(
     `${cycle.number} ${cycle.title}`.padEnd(36),
-    ...times.map((t) => (t === null ? "" : t.toFixed(0)).padStart(7)),
+    ...times.map((t) => (t?.toFixed(0) ?? "").padStart(7)),
     ratio.padStart(8),
   );
 }

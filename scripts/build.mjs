@@ -46,7 +46,7 @@ export async function build() {
   await stage("Package", buildPackage);
   await stage("Page", buildPage);
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
-  const kB = (bytes) => `${(bytes / 1000).toFixed(1)} kB`;
+  const kB = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1)} kB`;
   console.log(
     `wasm: ${kB(wasm.length)}, gzip ${kB(gzipSync(wasm, { level: 9 }).length)}, brotli ${kB(brotliCompressSync(wasm).length)}`,
   );

@@ -6,13 +6,19 @@ import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = fileURLToPath(new URL("..", import.meta.url)).replace(/[\\/]$/, "");
-export const at = (...parts) => join(root, ...parts);
+export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
 const tools = join(target, "tools");
+/** What ran, and for how many seconds. @type {[string, number][]} */
 const stages = [];
 
-/** Runs a command; what it prints is seen. Ends the script where the command fails. */
+/**
+ * Runs a command; what it prints is seen. Ends the script where the command fails.
+ * @param {string} command
+ * @param {string[]} args
+ * @param {{ env?: Record<string, string | undefined>, cwd?: string, quiet?: boolean }} [options]
+ */
 export function run(command, args, { env = {}, cwd = root, quiet = false } = {}) {
   const done = spawnSync(command, args, {
     cwd,
@@ -31,11 +37,16 @@ export function run(command, args, { env = {}, cwd = root, quiet = false } = {})
 }
 
 /** Whether a command is there and works. */
-export function works(command, args = ["--version"], env = {}) {
+export function works(/** @type {string} */ command, args = ["--version"], env = {}) {
   return spawnSync(command, args, { stdio: "ignore", env: { ...process.env, ...env } }).status === 0;
 }
 
-/** Runs a stage and remembers how long it took. */
+/**
+ * Runs a stage and remembers how long it took.
+ * @template T
+ * @param {string} name
+ * @param {() => T | Promise<T>} work
+ */
 export async function stage(name, work) {
   const start = performance.now();
   console.log(`\n== ${name}`);
@@ -86,17 +97,18 @@ export function ensureWasmPack() {
 }
 
 /** apt-get, for root or whoever may use sudo. */
-function apt(...args) {
+function apt(/** @type {string[]} */ ...args) {
   const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const [command, ...rest] = [...sudo, "apt-get", ...args];
-  run(command, rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
+  run(command ?? "apt-get", rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
 }
 
 const aptUpdate = () => apt("update");
 
 /** Chromium and its driver; gives both paths. */
 export function ensureChromium() {
-  const find = (variable, names) => [process.env[variable], ...names].find((name) => name && works(name));
+  const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
+    [process.env[variable], ...names].find((name) => name && works(name));
   const browsers = ["chromium", "chromium-browser", "google-chrome"];
   let browser = find("CHROMIUM", browsers);
   let driver = find("CHROMEDRIVER", ["chromedriver"]);
@@ -110,11 +122,10 @@ export function ensureChromium() {
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
-function absolute(command) {
+function absolute(/** @type {string} */ command) {
   if (command.includes("/")) return command;
-  return process.env.PATH.split(delimiter)
-    .map((folder) => join(folder, command))
-    .find((path) => existsSync(path));
+  const places = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, command));
+  return places.find((path) => existsSync(path)) ?? command;
 }
 
 /** LinuxCNC's own interpreter, taken out of Debian's package without installing it; gives the command. */
@@ -144,4 +155,6 @@ export function ensureInterpreter() {
 }
 
 /** PATH with these folders in front. */
-export const pathWith = (...folders) => ({ PATH: [...folders.filter(Boolean), process.env.PATH].join(delimiter) });
+export const pathWith = (/** @type {string[]} */ ...folders) => ({
+  PATH: [...folders.filter(Boolean), process.env.PATH].join(delimiter),
+});

@@ -28,7 +28,9 @@ function crates() {
 export function crateLicences() {
   const parts = crates().map(({ name, version, license, manifest_path }) => {
     const folder = dirname(manifest_path);
-    const files = readdirSync(folder).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
+    const files = readdirSync(folder)
+      .filter((file) => /^(licen[cs]e|copying|notice)/i.test(file))
+      .sort();
     const texts = files.map((file) => readFileSync(join(folder, file), "utf8").trim());
     return [`## ${name} - ${version} (${license ?? "see below"})`, ...texts].join("\n\n");
   });

@@ -1,5 +1,5 @@
 // A job that comes from outside (a file, a pasted text, the browser's storage): whether the form can show it, and what it leaves out.
-import { type Catalog, convertUnits, type Cycle, defaultJob, type FieldEntry, type Job } from "./core/browser.js";
+import { type Catalog, type Cycle, convertUnits, defaultJob, type FieldEntry, type Job } from "./core/browser.js";
 
 /** A job while it is typed: any field may hold what is not (yet) a value. */
 export type Draft = Record<string, unknown>;
@@ -50,7 +50,8 @@ export function misfit(job: unknown, catalog: Catalog): string | null {
   list(cycle.custom, "cycle.custom", "own codes", isObject);
   if (isObject(job.tool)) list(job.tool.frame, "tool.frame", "steps, each a turn or a mirror", isObject);
   const sizes = isObject(job.part) ? job.part.sizes : undefined;
-  if (!isOut(sizes)) need(isObject(sizes) && Object.values(sizes).every(isScalar), "part.sizes", "an object of numbers");
+  if (!isOut(sizes))
+    need(isObject(sizes) && Object.values(sizes).every(isScalar), "part.sizes", "an object of numbers");
   return problems[0] ?? null;
 }
 

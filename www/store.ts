@@ -263,10 +263,12 @@ export class Store extends EventTarget {
         this.notice = `What was kept in this browser cannot be used: ${problem}`;
         continue;
       }
-      const isText = (pair: unknown) => Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
+      const isText = (pair: unknown) =>
+        Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
       this.draft = complete(draft as Draft, this.catalog);
       this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
-      for (const units of ["mm", "inch"] as const) if (typeof points?.[units] === "string") this.points[units] = points[units];
+      for (const units of ["mm", "inch"] as const)
+        if (typeof points?.[units] === "string") this.points[units] = points[units];
       this.compute();
       return;
     }

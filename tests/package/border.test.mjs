@@ -23,7 +23,12 @@ test("some hundred revoked proxies made every job unreadable for good", () => {
     const { proxy, revoke } = Proxy.revocable({}, {});
     revoke();
     const place = i % 3;
-    const job = place === 0 ? proxy : place === 1 ? { format: 1, cycle: proxy } : { format: 1, cycle: { type: "hole", origin: [proxy, 0, 0] } };
+    const job =
+      place === 0
+        ? proxy
+        : place === 1
+          ? { format: 1, cycle: proxy }
+          : { format: 1, cycle: { type: "hole", origin: [proxy, 0, 0] } };
     assert.equal(check(job)[0]?.level, "error");
     if (i % 100 === 0) sound(`after ${i}`);
   }
@@ -32,6 +37,7 @@ test("some hundred revoked proxies made every job unreadable for good", () => {
 
 test("a caller's stack overflow, some thousand times, made every job unreadable for good", () => {
   const overflow = () => {
+    /** @type {() => unknown} */
     const deeper = () => deeper();
     return deeper();
   };
@@ -108,7 +114,11 @@ test("whatever is thrown in a job, every function answers as before", () => {
       },
     };
     assert.equal(check(job)[0]?.level, "error");
-    for (const call of [plan, (/** @type {any} */ j) => evaluate(j, "1,2,3"), (/** @type {any} */ j) => exportTable(j, "csv")]) {
+    for (const call of [
+      plan,
+      (/** @type {any} */ j) => evaluate(j, "1,2,3"),
+      (/** @type {any} */ j) => exportTable(j, "csv"),
+    ]) {
       assert.throws(() => call(/** @type {any} */ (job)), JobError);
     }
   }

@@ -9,11 +9,23 @@ import { fileURLToPath } from "node:url";
 const cwd = fileURLToPath(new URL("../..", import.meta.url));
 
 test("the package had no licence text", () => {
-  const [packed] = JSON.parse(execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }));
+  const [packed] = JSON.parse(
+    execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }),
+  );
   const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path).sort();
   const modules = ["api", "browser", "node", "types"].flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
-  const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map((f) => `dist/wasm/${f}`);
-  const wanted = [...modules, ...wasm, "dist/licences.txt", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "package.json"];
+  const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
+    (f) => `dist/wasm/${f}`,
+  );
+  const wanted = [
+    ...modules,
+    ...wasm,
+    "dist/licences.txt",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "package.json",
+  ];
   assert.deepEqual(names, wanted.sort());
   const notices = readFileSync(join(cwd, "dist", "licences.txt"), "utf8");
   for (const crate of ["glam", "js-sys", "serde", "serde-wasm-bindgen", "wasm-bindgen", "web-sys"]) {
@@ -27,6 +39,10 @@ test("the crate took README files and licences of node_modules with it", () => {
   const names = execFileSync("cargo", args, { cwd, encoding: "utf8", stdio: "pipe" }).trim().split("\n");
   const made = [".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig"];
   const own = /^(src\/.*\.(rs|md|csv|json|txt)|benches\/.*\.rs|README\.md|LICENSE-(MIT|APACHE))$/;
-  assert.deepEqual(names.filter((name) => !own.test(name) && !made.includes(name)), []);
-  for (const name of ["src/lib.rs", "benches/plan.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE"]) assert.ok(names.includes(name), name);
+  assert.deepEqual(
+    names.filter((name) => !own.test(name) && !made.includes(name)),
+    [],
+  );
+  for (const name of ["src/lib.rs", "benches/plan.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE"])
+    assert.ok(names.includes(name), name);
 });

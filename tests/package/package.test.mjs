@@ -9,6 +9,7 @@ import { fileURLToPath } from "node:url";
 import { Ajv2020 } from "ajv/dist/2020.js";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
+/** @type {string} */
 let folder;
 
 before(() => {
@@ -29,10 +30,11 @@ test("by its own name from the repository", async () => {
     "jobSchema",
     "version",
   ]) {
-    assert.equal(typeof touchpath[name], "function", name);
+    assert.equal(typeof touchpath[/** @type {"plan"} */ (name)], "function", name);
   }
   const { defaultJob, check, plan, moveColumns, JobError, version } = touchpath;
   assert.equal(version(), JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version);
+  /** @type {any} */
   const job = defaultJob("double-wall-internal-corner");
   assert.deepEqual(check(job), []);
   const made = plan(job);
@@ -41,7 +43,7 @@ test("by its own name from the repository", async () => {
   assert.deepEqual(JSON.parse(JSON.stringify(made)), made);
   const columns = moveColumns(job);
   assert.ok(columns.to instanceof Float64Array);
-  assert.deepEqual([...columns.to.slice(0, 3)], made.moves[0].to);
+  assert.deepEqual([...columns.to.slice(0, 3)], made.moves[0]?.to);
 
   job.cycle.clearance1 = Number.NaN;
   job.cycle.count2 = 99;
@@ -54,11 +56,11 @@ test("by its own name from the repository", async () => {
       return true;
     },
   );
-  assert.throws(() => defaultJob("bogus"), JobError);
+  assert.throws(() => defaultJob(/** @type {any} */ ("bogus")), JobError);
   assert.throws(() => touchpath.evaluate(defaultJob("double-wall-internal-corner"), "1"), JobError);
   const { proxy, revoke } = Proxy.revocable({}, {});
   revoke();
-  assert.equal(check({ format: 1, cycle: proxy })[0].level, "error");
+  assert.equal(check({ format: 1, cycle: proxy })[0]?.level, "error");
 });
 
 test("every job of the repository plans as the crate plans it", async () => {
@@ -86,16 +88,19 @@ test("jobs and programs are imported", async () => {
   const circles = defaultJob("probing-two-circles");
   const text = plan(circles).program.text;
   assert.equal(plan(importJob(text).job).program.text, text);
-  for (const nothing of ["", "G1 X0", "{", "7", undefined]) assert.throws(() => importJob(nothing), JobError);
+  for (const nothing of ["", "G1 X0", "{", "7", undefined]) {
+    assert.throws(() => importJob(/** @type {string} */ (nothing)), JobError);
+  }
 });
 
 test("a dump becomes the job again, and so does a program for SINUMERIK", async () => {
   const { catalog, defaultJob, exportTable, importJob, plan } = await import("touchpath");
   for (const { type, number } of catalog().cycles) {
     if (number === null) continue;
+    /** @type {any} */
     const job = defaultJob(type);
     job.cycle.custom = [{ code: 7, type: "Flt", value: 0.5 }];
-    for (const format of ["text", "csv", "json"]) {
+    for (const format of /** @type {const} */ (["text", "csv", "json"])) {
       assert.deepEqual(importJob(exportTable(job, format)).job, job, `${type} ${format}`);
     }
     job.control.post = "sinumerik";
@@ -139,7 +144,7 @@ test("the parameter table as text", async () => {
   assert.match(exportTable(job, "text"), /^CmdPrm\.Int\[-1\] = 13\n/);
   assert.deepEqual(JSON.parse(exportTable(job, "json")), plan(job).table);
   assert.equal(exportTable(job, "csv").trimEnd().split("\n").length, plan(job).table.length + 1);
-  assert.throws(() => exportTable(job, "xml"), JobError);
+  assert.throws(() => exportTable(job, /** @type {any} */ ("xml")), JobError);
 });
 
 test("LENTOAX answers, and refuses what is no question", async () => {
@@ -173,7 +178,7 @@ test("LENTOAX answers, and refuses what is no question", async () => {
     { tool: 1 },
     { sd42950: 3 },
   ]) {
-    assert.throws(() => lentoax(wrong), JobError, JSON.stringify(wrong));
+    assert.throws(() => lentoax(/** @type {any} */ (wrong)), JobError, JSON.stringify(wrong));
   }
 });
 
@@ -181,14 +186,16 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
   const [packed] = JSON.parse(
     execFileSync("npm", ["pack", "--json", "--pack-destination", folder], { cwd: root, encoding: "utf8" }),
   );
-  const names = packed.files.map((f) => f.path);
+  const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path);
   assert.ok(
     names.includes("dist/node.js") &&
       names.includes("dist/browser.js") &&
       names.includes("dist/wasm/touchpath_bg.wasm"),
   );
   assert.ok(
-    !names.some((n) => n.startsWith("dist/page") || n.startsWith("src") || n.startsWith("target")),
+    !names.some(
+      (/** @type {string} */ n) => n.startsWith("dist/page") || n.startsWith("src") || n.startsWith("target"),
+    ),
     names.join(),
   );
   const user = join(folder, "user");

@@ -68,7 +68,16 @@ test("one file that could not be read ended it", async () => {
   symlinkSync("loop", join(root, "page", "loop"));
   // Nor is a folder in the file's place one that can be read.
   mkdirSync(join(root, "page", "folder", "index.html"), { recursive: true });
-  for (const path of ["/locked.txt", "/loop", "/folder", "/empty/", "/none", "/%00", "/%E0%A4%A", `/${"x".repeat(5000)}`]) {
+  for (const path of [
+    "/locked.txt",
+    "/loop",
+    "/folder",
+    "/empty/",
+    "/none",
+    "/%00",
+    "/%E0%A4%A",
+    `/${"x".repeat(5000)}`,
+  ]) {
     const { status } = await get(path);
     // Root reads even what is locked.
     const wanted = { "/loop": [500], "/locked.txt": [500, 200] }[path] ?? [404];
@@ -78,7 +87,12 @@ test("one file that could not be read ended it", async () => {
 });
 
 test("a folder beside it whose name only begins alike was served too", async () => {
-  for (const path of ["/../page-secret/key.txt", "/%2e%2e/page-secret/key.txt", "/..%2fpage-secret%2fkey.txt", "/..%2fkey.txt"]) {
+  for (const path of [
+    "/../page-secret/key.txt",
+    "/%2e%2e/page-secret/key.txt",
+    "/..%2fpage-secret%2fkey.txt",
+    "/..%2fkey.txt",
+  ]) {
     const { status, text } = await get(path);
     assert.equal(status, 404, path);
     assert.doesNotMatch(text, /secret/);

@@ -56,7 +56,9 @@ export async function openTab() {
   tab.on("pageerror", (error) => problems.push(String(error)));
   tab.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   await tab.addInitScript(() => {
-    document.addEventListener("securitypolicyviolation", (e) => console.error(`policy: ${e.violatedDirective} ${e.blockedURI}`));
+    document.addEventListener("securitypolicyviolation", (e) =>
+      console.error(`policy: ${e.violatedDirective} ${e.blockedURI}`),
+    );
   });
   await tab.goto(addressOf(server));
   await ready(tab);
@@ -73,7 +75,8 @@ export async function ready(tab = page) {
 export const field = (/** @type {string} */ path, tab = page) => tab.locator(`[id="f-${path}"]`);
 
 /** What a locator shows, as text. */
-export const textOf = async (/** @type {import("playwright-core").Locator} */ locator) => (await locator.textContent()) ?? "";
+export const textOf = async (/** @type {import("playwright-core").Locator} */ locator) =>
+  (await locator.textContent()) ?? "";
 
 /** The program as it is shown. */
 export const program = async (tab = page) => (await tab.locator("tp-program .text").allTextContents()).join("\n");
@@ -97,6 +100,27 @@ export const pixels = () =>
     });
     return { count, sum };
   });
+
+/** Where a part of the page stands in the window. */
+export async function boxOf(/** @type {import("playwright-core").Locator} */ locator) {
+  const box = await locator.boundingBox();
+  assert.ok(box, "it is on the page");
+  return box;
+}
+
+/** The id of what has the focus. */
+export const focusedId = () =>
+  page.evaluate(() => document.querySelector("touchpath-app")?.shadowRoot?.activeElement?.id ?? "");
+
+/** Until a field holds a text. */
+export const until = (/** @type {string} */ path, /** @type {string} */ text) =>
+  page.waitForFunction(
+    ([id, text]) => {
+      const input = document.querySelector("touchpath-app")?.shadowRoot?.getElementById(id ?? "");
+      return /** @type {HTMLInputElement | null | undefined} */ (input)?.value === text;
+    },
+    [`f-${path}`, text],
+  );
 
 /** The value at a path of the job as the page holds it. */
 export const held = (/** @type {string} */ path, tab = page) =>

@@ -26,8 +26,12 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
     // What is cut off by a pane of its own does not widen the page: every part must end inside the window.
     const beyond = await page.evaluate(() => {
       const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
-      const all = root.querySelectorAll("header > *, main > section, main > .tabs, tp-picture, .picture .tools > *, .scrub > *");
-      return [...all].filter((node) => node.getBoundingClientRect().right > innerWidth + 0.5).map((node) => node.outerHTML.slice(0, 80));
+      const all = root.querySelectorAll(
+        "header > *, main > section, main > .tabs, tp-picture, .picture .tools > *, .scrub > *",
+      );
+      return [...all]
+        .filter((node) => node.getBoundingClientRect().right > innerWidth + 0.5)
+        .map((node) => node.outerHTML.slice(0, 80));
     });
     assert.deepEqual(beyond, []);
     for (const name of ["Gallery", "Tool lengths"]) {
@@ -56,7 +60,11 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
         if (!node?.closest("tp-form")) return null;
         const box = node.getBoundingClientRect();
         const seen = root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
-        return { id: node.id, free: seen !== null && (node.contains(seen) || seen.contains(node) && seen.matches("label")), seen: seen?.outerHTML.slice(0, 60) };
+        return {
+          id: node.id,
+          free: seen !== null && (node.contains(seen) || (seen.contains(node) && seen.matches("label"))),
+          seen: seen?.outerHTML.slice(0, 60),
+        };
       });
     const covered = [];
     for (const key of ["Tab", "Shift+Tab"]) {

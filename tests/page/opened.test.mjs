@@ -69,7 +69,9 @@ test("a stored state that the form cannot show left an empty page: the defaults 
 
 test("a leaf of a wrong type stands in its field, beside its message", async () => {
   await openText(JSON.stringify({ format: 1, cycle: { type: "boss", depth: "ten", diameter: true } }));
-  await page.waitForFunction(() => document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='e-cycle.depth']"));
+  await page.waitForFunction(() =>
+    document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
+  );
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.diameter").inputValue(), "true");
   assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "7" }, "the program is the last good one");
@@ -77,7 +79,9 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
 
 test("the page could not leave a job that says only its cycle", async () => {
   await openText('{"format":1,"cycle":{"type":"hole"}}');
-  await page.waitForFunction(() => document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='f-cycle.diameter']"));
+  await page.waitForFunction(() =>
+    document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='f-cycle.diameter']"),
+  );
   assert.match(await program(), /type 3:/);
   await field("cycle.type").selectOption("boss");
   assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "5" });
@@ -106,7 +110,9 @@ test("what a job leaves out is at the catalog's default in the job's own units, 
     // Converted defaults are rounded to a millionth.
     wanted.moves.forEach(({ to, feed }, k) => {
       assert.equal(shown.moves[k].feed, feed);
-      to.forEach((x, i) => assert.ok(Math.abs(shown.moves[k].to[i] - x) < 5e-6, `move ${k + 1} of ${JSON.stringify(job)}`));
+      for (const [i, x] of to.entries()) {
+        assert.ok(Math.abs(shown.moves[k].to[i] - x) < 5e-6, `move ${k + 1} of ${JSON.stringify(job)}`);
+      }
     });
   }
 });
@@ -197,16 +203,19 @@ test("texts with tolerances stayed as they were when the units changed: ten mill
   await field("cycle.type").selectOption("probing-two-circles");
   await field("cycle.diameter1").fill("10H7");
   await field("cycle.diameter2").fill("20+0.05-0.02");
-  const places = async () => (await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.touches)).map(
-    (/** @type {any} */ t) => t.point,
-  );
+  const places = async () =>
+    (await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.touches)).map(
+      (/** @type {any} */ t) => t.point,
+    );
   const before = await places();
   await field("units").selectOption("inch");
   assert.equal(await textOf(page.locator("tp-findings .error")).catch(() => ""), "");
   const after = await places();
   assert.equal(after.length, before.length);
   before.forEach((/** @type {number[]} */ point, /** @type {number} */ k) => {
-    point.forEach((mm, i) => assert.ok(Math.abs(after[k][i] * 25.4 - mm) < 1e-3, `touch ${k + 1}: ${after[k]} against ${point}`));
+    for (const [i, mm] of point.entries()) {
+      assert.ok(Math.abs(after[k][i] * 25.4 - mm) < 1e-3, `touch ${k + 1}: ${after[k]} against ${point}`);
+    }
   });
   await field("units").selectOption("mm");
   await field("cycle.diameter1").fill("ten");

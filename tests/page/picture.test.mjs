@@ -19,7 +19,12 @@ const handle = (/** @type {string} */ name) =>
   }, name);
 
 /** Drags from a place by so many pixels. */
-async function drag(/** @type {{x: number, y: number}} */ from, /** @type {number} */ dx, /** @type {number} */ dy, /** @type {number} */ steps) {
+async function drag(
+  /** @type {{x: number, y: number}} */ from,
+  /** @type {number} */ dx,
+  /** @type {number} */ dy,
+  /** @type {number} */ steps,
+) {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(from.x + dx, from.y + dy, { steps });

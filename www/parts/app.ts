@@ -141,7 +141,7 @@ class App extends LitElement {
     if (!(field instanceof HTMLElement) || !picture || picture.contains(field)) return;
     requestAnimationFrame(() => {
       if (getComputedStyle(picture).position !== "sticky") return;
-      const hidden = picture.getBoundingClientRect().bottom + 8 - field.getBoundingClientRect().top;
+      const hidden = picture.getBoundingClientRect().bottom + 34 - field.getBoundingClientRect().top;
       if (hidden > 0 && field.isConnected) scrollBy(0, -hidden);
     });
   };

@@ -1,12 +1,5 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
-import {
-  type Finding,
-  JobError,
-  type Lentoax,
-  type LentoaxQuery,
-  lentoax,
-  lentoaxWords,
-} from "../core/browser.js";
+import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
 import { parseNumber, type Store } from "../store.js";
 import { Drawing } from "./drawing.js";
 import { copy } from "./hand.js";

@@ -134,7 +134,10 @@ class PicturePart extends Part {
     this.canvas().setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, at);
     this.dragged = false;
-    if (this.pointers.size > 1) return this.release();
+    if (this.pointers.size > 1) {
+      this.release();
+      return;
+    }
     this.drawing?.use((view) => {
       const handle = view.handleAt(at.x, at.y);
       const [x, y] = (handle && view.handleSpot(handle)) || [];
@@ -192,7 +195,10 @@ class PicturePart extends Part {
       if (degrees !== undefined) store.set(handle === "start" ? "cycle.startingAngle" : "cycle.angularLength", degrees);
       return;
     }
-    const lie = this.drawing?.use((view) => view.dragPart(handle, at.x, at.y)) as { offset: Vec3; rotation: number } | null;
+    const lie = this.drawing?.use((view) => view.dragPart(handle, at.x, at.y)) as {
+      offset: Vec3;
+      rotation: number;
+    } | null;
     if (!lie) return;
     for (const i of [0, 1, 2]) store.typed.delete(`part.offset[${i}]`);
     store.typed.delete("part.rotation");
