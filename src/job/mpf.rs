@@ -157,7 +157,7 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
     if troubles.is_empty() { Ok(program) } else { Err(troubles) }
 }
 
-/// `The stylus is taken to be at X0 Y0 Z100 before the start: …`
+/// `The stylus is taken to be at X0 Y0 Z100 before the start, …`
 fn stated_start(comment: &str) -> Option<[f64; 3]> {
     let words = comment.strip_prefix("The stylus is taken to be at ")?;
     let mut place = [None; 3];
@@ -526,9 +526,7 @@ impl Program {
                     let number = number.filter(|_| purpose != Purpose::Back && (motion.measuring || !self.unwatched));
                     let step = Step { line: block.line, number, purpose, to: [x, y, z], feed };
                     match steps.last_mut() {
-                        Some(first)
-                            if i > 0 && first.number == number && first.to == step.to && purpose != Purpose::Touch =>
-                        {
+                        Some(first) if i > 0 && first.number == number && first.to == step.to && purpose != Purpose::Touch => {
                             *first = step;
                         }
                         _ => steps.push(step),
