@@ -81,10 +81,8 @@ fn the_manuals_example_is_read_and_written() {
     job = with(&job, "cycle.diameter2", number(10.0));
     job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
     let program = planned(&job).program.text;
-    let expected = SEED
-        .replacen("Q1116=+0", "Q1116=+10", 1)
-        .replacen("Q1117=+0", "Q1117=+10", 1)
-        .replacen("Q1103=+0", "Q1103=+50", 1);
+    let expected =
+        SEED.replacen("Q1116=+0", "Q1116=+10", 1).replacen("Q1117=+0", "Q1117=+10", 1).replacen("Q1103=+0", "Q1103=+50", 1);
     assert_eq!(block_lines(&program), expected.lines().map(str::to_owned).collect::<Vec<_>>());
     assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 ; Job: PROBE\n2 ; HEIDENHAIN cycle 1411: Probing two circles\n"));
     assert!(program.ends_with("\n12 END PGM PROBE MM\n"));
