@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{compare_moves, interpret, job, number, number_at, planned, point, with};
+use common::{compare_moves, interpret, interpret_from, job, number, number_at, planned, point, with};
 use proptest::prelude::*;
 use touchpath::formula::fit_circle;
 use touchpath::job::{Plan, ResultRow, check, evaluate, import, plan};
@@ -81,14 +81,11 @@ fn the_manuals_example_is_read_and_written() {
     job = with(&job, "cycle.diameter2", number(10.0));
     job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
     let program = planned(&job).program.text;
-    let expected = SEED
-        .replacen("11 TCH", "2 TCH", 1)
-        .replacen("Q1116=+0", "Q1116=+10", 1)
-        .replacen("Q1117=+0", "Q1117=+10", 1)
-        .replacen("Q1103=+0", "Q1103=+50", 1);
+    let expected =
+        SEED.replacen("Q1116=+0", "Q1116=+10", 1).replacen("Q1117=+0", "Q1117=+10", 1).replacen("Q1103=+0", "Q1103=+50", 1);
     assert_eq!(block_lines(&program), expected.lines().map(str::to_owned).collect::<Vec<_>>());
-    assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 TOOL CALL 100 Z S50\n"));
-    assert!(program.ends_with("\n3 END PGM PROBE MM\n"));
+    assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 ; Job: PROBE\n2 ; HEIDENHAIN cycle 1411: Probing two circles\n"));
+    assert!(program.ends_with("\n12 END PGM PROBE MM\n"));
 }
 
 #[test]
@@ -155,10 +152,9 @@ proptest! {
 #[test]
 fn the_way_of_two_holes_by_hand() {
     let plan = planned(&holes());
-    let ways: Vec<([f64; 3], &str, &str, u8)> = plan.moves.iter().take(12).map(|m| (m.to, m.kind, m.feed, m.step)).collect();
+    let ways: Vec<([f64; 3], &str, &str, u8)> = plan.moves.iter().take(11).map(|m| (m.to, m.kind, m.feed, m.step)).collect();
     let expected = [
-        // From above: first in the plane, then down to the clearance height.
-        ([5.0, 7.0, 80.0], "position", "rapid", 1),
+        // The stylus is at the start, above the clearance height: first in the plane, then down to it.
         ([-30.0, 0.0, 80.0], "position", "rapid", 1),
         ([-30.0, 0.0, 50.0], "position", "rapid", 1),
         ([-25.0, 0.0, 50.0], "position", "rapid", 3),
@@ -180,8 +176,8 @@ fn the_way_of_two_holes_by_hand() {
     assert_eq!(plan.touches.iter().map(|t| t.group).collect::<Vec<_>>(), [0, 0, 0, 0, 1, 1, 1, 1]);
     // From below: first up to the clearance height.
     let below = planned(&with(&holes(), "cycle.start", point([5.0, 7.0, 20.0])));
-    assert_eq!(below.moves[1].to, [5.0, 7.0, 50.0]);
-    assert_eq!(below.moves[2].to, [-30.0, 0.0, 50.0]);
+    assert_eq!(below.moves[0].to, [5.0, 7.0, 50.0]);
+    assert_eq!(below.moves[1].to, [-30.0, 0.0, 50.0]);
 }
 
 /// Studs are touched inwards: they start 10 + 5 from the centre and end at 13. With Q1125 = 1 the ball goes from point to
@@ -378,7 +374,7 @@ fn extrusion_repeats_touches() {
     near(value(&off, "Q973"), 0.05);
     near(value(&off, "Q974"), 0.0);
     let block = &off.program.text;
-    assert!(block.contains("2 TCH PROBE 1493 EXTRUSION PROBING ~\n    Q1140=+3 ;EXTRUSION DIRECTION ~\n    Q1145=+3 ;EXTRUSION POINTS ~\n    Q1146=-6 ;EXTRUSION LENGTH ~\n    Q1149=+0 ;EXTRUSION MODAL\n3 TCH PROBE 1411"));
+    assert!(block.contains("11 TCH PROBE 1493 EXTRUSION PROBING ~\n    Q1140=+3 ;EXTRUSION DIRECTION ~\n    Q1145=+3 ;EXTRUSION POINTS ~\n    Q1146=-6 ;EXTRUSION LENGTH ~\n    Q1149=+0 ;EXTRUSION MODAL\n12 TCH PROBE 1411"));
 }
 
 #[test]
@@ -551,7 +547,12 @@ fn linuxcnc_runs_the_cycle() {
     assert!(jobs.len() >= 4);
     let mut arcs = 0;
     for (name, job, plan) in jobs {
-        let ran = interpret(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        // Watched, every positioning move is a probe move too: the touches are told apart where it is not.
+        let ran = interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
+        compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}, watched: {e}"));
+        let job = with(&job, "control.protection", text("none"));
+        let plan = planned(&job);
+        let ran = interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
         compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}: {e}"));
         arcs += ran.moves.iter().filter(|m| m.kind == "arc").count();
         let ends: Vec<[f64; 3]> = ran.moves.iter().filter(|m| m.kind == "probe").map(|m| m.to).collect();
@@ -717,8 +718,8 @@ fn without_the_clearance_height() {
     job = with(&job, "cycle.startingAngle", number(180.0));
     job = with(&job, "cycle.start", point([0.0, 40.0, 10.0]));
     let plan = planned(&job);
-    let first: Vec<([f64; 3], &str)> = plan.moves.iter().take(3).map(|m| (m.to, m.feed)).collect();
-    assert_eq!(first, [([0.0, 40.0, 10.0], "rapid"), ([-45.0, 0.0, 10.0], "rapid"), ([-45.0, 0.0, -10.0], "work")]);
+    let first: Vec<([f64; 3], &str)> = plan.moves.iter().take(2).map(|m| (m.to, m.feed)).collect();
+    assert_eq!(first, [([-45.0, 0.0, 10.0], "rapid"), ([-45.0, 0.0, -10.0], "work")]);
     assert_eq!(plan.moves.last().unwrap().to[2], -10.0);
 }
 

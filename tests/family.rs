@@ -26,15 +26,9 @@ fn every_type_has_the_rows_of_its_page() {
         ("probe-on-off", 0, "Int[-2] Bol[-3]", 0, ""),
         ("nc-action", 1, "Int[-2]", 0, ""),
         ("surface", 2, "Int[-2] Flt[-50]", 1, "Flt[-56] Flt[-66]"),
-        ("hole", 3, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Int[-59] Flt[-60] Flt[-61] Int[-62]", 4, ""),
-        (
-            "hole-protected",
-            4,
-            "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59] Flt[-60] Flt[-61] Int[-62]",
-            4,
-            "Flt[-66]",
-        ),
-        ("boss", 5, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59] Flt[-60] Flt[-61] Int[-62]", 4, "Flt[-66]"),
+        ("hole", 3, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Int[-59]", 4, ""),
+        ("hole-protected", 4, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59]", 4, "Flt[-66]"),
+        ("boss", 5, "Int[-2] Flt[-50] Flt[-51] Flt[-52] Flt[-55] Flt[-56] Int[-59]", 4, "Flt[-66]"),
         ("internal-rectangle", 6, "Int[-2] Flt[-50] Flt[-51] Flt[-53] Flt[-54] Flt[-55]", 4, ""),
         (
             "internal-rectangle-protected",
@@ -435,7 +429,7 @@ fn picks_that_make_no_feature_are_refused() {
     assert_eq!(found(&picked("internal-rectangle", "", &POCKET))[0], "touch-aside cycle.touches[0].point");
     let mut low = circle(-1.0);
     low[1].0[2] = -15.0;
-    assert_eq!(found(&picked("hole", "", &low)), ["touch-aside cycle.touches[1].point"]);
+    assert_eq!(found(&picked("hole", "", &low)), ["touches-not-level cycle.touches[1].point"]);
     let mut clockwise = circle(-1.0);
     clockwise.swap(2, 3);
     assert_eq!(found(&picked("hole", "", &clockwise)), ["not-rectangular cycle.touches[2].vector"]);
@@ -545,6 +539,15 @@ fn sorted(value: &Value) -> Value {
     }
 }
 
+/// The job with the defaults where its variant leaves a field without a meaning: a dump of the rectangular variant does not say them.
+fn without_idle(job: &Value) -> Value {
+    let rectangular = job.get("cycle").and_then(|c| c.get("variant")) == Some(&number(0.0));
+    [("startAngle", 0.0), ("angularStep", 90.0), ("stepCount", 4.0)]
+        .into_iter()
+        .filter(|_| rectangular)
+        .fold(job.clone(), |job, (key, value)| with(&job, &format!("cycle.{key}"), number(value)))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -555,7 +558,7 @@ proptest! {
         for format in ["text", "csv", "json"] {
             let dump = export_table(&planned, format).unwrap();
             let imported = import(&dump).map_err(|e| TestCaseError::fail(format!("{e} {dump}")))?;
-            prop_assert_eq!(sorted(&imported.job), sorted(&job), "{} {:?}\n{}", format, imported.findings, dump);
+            prop_assert_eq!(sorted(&imported.job), sorted(&without_idle(&job)), "{} {:?}\n{}", format, imported.findings, dump);
             prop_assert!(imported.findings.iter().any(|f| f.code == "not-in-dump" && f.path == "feeds"));
             // Mutilated dumps are read or refused; nothing panics.
             let middle = dump.floor_char_boundary(dump.len() / 2);

@@ -171,10 +171,15 @@ fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
     let lines: Vec<&str> = plan.program.text.lines().collect();
     prop_assert_eq!(plan.program.move_lines.len(), plan.moves.len());
     prop_assert!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
-    for (&line, step) in plan.program.move_lines.iter().zip(&plan.moves) {
+    let watched = lines.iter().any(|l| l.starts_with("G38.3"));
+    let scale = if lines.contains(&"G20") { 25.4 } else { 1.0 };
+    for (i, (&line, step)) in plan.program.move_lines.iter().zip(&plan.moves).enumerate() {
         let word = lines[line as usize].split(' ').next().unwrap();
+        let short = i > 0 && distance(plan.moves[i - 1].to, step.to) * scale < 0.3 + 1e-6;
         let wanted: &[&str] = match (step.kind, step.feed, &step.arc) {
             ("touch", ..) => &["G38.2"],
+            // The first of the pieces may be a short one.
+            (.., Some(_)) if watched => &["G38.3", "G1"],
             (.., Some(arc)) => {
                 if arc.sweep > 0.0 {
                     &["G3"]
@@ -182,20 +187,34 @@ fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
                     &["G2"]
                 }
             }
-            // A rapid with a rate of its own is a feed move.
-            (_, "rapid", None) if circles(plan) => &["G0", "G1"],
+            ("position", ..) if i == 0 && !circles(plan) => &["o<tp_first>", "G0", "G1"],
+            ("position", ..) if watched && (short || i == 0) => &["G1", "G38.3"],
+            ("position", ..) if watched => &["G38.3"],
+            // A rapid with a rate of its own is a feed move; grbl goes down at a feed.
+            (_, "rapid", None) if circles(plan) || plan.program.post == "grbl" => &["G0", "G1"],
             (_, "rapid", None) => &["G0"],
             (.., None) => &["G1"],
         };
         prop_assert!(wanted.contains(&word), "{} for {:?}", word, step);
+        if word == "G38.3" {
+            let check = lines[line as usize + 1];
+            prop_assert!(check.starts_with('o') && check.ends_with(" if [#5070 NE 0]"), "{}", check);
+        }
+        if word == "G0" && plan.program.post == "grbl" && i > 0 {
+            let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
+            let axis = [2, 1, 0][axis];
+            prop_assert!(step.to[axis] >= plan.moves[i - 1].to[axis] - 1e-6, "a rapid goes down on grbl: {:?}", step);
+        }
     }
-    let motions = lines
-        .iter()
-        .filter(|l| {
-            l.starts_with("G0 ") || l.starts_with("G1 ") || l.starts_with("G2 ") || l.starts_with("G3 ") || l.starts_with("G38")
-        })
-        .count();
-    prop_assert_eq!(motions, plan.moves.len(), "no block moves but those of the path");
+    // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
+    let body = lines.iter().rposition(|l| l.ends_with("endsub")).map_or(0, |i| i + 1);
+    let first = plan.program.move_lines.first().map_or(lines.len(), |l| *l as usize);
+    let known: Vec<usize> = plan.program.move_lines.iter().map(|l| *l as usize).collect();
+    for (i, line) in lines.iter().enumerate().skip(body.max(first)) {
+        let moves = ["G0 ", "G1 ", "G2 ", "G3 ", "G38"].iter().any(|g| line.starts_with(g));
+        let piece = watched && known.iter().rposition(|l| *l <= i).is_some_and(|m| plan.moves[m].arc.is_some());
+        prop_assert!(!moves || known.contains(&i) || piece, "{} is of no move", line);
+    }
     for line in &lines {
         prop_assert!(line.is_ascii() && line.len() <= 255, "{}", line);
         prop_assert!(
@@ -207,7 +226,7 @@ fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
             prop_assert!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
         } else {
             prop_assert!(
-                !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with('#') || line.starts_with("G10"),
+                !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with(['#', 'o']) || line.starts_with("G10"),
                 "{}",
                 line
             );

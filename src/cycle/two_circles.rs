@@ -50,7 +50,7 @@ pub static DEF: CycleDef = CycleDef {
         "DIST is the longest way of a touch, counted from where it begins.",
         "A hole too small for the set-up clearance is touched from its centre; the reachable clearance is D/2 less the ball radius.",
         "How high the material reaches is not known. For the check against collisions it is taken to reach half-way from the highest touch \
-         to a ball radius below the clearance height (with Q1125 = -1: below the height where the stylus comes from). Around a hole there is \
+         to a ball radius below the clearance height, or below the stylus before the cycle where that is lower. Around a hole there is \
          material as far as the other object.",
         "The stylus is taken to be at `start` before the cycle: no block moves it there.",
         "With 1493 the ball goes deeper along the extrusion at the probing feed, and up at rapid.",
@@ -411,7 +411,8 @@ impl Cycle for TwoCircles {
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = Self::frame(setup);
-        let free = self.free_height(setup) - setup.radius;
+        // Where the stylus is before the cycle it is free, too.
+        let free = self.free_height(setup).min(self.form.start[setup.plane.axes()[2]]) - setup.radius;
         let highest = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
         let objects = self.objects();
         let place = |object: &Object| object.place().filter(|_| object.state != State::Semi);

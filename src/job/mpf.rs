@@ -157,7 +157,7 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
     if troubles.is_empty() { Ok(program) } else { Err(troubles) }
 }
 
-/// `The stylus is taken to be at X0 Y0 Z100 before the start: …`
+/// `The stylus is taken to be at X0 Y0 Z100 before the start, …`
 fn stated_start(comment: &str) -> Option<[f64; 3]> {
     let words = comment.strip_prefix("The stylus is taken to be at ")?;
     let mut place = [None; 3];
@@ -510,6 +510,10 @@ impl Program {
                     let purpose = match (motion.measuring, self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
+                        // Behind a touch it leads back; else it is a positioning move that is not watched.
+                        (false, _) if self.unwatched && steps.last().is_none_or(|s| s.purpose != Purpose::Touch) => {
+                            Purpose::Position
+                        }
                         (false, _) => Purpose::Back,
                     };
                     let [Some(x), Some(y), Some(z)] = at else {
@@ -519,12 +523,10 @@ impl Program {
                         let message = "the first moves must name X, Y and Z".to_owned();
                         return Err(Trouble { line: block.line, message });
                     };
-                    let number = number.filter(|_| purpose != Purpose::Back);
+                    let number = number.filter(|_| purpose != Purpose::Back && (motion.measuring || !self.unwatched));
                     let step = Step { line: block.line, number, purpose, to: [x, y, z], feed };
                     match steps.last_mut() {
-                        Some(first)
-                            if i > 0 && first.number == number && first.to == step.to && purpose == Purpose::Position =>
-                        {
+                        Some(first) if i > 0 && first.number == number && first.to == step.to && purpose != Purpose::Touch => {
                             *first = step;
                         }
                         _ => steps.push(step),

@@ -7,6 +7,7 @@
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::ParameterValue;
+use crate::post::words::{stated_start, wrapped};
 use crate::post::{PostDef, Program, Request};
 use crate::spec::Checker;
 
@@ -82,6 +83,9 @@ fn emit(request: &Request<'_>) -> Program {
     Program { text, move_lines: vec![None; request.path.moves.len()] }
 }
 
+/// The most characters of a comment: a whole line stays below 80.
+const COMMENT_WIDTH: usize = 70;
+
 /// What will happen, as comments. None ends in the sign that continues a block.
 fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
     let places = if request.scale == 1.0 { 4 } else { 5 };
@@ -104,11 +108,11 @@ fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
     }
     if let Some(start) = request.path.start {
         let place: Vec<String> = (0..3).map(|i| format!("{}{}", AXIS_NAMES[i], number(start[i]))).collect();
-        lines.push(format!("The stylus is taken to be at {}; the control moves from there by itself", place.join(" ")));
+        lines.push(format!("{} The control moves from there by itself", stated_start(request, &place.join(" "))));
     }
     lines.push("Reset cycles 8, 11 and 26 first; FUNCTION MODE MILL only".to_owned());
     lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
-    lines
+    lines.iter().flat_map(|line| wrapped(line, COMMENT_WIDTH)).collect()
 }
 
 /// Angles have three decimals on the control.

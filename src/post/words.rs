@@ -108,8 +108,8 @@ impl<'a> Writer<'a> {
         self.comment(offset);
         self.comment("Before the start: stylus in the spindle, its length active");
         if let Some(start) = request.path.start {
-            let place = self.place_words(start);
-            self.comment(&format!("The stylus is taken to be at {place} before the start: no block moves it there"));
+            let text = stated_start(request, &self.place_words(start));
+            self.comment(&format!("{text} No block moves it there"));
         }
         if let (Some(first), None, None) = (request.path.moves.first(), request.path.start, request.path.top) {
             let height = self.height_word(first.to);
@@ -233,8 +233,19 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// Where the job says the stylus is before the start, and what is done first for that reason. `place` is written as the control has it.
+pub fn stated_start(request: &Request<'_>, place: &str) -> String {
+    let first = request.path.moves.first().map_or(0, |m| upwards(request, request.path.start, m.to));
+    let first = match first {
+        1 => "below the clearance height: first straight up",
+        -1 => "over the first place: first straight down",
+        _ => "high enough: first in the plane at that height",
+    };
+    format!("The stylus is taken to be at {place} before the start, {first}.")
+}
+
 /// A text in lines of at most `width` characters, parted at spaces where there are any.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in text.split(' ') {
         let line = lines.last_mut().expect("there is a line");

@@ -16,6 +16,8 @@ pub struct Machine {
     pub triggers: Vec<Option<[f64; 3]>>,
     /// The number of a positioning move in which something is touched.
     pub contact_in: Option<f64>,
+    /// The same of the frames that may stand behind it: programmed, tool, workpiece.
+    pub behind: [[[f64; 3]; 4]; 3],
     pub metric: bool,
     pub deflected: bool,
     pub message: String,
@@ -35,6 +37,7 @@ impl Machine {
             r: HashMap::new(),
             names: HashMap::new(),
             frame: [[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3]],
+            behind: [[[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3]]; 3],
             triggers,
             contact_in: None,
             metric: true,
@@ -172,6 +175,11 @@ impl Machine {
                     let (part, axis) = component(parts)?;
                     self.frame[part][axis]
                 }
+                (name, [axis, Term::Name(part)]) => {
+                    let frames = ["$P_PFRAME", "$P_TOOLFRAME", "$P_WPFRAME"];
+                    let frame = frames.iter().position(|f| *f == name).ok_or(format!("{name}?"))?;
+                    self.behind[frame][part_of(part)?][axis_of(axis)?]
+                }
                 (name, _) => return Err(format!("{name}?")),
             },
             Term::Text(_) => return Err("a text is no number".to_owned()),
@@ -186,12 +194,13 @@ fn axis_of(term: &Term) -> Result<usize, String> {
     }
 }
 
+fn part_of(part: &str) -> Result<usize, String> {
+    ["TR", "RT", "MI", "SC"].iter().position(|p| *p == part).ok_or(format!("{part}?"))
+}
+
 fn component(parts: &[Term]) -> Result<(usize, usize), String> {
     match parts {
-        [Term::Number(_), axis, Term::Name(part)] => {
-            let part = ["TR", "RT", "MI", "SC"].iter().position(|p| p == part).ok_or(format!("{part}?"))?;
-            Ok((part, axis_of(axis)?))
-        }
+        [Term::Number(_), axis, Term::Name(part)] => Ok((part_of(part)?, axis_of(axis)?)),
         other => Err(format!("{other:?} is no part of a frame")),
     }
 }

@@ -125,8 +125,8 @@ fn emit_moves(request: &Request<'_>) -> Program {
     let formula = request.path.formula.plain();
     let registers = Registers::allocate(&formula);
     let mut w = Writer::new(request, &DIALECT);
-    let told = registers.told(&formula, frame_registers(request, &formula));
-    let notes: Vec<&str> = told.iter().map(String::as_str).collect();
+    let lines = registers.lines(&formula, frame_registers(request, &formula), DIALECT.comment_width - 2);
+    let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
     begin(&mut w, request, &written(request, formula.datum.as_ref()), &notes);
     let mut at = request.path.start;
     for (i, step) in request.path.moves.iter().enumerate() {

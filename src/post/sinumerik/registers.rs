@@ -91,16 +91,26 @@ impl Registers {
         self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
     }
 
-    /// What stands where, for the header; `more` registers are needed for the write of the frame.
-    pub fn told(&self, formula: &Formula, more: usize) -> Option<String> {
-        if self.last == 0 {
-            return None;
+    /// What stands where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame.
+    pub fn lines(&self, formula: &Formula, more: usize, width: usize) -> Vec<String> {
+        const HEAD: &str = "Results: ";
+        let mut lines: Vec<String> = Vec::new();
+        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code);
+        for (i, code) in codes.enumerate() {
+            let entry = format!("R{} = {code}", i + 1);
+            match lines.last_mut().filter(|line| line.len() + 2 + entry.len() <= width) {
+                Some(line) => {
+                    line.push_str(", ");
+                    line.push_str(&entry);
+                }
+                None => lines.push(format!("{HEAD}{entry}")),
+            }
         }
         let last = self.last + more;
-        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code).enumerate();
-        let results: Vec<String> = codes.map(|(i, code)| format!("R{} = {code}", i + 1)).collect();
-        let others = if last > self.results { format!("; R{} to R{last} are used", self.results + 1) } else { String::new() };
-        Some(format!("Results: {}{others}", results.join(", ")))
+        if last > self.results {
+            lines.push(format!("Used on the way: R{} to R{last}", self.results + 1));
+        }
+        lines
     }
 }
 

@@ -1,0 +1,297 @@
+//! Faults that were once put in on purpose and that no test saw. Each has one now.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{interpret, interpret_from, job, number, planned, point, with};
+use touchpath::job::{check, default_job, evaluate, export_table, import, plan};
+use touchpath::spec::{Level, Value};
+
+fn text(t: &str) -> Value {
+    Value::Text(t.to_owned())
+}
+
+fn codes(job: &Value) -> Vec<String> {
+    check(job).into_iter().filter(|f| f.level != Level::Info).map(|f| f.code).collect()
+}
+
+/// The numbers of a block by their letters.
+fn words(line: &str) -> Vec<(char, f64)> {
+    line.split(' ').skip(1).filter_map(|w| Some((w.chars().next()?, w[1..].parse().ok()?))).collect()
+}
+
+/// With other rotations in G54 and in the offset that is written, the one of that offset is turned on.
+#[test]
+fn the_rotation_of_the_offset_that_is_written_counts() {
+    let job = job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "confirmRotation": 1, "transferPosition": 1 },
+        "control": { "post": "linuxcnc", "form": "moves", "workOffset": 3, "protection": "none" }, "part": { "rotation": 0.5 } }"#);
+    let plan = planned(&job);
+    let before = format!("G21\nG10 L2 P1 R40\nG10 L2 P3 R25\nG56\n{}", plan.program.text);
+    let mut lines: Vec<String> = before.lines().map(str::to_owned).collect();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+        let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
+        lines[plan.program.move_lines[index] as usize + 4] = format!("G38.2 X{x:.9} Y{y:.9} Z{z:.9} F300");
+    }
+    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    assert!((ran.rotation.unwrap() - 25.5).abs() < 2e-4, "{:?}", ran.rotation);
+}
+
+#[test]
+fn measured_text_is_in_the_jobs_units() {
+    let inch = job(r#"{ "format": 1, "units": "inch", "cycle": { "type": "internal-rectangle" } }"#);
+    let plan = planned(&inch);
+    let list: Vec<[f64; 3]> = plan.triggers.iter().map(|t| t.unwrap()).collect();
+    let lines: Vec<String> = list.iter().map(|p| format!("{}, {}, {}", p[0], p[1], p[2])).collect();
+    let from_text = evaluate(&inch, &Value::Text(lines.join("\n"))).unwrap();
+    let from_list = evaluate(&inch, &Value::List(list.iter().map(|p| point(*p)).collect())).unwrap();
+    assert_eq!(from_text, from_list);
+    let width = from_text.iter().find(|r| r.code == "width1").unwrap().value.unwrap();
+    assert!((width * 25.4 - 80.0).abs() < 1e-9, "{width}");
+    // In the forms of objects, small letters and capitals.
+    for keys in [["x", "y", "z"], ["X", "Y", "Z"]] {
+        let objects =
+            list.iter().map(|p| Value::Map(keys.iter().zip(p).map(|(k, x)| ((*k).to_owned(), number(*x))).collect())).collect();
+        assert_eq!(evaluate(&inch, &Value::List(objects)).unwrap(), from_list, "{keys:?}");
+    }
+}
+
+#[test]
+fn the_tool_axis_of_klartext_is_the_planes() {
+    for (plane, axis) in [("G17", "Z"), ("G18", "Y"), ("G19", "X")] {
+        let job = with(&default_job("probing-two-circles").unwrap(), "plane", text(plane));
+        let job = with(&job, "cycle.start", point([100.0; 3]));
+        let call = format!("TOOL CALL 12 {axis} S50");
+        assert!(planned(&with(&job, "control.tool", number(12.0))).program.text.contains(&call), "{plane}");
+        assert!(planned(&job).program.text.replace("\n", " ").contains(&format!("tool axis {axis}.")), "{plane}");
+    }
+}
+
+/// Half of the last decimal: 4 in mm, 5 in inch.
+#[test]
+fn a_program_keeps_every_decimal() {
+    for (units, decimals) in [("mm", 4), ("inch", 5)] {
+        for post in ["linuxcnc", "grbl", "sinumerik"] {
+            let job = job(&format!(
+                r#"{{ "format": 1, "units": "{units}", "cycle": {{ "type": "boss", "origin": [1.2345678, -2.3456789, 0.1234567], "rotation": 17 }},
+                "control": {{ "post": "{post}" }} }}"#
+            ));
+            let plan = planned(&job);
+            let mut worst: f64 = 0.0;
+            for (i, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "position").skip(1) {
+                let line = plan.program.text.lines().nth(plan.program.move_lines[i] as usize).unwrap();
+                for (letter, written) in words(line.trim_start_matches("MEAS=1 ")) {
+                    if let Some(axis) = ['X', 'Y', 'Z'].iter().position(|l| *l == letter) {
+                        worst = worst.max((written - step.to[axis]).abs());
+                    }
+                }
+            }
+            let last = 10f64.powi(-decimals);
+            assert!(worst <= last / 2.0 + 1e-12 && worst > last / 20.0, "{units} {post}: {worst}");
+        }
+    }
+}
+
+fn arcs(extra: &str) -> Value {
+    job(&format!(
+        r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "geometryType": 1, "clearanceHeightMode": 1 {extra} }},
+        "control": {{ "post": "linuxcnc", "form": "moves", "protection": "none" }} }}"#
+    ))
+}
+
+/// Without FMAX an arc is cut at F, the feed of the touches; its time counts at that feed, over its length.
+#[test]
+fn arcs_run_at_the_feed_of_the_touches() {
+    for post in ["linuxcnc", "grbl"] {
+        let plan = planned(&with(&arcs(""), "control.post", text(post)));
+        let mut count = 0;
+        for (i, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.arc.is_some()) {
+            let line = plan.program.text.lines().nth(plan.program.move_lines[i] as usize).unwrap();
+            assert!(line.starts_with("G3 ") && line.ends_with(" F300"), "{line}");
+            // A quarter of the circle of the stand-off: 10 + 2 + 3.
+            assert_eq!(step.arc.as_ref().unwrap().sweep, 90.0);
+            count += 1;
+        }
+        assert_eq!(count, 6);
+        // By hand: every way at its feed, rapids at 5000, quarter circles at 300.
+        let (mut length, mut time, mut at) = (0.0, 0.0, [0.0, 0.0, 100.0]);
+        for step in &plan.moves {
+            let straight = (0..3).map(|i| (step.to[i] - at[i]).powi(2)).sum::<f64>().sqrt();
+            let way = if step.arc.is_some() { 15.0 * std::f64::consts::FRAC_PI_2 } else { straight };
+            let down = post == "grbl" && step.to[2] < at[2] - 1e-6;
+            length += way;
+            time += way / if step.arc.is_some() || step.feed == "work" || down { 300.0 } else { 5000.0 };
+            at = step.to;
+        }
+        assert!((plan.length - length).abs() < 1e-6, "{post}: {} {length}", plan.length);
+        assert!((plan.time - time).abs() < 1e-9, "{post}: {} {time}", plan.time);
+    }
+    let stated = planned(&arcs(r#", "probe": { "rapid": 1234 }"#));
+    assert!(stated.program.text.lines().filter(|l| l.starts_with("G3 ")).all(|l| l.ends_with(" F1234")));
+}
+
+/// Three touches a point, each somewhere else: the program computes with their mean.
+#[test]
+fn the_mean_of_three_touches_is_a_third_of_their_sum() {
+    for points in [2, 3, 4] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "extrusion": {{ "points": {points}, "length": -6 }} }},
+            "control": {{ "post": "linuxcnc", "form": "moves" }} }}"#
+        ));
+        let plan = planned(&job);
+        let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+        let mut measured = Vec::new();
+        for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+            let k = step.touch.unwrap();
+            let off = 0.01 * (k % points) as f64 + 0.003 * (k / points) as f64;
+            let p = [0, 1, 2].map(|i| step.to[i] - off * plan.touches[k].vector[i]);
+            lines[plan.program.move_lines[index] as usize] = format!("G38.2 X{:.9} Y{:.9} Z{:.9} F300", p[0], p[1], p[2]);
+            measured.push(p);
+        }
+        let ran = interpret_from(&(lines.join("\n") + "\n"), &job).unwrap();
+        // By hand: each point is the mean of its touches; of four points of a circle the diameter is that of opposite ones.
+        let mean = |k: usize| {
+            let own = &measured[k * points..(k + 1) * points];
+            [0, 1].map(|i| own.iter().map(|p| p[i]).sum::<f64>() / points as f64)
+        };
+        let printed = |code: &str| ran.prints.iter().find(|(c, _)| c == code).unwrap().1;
+        let (x, y) = ((mean(0)[0] + mean(2)[0]) / 2.0, (mean(1)[1] + mean(3)[1]) / 2.0);
+        assert!((printed("Q950") - x).abs() < 1e-4 && (printed("Q951") - y).abs() < 1e-4, "{points}: {x} {y} {:?}", ran.prints);
+        let shown = evaluate(&job, &Value::List(measured.iter().map(|p| point(*p)).collect())).unwrap();
+        for (code, printed) in &ran.prints {
+            let wanted = shown.iter().find(|r| r.code == *code).unwrap().value.unwrap();
+            assert!((wanted - printed).abs() < 2e-6, "{points} {code}: {printed} {wanted}");
+        }
+    }
+}
+
+/// A pocket of 80 by 50 that is turned by 45°: on its way along X the ball meets a wall of the other pair, 22·√2 from the centre.
+#[test]
+fn a_touch_that_meets_another_wall_is_reported() {
+    let pocket = |turn: f64| {
+        job(&format!(r#"{{ "format": 1, "cycle": {{ "type": "internal-rectangle" }}, "part": {{ "rotation": {turn} }} }}"#))
+    };
+    let plan = planned(&pocket(45.0));
+    let strays: Vec<&str> = plan.findings.iter().filter(|f| f.code == "wrong-wall").map(|f| f.message.as_str()).collect();
+    assert_eq!(strays.len(), 2, "{:?}", plan.findings);
+    assert!(strays[0].contains("Touch 1 is meant for wall 1 and meets wall 4 first"), "{}", strays[0]);
+    assert!((plan.triggers[0].unwrap()[0] - 22.0 * 2f64.sqrt()).abs() < 1e-9, "{:?}", plan.triggers[0]);
+    assert!(!codes(&pocket(5.0)).contains(&"wrong-wall".to_owned()));
+}
+
+/// The first touch has its foot on its wall, and still the ball stands at the other wall before: 14.2 + 12·cos 160° = 2.92 is
+/// less than the radius of 3.
+#[test]
+fn the_ball_meets_the_corners_other_wall_first() {
+    let corner = |kind: &str, clearance: f64| {
+        job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "angle": 160, "clearance1": 15, "clearance2": {clearance} }} }}"#
+        ))
+    };
+    for kind in ["double-wall-internal-corner", "triple-wall-internal-corner"] {
+        let finding = check(&corner(kind, 14.2)).into_iter().find(|f| f.level == Level::Error).unwrap();
+        assert_eq!((finding.code.as_str(), finding.path.as_str()), ("touch-beyond-corner", "cycle.clearance2"), "{kind}");
+        assert!(finding.message.contains("meet wall 2 first"), "{}", finding.message);
+        assert!(plan(&corner(kind, 15.5)).is_ok(), "{kind}");
+    }
+}
+
+#[test]
+fn a_sinumerik_program_that_was_cut_is_reported() {
+    let job = job(r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "post": "sinumerik", "workOffset": 2 } }"#);
+    let program = planned(&job).program.text;
+    let lines: Vec<&str> = program.lines().collect();
+    let header = lines.iter().position(|l| l.starts_with("DEF")).unwrap();
+    for end in (header..lines.len()).step_by(3) {
+        let cut = import(&(lines[..end].join("\n") + "\n")).unwrap();
+        let differs = cut.findings.iter().find(|f| f.code == "program-differs").unwrap_or_else(|| panic!("cut at {end}"));
+        assert!(differs.message.contains("end of the program is missing"), "{}", differs.message);
+    }
+    let longer = import(&format!("{program}G1 X5 F100\n")).unwrap();
+    assert!(longer.findings.iter().any(|f| f.code == "program-differs"));
+}
+
+#[test]
+fn the_safe_range_of_cycle977_is_no_longer_than_its_path() {
+    for (overtravel, safe) in [(12.0, "5,5,0,"), (5.0, "5,5,0,"), (2.5, "5,2.5,0,")] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "overtravel": {overtravel}, "cycle": {{ "type": "internal-rectangle-protected" }},
+            "control": {{ "post": "sinumerik", "form": "cycle" }} }}"#
+        ));
+        assert!(planned(&job).program.text.contains(&format!("80,50,{safe}")), "{overtravel}");
+    }
+}
+
+/// The part lies so low that the ball meets the rim of its hole, 1 below the ball centre, and not the wall.
+#[test]
+fn the_rim_of_a_hole_is_not_its_wall() {
+    let hole =
+        |z: f64| job(&format!(r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "part": {{ "offset": [0, 0, {z}] }} }}"#));
+    assert_eq!(codes(&hole(-9.9)), [""; 0]);
+    assert_eq!(codes(&hole(-11.0)).iter().filter(|c| *c == "edge-contact").count(), 4, "{:?}", check(&hole(-11.0)));
+    // 20 - √(3² − 1²) from the axis.
+    let trigger = planned(&hole(-11.0)).triggers[0].unwrap();
+    assert!((trigger[0] - (20.0 - 8f64.sqrt())).abs() < 1e-9, "{trigger:?}");
+}
+
+#[test]
+fn a_dump_that_fits_two_planes_says_so() {
+    let planes = |kind: &str, vector: [f64; 3]| {
+        let mut job = default_job(kind).unwrap();
+        if kind == "surface" {
+            let touch = Value::Map(vec![("point".to_owned(), point([1.0, 2.0, 3.0])), ("vector".to_owned(), point(vector))]);
+            job = with(&job, "cycle.touches", Value::List(vec![touch]));
+        }
+        let imported = import(&export_table(&planned(&job), "csv").unwrap()).unwrap();
+        imported.findings.into_iter().find(|f| f.code == "plane-unknown").map(|f| f.message)
+    };
+    // A side surface is one in each plane whose tool axis it does not face.
+    let message = planes("surface", [1.0, 0.0, 0.0]).expect("X lies in G17, G18 and G19");
+    assert!(message.contains("G17") && message.contains("G18"), "{message}");
+    assert_eq!(planes("boss", [0.0; 3]), None);
+}
+
+#[test]
+fn of_a_q_given_twice_the_last_counts() {
+    let program = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 ~\nQ1116=+5 ~\nQ1100=-30 ~\nQ1116=+12.5\n2 END PGM A MM\n";
+    assert_eq!(common::number_at(&import(program).unwrap().job, "cycle.diameter1", 0.0), 12.5);
+}
+
+#[test]
+fn typographic_minus_signs_are_minus_signs() {
+    for minus in ['-', '\u{2212}', '\u{2013}'] {
+        let dump = format!(
+            "Int[-1] = 2\nFlt[-50] = 20\nFlt[-56] = 10\nFlt[-100] = {minus}7,5\nFlt[-101] = 0\nFlt[-102] = 0\nFlt[-103] = 0\nFlt[-104] = 0\nFlt[-105] = 1\n"
+        );
+        let job = import(&dump).unwrap().job;
+        assert_eq!(planned(&job).touches[0].point, [-7.5, 0.0, 0.0], "{minus:?}");
+    }
+}
+
+/// The second pair of walls has a clearance of its own.
+#[test]
+fn each_pair_has_its_clearance() {
+    for (kind, inside) in [("internal-rectangle-protected", -1.0), ("external-rectangle", 1.0)] {
+        let job =
+            job(&format!(r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "sideClearance1": 7, "sideClearance2": 11 }} }}"#));
+        let plan = planned(&job);
+        let starts: Vec<[f64; 3]> = plan.moves.windows(2).filter(|w| w[1].kind == "touch").map(|w| w[0].to).collect();
+        let (u, v) = (40.0 + inside * 7.0, 25.0 + inside * 11.0);
+        assert_eq!(starts, [[u, 0.0, -10.0], [-u, 0.0, -10.0], [0.0, v, -10.0], [0.0, -v, -10.0]], "{kind}");
+    }
+}
+
+#[test]
+fn every_work_offset_has_its_word() {
+    let program = |post: &str, n: f64| {
+        let job = with(&default_job("hole").unwrap(), "control.post", text(post));
+        planned(&with(&job, "control.workOffset", number(n))).program.text
+    };
+    for (n, word) in [(1.0, "G54"), (5.0, "G58"), (6.0, "G59"), (7.0, "G59.1"), (9.0, "G59.3")] {
+        let text = program("linuxcnc", n);
+        assert!(text.lines().any(|l| l == word) && text.contains(&format!("G10 L20 P{n} ")), "{n}");
+    }
+    for (n, word) in [(1.0, "G54"), (4.0, "G57"), (5.0, "G505"), (99.0, "G599")] {
+        let text = program("sinumerik", n);
+        assert!(text.lines().any(|l| l == word) && text.contains(&format!("$P_UIFR[{n},X,TR]=")), "{n}");
+    }
+}
