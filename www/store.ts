@@ -195,9 +195,10 @@ export class Store extends EventTarget {
   }
 
   /** What is said of a text that is too long to be read. */
-  tooLong(length: number): string {
+  tooLong(length: number, what: "text" | "file" = "text"): string {
     const count = (n: number) => n.toLocaleString("en");
-    return `Nothing was read: this text has ${count(length)} characters, and at most ${count(this.longest)} are read`;
+    const unit = what === "file" ? "bytes" : "characters";
+    return `Nothing was read: this ${what} has ${count(length)} ${unit}, and at most ${count(this.longest)} are read`;
   }
 
   /** Back to the defaults of the present cycle. */

@@ -1,7 +1,7 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, open, page, setUp, textOf } from "./common.mjs";
+import { field, open, page, problems, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -119,6 +119,47 @@ test("a warning was a closed line in the colour of text: it is counted and read 
   assert.ok(await summary.getByText("1 warning").isVisible());
   await field("cycle.depth").fill("-1");
   assert.match(await textOf(summary), /1 error, 1 warning: Depth must/, "the gravest comes first");
+});
+
+test("the page could run whatever script got into it: the policy refuses it, and the tests hear of it", async () => {
+  const refused = await page.evaluate(async () => {
+    const names = [];
+    const trials = {
+      eval: () => Reflect.apply(globalThis.eval, null, ["1"]),
+      markup: () => {
+        document.createElement("p").innerHTML = "<b>x</b>";
+      },
+      style: () => {
+        const sheet = document.createElement("style");
+        sheet.textContent = "body { outline: 9px solid red }";
+        document.head.append(sheet);
+        if (sheet.sheet === null || getComputedStyle(document.body).outlineWidth !== "9px") throw new Error("refused");
+      },
+    };
+    for (const [name, trial] of Object.entries(trials)) {
+      try {
+        trial();
+      } catch {
+        names.push(name);
+      }
+    }
+    try {
+      await fetch("https://elsewhere.invalid/");
+    } catch {
+      names.push("fetch");
+    }
+    return names;
+  });
+  assert.deepEqual(refused, ["eval", "markup", "style", "fetch"]);
+  for (const directive of ["script", "style-src-elem", "connect-src"]) {
+    assert.ok(
+      problems.some(
+        (text) => text.startsWith(`policy: ${directive}`) || text.startsWith(`policy: require-trusted-types-for`),
+      ),
+      `${directive}: ${problems.join("; ")}`,
+    );
+  }
+  problems.splice(0);
 });
 
 test("the licences of what the page is made of were missing", async () => {

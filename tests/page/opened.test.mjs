@@ -186,7 +186,7 @@ test("ten megabytes that are pasted, dropped or opened froze the tab: they are r
   });
   const before = await program();
   await openText(" ".repeat(most + 1));
-  await page.locator(".note", { hasText: "at most" }).waitFor();
+  await page.locator(".note", { hasText: "2,000,001 bytes, and at most" }).waitFor();
   assert.equal(await program(), before);
 });
 

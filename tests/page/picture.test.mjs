@@ -46,16 +46,33 @@ for (const steps of [1, 10]) {
   });
 }
 
-test("a dragged part ran away where it was turned and errors came up: the canvas keeps its height", async () => {
-  await field("cycle.sideClearance1").fill("3.2");
+test("a dragged part ran away where errors came up under an open list: the canvas keeps its height", async () => {
+  await field("feeds.work").fill("4000");
+  await page.locator("tp-findings summary").click();
   const { x, y, scale, height } = await handle("shift");
-  await drag({ x, y }, 60, -45, 12);
+  // So far that touches no longer meet their walls.
+  await drag({ x, y }, 90, -70, 12);
+  assert.ok((await page.locator("tp-findings li.error").count()) > 0, "errors are listed");
   assert.equal((await handle("shift")).height, height);
   const offset = /** @type {number[]} */ (await held("part.offset"));
-  near(offset[0] ?? 0, 60 / scale, "X");
-  near(offset[1] ?? 0, 45 / scale, "Y");
+  near(offset[0] ?? 0, 90 / scale, "X");
+  near(offset[1] ?? 0, 70 / scale, "Y");
   await page.mouse.up();
-  assert.equal((await handle("shift")).height, height, "nor does it change when the messages are there to stay");
+});
+
+test("the canvas changed its height with every message", async () => {
+  const { height } = await handle("shift");
+  for (const [path, value] of /** @type {const} */ ([
+    ["feeds.work", "4000"],
+    ["cycle.depth", "-1"],
+    ["cycle.width1", "x"],
+    ["cycle.sideClearance1", "2"],
+  ])) {
+    await field(path).fill(value);
+    assert.equal((await handle("shift")).height, height, path);
+  }
+  await page.locator("tp-program .line", { hasText: "G38.2" }).first().hover();
+  assert.equal((await handle("shift")).height, height, "a hover");
 });
 
 test("a handle jumped to the pointer when it was gripped beside its middle: no turn without a way", async () => {

@@ -175,7 +175,7 @@ class App extends LitElement {
 
   /** A file too large for a job is not even read. */
   private async takeFile(file: File): Promise<void> {
-    if (file.size > this.store.longest) this.tell(this.store.tooLong(file.size));
+    if (file.size > this.store.longest) this.tell(this.store.tooLong(file.size, "file"));
     else this.take(await file.text());
   }
 
