@@ -1,6 +1,8 @@
 //! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod owed;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
