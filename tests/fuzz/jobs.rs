@@ -228,7 +228,7 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
     for (a, b) in here.moves.iter().zip(&there.moves) {
         // A place is a sum of some values, each rounded, and turned by an angle over its distance.
         let far = a.to.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-        let near = if to == "inch" { 1e-4 / 25.4 } else { 2e-3 } * (1.0 + far / 1000.0);
+        let near = if to == "inch" { 1e-3 / 25.4 } else { 5e-3 } * (1.0 + far / 1000.0);
         if (0..3).any(|i| (a.to[i] * factor - b.to[i]).abs() > near) || a.kind != b.kind {
             return Err(format!("in {to} {a:?} is {b:?}"));
         }

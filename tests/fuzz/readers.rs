@@ -68,6 +68,10 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
 
 /// Predicted triggers, as text in every form, evaluate to the predicted results; mutated, they are refused or evaluated.
 pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String> {
+    // A touch that meets another wall or an edge may make two walls parallel: their corner is then noise.
+    if plan.findings.iter().any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact")) {
+        return Ok(());
+    }
     let Some(triggers) = plan.triggers.iter().copied().collect::<Option<Vec<_>>>() else { return Ok(()) };
     let separator = *draw.of(&[", ", ";", "\t", " "]);
     let lines: Vec<String> = triggers.iter().map(|p| p.map(|x| format!("{x}")).join(separator)).collect();
