@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::law;
 use common::owed::{circles, distance, sane};
 use common::{number, point, with};
 use proptest::prelude::*;
@@ -120,12 +121,10 @@ fn many_forms_have_a_plan_and_many_have_not() {
     assert!((60..360).contains(&good), "{good} of 400");
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// A form gives either errors or a whole, sane plan, and `check` says which.
-    #[test]
-    fn every_form_gives_errors_or_a_whole_plan(job in whole_job()) {
+/// A form gives either errors or a whole, sane plan, and `check` says which.
+#[test]
+fn every_form_gives_errors_or_a_whole_plan() {
+    law(600, 150, (whole_job(),), |(job,)| {
         match plan(&job) {
             Ok(plan) => {
                 prop_assert_eq!(errors(&job), 0);
@@ -141,30 +140,66 @@ proptest! {
                 prop_assert_eq!(&error.findings, &check(&job));
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// Nothing that is handed over can panic, whole or as a part of a good job.
-    #[test]
-    fn nothing_panics(value in anything(), which in 0usize..160) {
+/// Nothing that is handed over can panic, whole or as a part of a good job.
+#[test]
+fn nothing_panics() {
+    law(600, 600, (anything(), 0usize..160), |(value, which)| {
         let _ = check(&value);
         let job = default_job(CYCLES[which % CYCLES.len()].key).unwrap();
-        let paths = ["format", "name", "units", "plane", "stylus", "stylus.diameter", "feeds", "feeds.work", "overtravel", "cycle",
-            "cycle.type", "cycle.origin", "cycle.rotation", "cycle.angle", "cycle.width1", "cycle.count1", "control",
-            "control.post", "control.workOffset", "part", "part.offset", "part.sizes", "part.sizes.width1", "bogus",
-            "cycle.touches", "cycle.properties", "cycle.custom", "cycle.topClearance", "cycle.stepCount", "tool", "tool.frame", "tool.type"];
+        let paths = [
+            "format",
+            "name",
+            "units",
+            "plane",
+            "stylus",
+            "stylus.diameter",
+            "feeds",
+            "feeds.work",
+            "overtravel",
+            "cycle",
+            "cycle.type",
+            "cycle.origin",
+            "cycle.rotation",
+            "cycle.angle",
+            "cycle.width1",
+            "cycle.count1",
+            "control",
+            "control.post",
+            "control.workOffset",
+            "part",
+            "part.offset",
+            "part.sizes",
+            "part.sizes.width1",
+            "bogus",
+            "cycle.touches",
+            "cycle.properties",
+            "cycle.custom",
+            "cycle.topClearance",
+            "cycle.stepCount",
+            "tool",
+            "tool.frame",
+            "tool.type",
+        ];
         let broken = with(&job, paths[which % paths.len()], value.clone());
         let _ = plan(&broken);
         let _ = touchpath::job::evaluate(&job, &value);
-    }
+        Ok(true)
+    });
+}
 
-    /// The same part in inch and in mm gives the same geometry, program line for program line.
-    #[test]
-    fn inch_and_mm_are_the_same_part(job in whole_job()) {
+/// The same part in inch and in mm gives the same geometry, program line for program line.
+#[test]
+fn inch_and_mm_are_the_same_part() {
+    law(600, 150, (whole_job(),), |(job,)| {
         let metric = with(&job, "units", Value::Text("mm".to_owned()));
         let imperial = in_inch(&metric);
         let (Ok(a), Ok(b)) = (plan(&metric), plan(&imperial)) else {
             prop_assert_eq!(errors(&metric) > 0, errors(&imperial) > 0);
-            return Ok(());
+            return Ok(false);
         };
         prop_assert_eq!(a.moves.len(), b.moves.len());
         for (m, i) in a.moves.iter().zip(&b.moves) {
@@ -179,12 +214,15 @@ proptest! {
                 (m, i) => prop_assert_eq!(m.is_some(), i.is_some()),
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// Turning the job about the tool axis turns the path and nothing else.
-    #[test]
-    fn a_turned_job_is_a_turned_path(job in whole_job(), turn in -180.0..180.0f64) {
-        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+/// Turning the job about the tool axis turns the path and nothing else.
+#[test]
+fn a_turned_job_is_a_turned_path() {
+    law(600, 120, (whole_job(), -180.0..180.0f64), |(job, turn)| {
+        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
         let axes: [usize; 3] = match job.get("plane") {
             Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
             Some(Value::Text(p)) if p == "G19" => [1, 2, 0],
@@ -200,11 +238,11 @@ proptest! {
         let cycle = job.get("cycle").unwrap();
         if circles(&straight) {
             // It has neither origin nor rotation; `circles.rs` turns its points.
-            return Ok(());
+            return Ok(false);
         }
         let Some(Value::List(origin)) = cycle.get("origin") else {
             prop_assert!(straight.moves.is_empty());
-            return Ok(());
+            return Ok(false);
         };
         let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
         let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
@@ -215,17 +253,20 @@ proptest! {
         for (a, b) in straight.moves.iter().zip(&turned.moves) {
             prop_assert!(distance(turned_point(a.to), b.to) < 1e-8);
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
-    /// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
-    #[test]
-    fn results_follow_the_part(job in whole_job(), dx in -0.4..0.4f64, dy in -0.4..0.4f64, turn in -0.2..0.2f64) {
+/// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
+/// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
+#[test]
+fn results_follow_the_part() {
+    law(600, 100, (whole_job(), -0.4..0.4f64, -0.4..0.4f64, -0.2..0.2f64), |(job, dx, dy, turn)| {
         let job = with(&with(&job, "overtravel", number(20.0)), "units", Value::Text("mm".to_owned()));
-        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
         if circles(&nominal) {
             // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
-            return Ok(());
+            return Ok(false);
         }
         for row in &nominal.results {
             if let Some(deviation) = row.deviation {
@@ -273,25 +314,29 @@ proptest! {
                 }
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// What was measured is evaluated as what was predicted.
-    #[test]
-    fn measured_triggers_give_the_predicted_results(job in whole_job()) {
-        let Ok(predicted) = plan(&job) else { return Ok(()) };
+/// What was measured is evaluated as what was predicted.
+#[test]
+fn measured_triggers_give_the_predicted_results() {
+    law(600, 100, (whole_job(),), |(job,)| {
+        let Ok(predicted) = plan(&job) else { return Ok(false) };
         if predicted.triggers.iter().any(Option::is_none) {
-            return Ok(());
+            return Ok(false);
         }
         let points = Value::List(predicted.triggers.iter().map(|t| point(t.unwrap())).collect());
         // A part that lies far off can trigger before the approach is done; such points are refused, not evaluated.
-        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(()) };
+        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(false) };
         for (a, b) in predicted.results.iter().zip(&rows) {
             prop_assert_eq!(&a.code, &b.code);
             if let (Some(a), Some(b)) = (a.value, b.value) {
                 prop_assert!((a - b).abs() < 1e-7);
             }
         }
-    }
+        Ok(true)
+    });
 }
 
 /// The same job with every length and feed in inch.

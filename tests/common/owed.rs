@@ -3,8 +3,8 @@
 use touchpath::job::Plan;
 
 macro_rules! owe {
-    ($holds:expr $(,)?) => { if !$holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } };
-    ($holds:expr, $($why:tt)+) => { if !$holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } };
+    ($holds:expr $(,)?) => { let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } };
+    ($holds:expr, $($why:tt)+) => { let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } };
 }
 
 macro_rules! owe_eq {
@@ -158,9 +158,7 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
     let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
     owe_eq!(ends.len(), contacts.len());
     let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();
-    if let Err(why) = super::compare_mpf(plan, |k| searches[k], &program) {
-        return Err(why);
-    }
+    super::compare_mpf(plan, |k| searches[k], &program)?;
     for line in text.lines() {
         owe!(line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"), "{}", line);
         owe!(line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
