@@ -3,8 +3,8 @@
 use touchpath::job::Plan;
 
 macro_rules! owe {
-    ($holds:expr $(,)?) => { let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } };
-    ($holds:expr, $($why:tt)+) => { let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } };
+    ($holds:expr $(,)?) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } }};
+    ($holds:expr, $($why:tt)+) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } }};
 }
 
 macro_rules! owe_eq {
