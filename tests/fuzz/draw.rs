@@ -39,6 +39,10 @@ impl Draw {
         self.index(times) == 0
     }
 
+    pub fn word<'a>(&mut self, words: &[&'a str]) -> &'a str {
+        words[self.index(words.len())]
+    }
+
     pub fn of<'a, T>(&mut self, items: &'a [T]) -> &'a T {
         &items[self.index(items.len())]
     }

@@ -57,7 +57,7 @@ fn value(draw: &mut Draw, field: &Field, scale: f64) -> Value {
         Kind::Flag => Value::Flag(draw.once_in(2)),
         Kind::Choice(choices) => text(draw.of(choices).value),
         Kind::Code(codes) => Value::Number(f64::from(draw.of(codes).value)),
-        Kind::Text(_) => text(*draw.of(&["PROBE", "a b", "x)\nG0 Z-9", "é%;(", "", "~", "N10 M30"])),
+        Kind::Text(_) => text(draw.word(&["PROBE", "a b", "x)\nG0 Z-9", "é%;(", "", "~", "N10 M30"])),
         Kind::Nominal => {
             let x = draw.between(6.0, 40.0);
             nominal(draw, x, scale)
@@ -238,7 +238,7 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
 
 /// A table is a dump, and the dump makes a job that is not refused and has the same touches.
 fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
-    let dump = export_table(plan, *draw.of(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
+    let dump = export_table(plan, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
     let imported = import(&dump).map_err(|e| format!("dump refused: {e}\n{dump}"))?;
     // The dump says no units: its numbers are read as mm, and the ball, the feeds and the overtravel are the defaults.
     if plan.results.iter().any(|r| r.unit == "inch") || plan.findings.iter().any(|f| f.code == "result-untrue") {

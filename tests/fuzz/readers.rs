@@ -51,7 +51,7 @@ fn mutate(draw: &mut Draw, text: &str) -> String {
 /// What a reader makes of a mutated program or dump is a job that is refused, or one whose touches are all in its path.
 pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     let source = match draw.index(3) {
-        0 => export_table(made, *draw.of(&["text", "csv", "json"])).map_err(|e| e.to_string())?,
+        0 => export_table(made, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?,
         _ => made.program.text.clone(),
     };
     for _ in 0..3 {
