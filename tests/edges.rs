@@ -297,7 +297,7 @@ fn grbl_descends_by_rapid() {
     for (i, pair) in plan.moves.windows(2).enumerate() {
         let line = plan.program.text.lines().nth(plan.program.move_lines[i + 1] as usize).unwrap();
         let down = pair[1].to[2] < pair[0].to[2];
-        assert_eq!(down && line.starts_with("G0"), false, "{line}");
+        assert!(!(down && line.starts_with("G0")), "{line}");
         assert!(!down || line.ends_with("F150"), "{line}");
     }
     assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed"));

@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{job, number, planned, with};
+use common::{job, law, number, planned, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::cycle::CYCLES;
@@ -548,13 +548,11 @@ fn without_idle(job: &Value) -> Value {
         .fold(job.clone(), |job, (key, value)| with(&job, &format!("cycle.{key}"), number(value)))
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// Job, dump, job: the same, in each of the three forms.
-    #[test]
-    fn a_dump_becomes_the_job_again(job in dumped_job()) {
-        let Ok(planned) = plan(&job) else { return Ok(()) };
+/// Job, dump, job: the same, in each of the three forms.
+#[test]
+fn a_dump_becomes_the_job_again() {
+    law(400, 100, (dumped_job(),), |(job,)| {
+        let Ok(planned) = plan(&job) else { return Ok(false) };
         for format in ["text", "csv", "json"] {
             let dump = export_table(&planned, format).unwrap();
             let imported = import(&dump).map_err(|e| TestCaseError::fail(format!("{e} {dump}")))?;
@@ -567,27 +565,34 @@ proptest! {
             let _ = import(&dump.replace('-', "")).map(|i| check(&i.job));
             let _ = import(&dump.replace("0", "9")).map(|i| check(&i.job));
         }
-    }
-
-    /// Nothing that is pasted in panics.
-    #[test]
-    fn nothing_pasted_panics(text in "(CmdPrm\\. ?(Int|Flt|Bol) ?\\[-?[0-9]{1,4}\\] ?[=,:;] ?[-0-9.,eE]{0,8}\n?){0,40}", tail in ".{0,60}") {
-        let _ = import(&format!("CmdPrm.Int[-1] = 7\n{text}{tail}")).map(|i| check(&i.job));
-        let _ = import(&format!("MEAS=1 {text}\n{tail}"));
-        let _ = import(&text);
-    }
+        Ok(true)
+    });
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+/// Nothing that is pasted in panics.
+#[test]
+fn nothing_pasted_panics() {
+    law(
+        400,
+        400,
+        ("(CmdPrm\\. ?(Int|Flt|Bol) ?\\[-?[0-9]{1,4}\\] ?[=,:;] ?[-0-9.,eE]{0,8}\n?){0,40}", ".{0,60}"),
+        |(text, tail)| {
+            let _ = import(&format!("CmdPrm.Int[-1] = 7\n{text}{tail}")).map(|i| check(&i.job));
+            let _ = import(&format!("MEAS=1 {text}\n{tail}"));
+            let _ = import(&text);
+            Ok(true)
+        },
+    );
+}
 
-    /// Picking the very touches that the dimensions give changes nothing, wherever the form says the feature is; and a part that
-    /// lies off, or has other sizes, is measured the same.
-    #[test]
-    fn picking_what_the_dimensions_give_changes_nothing(job in dumped_job(), dx in -0.3..0.3f64, dy in -0.3..0.3f64, grown in -0.2..0.2f64) {
-        let Ok(first) = plan(&job) else { return Ok(()) };
+/// Picking the very touches that the dimensions give changes nothing, wherever the form says the feature is; and a part that
+/// lies off, or has other sizes, is measured the same.
+#[test]
+fn picking_what_the_dimensions_give_changes_nothing() {
+    law(300, 80, (dumped_job(), -0.3..0.3f64, -0.3..0.3f64, -0.2..0.2f64), |(job, dx, dy, grown)| {
+        let Ok(first) = plan(&job) else { return Ok(false) };
         if first.touches.is_empty() {
-            return Ok(());
+            return Ok(false);
         }
         let triple = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
         let picks = first
@@ -597,7 +602,8 @@ proptest! {
             .collect();
         let picked = with(&job, "cycle.touches", Value::List(picks));
         let picked = with(&with(&picked, "cycle.origin", triple([17.0, -3.0, 8.0])), "cycle.rotation", number(11.0));
-        let def = CYCLES.iter().find(|c| Some(&Value::Text(c.key.to_owned())) == job.get("cycle").unwrap().get("type")).unwrap();
+        let def =
+            CYCLES.iter().find(|c| Some(&Value::Text(c.key.to_owned())) == job.get("cycle").unwrap().get("type")).unwrap();
         let size = def.fields.iter().find(|f| f.size);
         let off = |job: &Value| {
             let job = with(job, "part.offset", triple([dx, dy, 0.0]));
@@ -626,7 +632,8 @@ proptest! {
                 prop_assert!(same, "{:?} {:?}", r, s);
             }
         }
-    }
+        Ok(true)
+    });
 }
 
 /// The property says something only if enough jobs have a plan, of every type.

@@ -3,6 +3,8 @@
 
 mod common;
 
+use common::law;
+use common::owed::{circles, distance, sane};
 use common::{number, point, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -110,154 +112,6 @@ fn errors(job: &Value) -> usize {
     check(job).iter().filter(|f| f.level == Level::Error).count()
 }
 
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
-}
-
-/// What every plan owes.
-fn sane(plan: &Plan, tool_axis: usize) -> Result<(), TestCaseError> {
-    prop_assert!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
-    prop_assert!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
-    let mut touched = Vec::new();
-    for (i, step) in plan.moves.iter().enumerate() {
-        if step.kind == "touch" {
-            // A touch starts in front of its wall, ends at the contact, and goes back to where it began.
-            let k = step.touch.unwrap();
-            touched.push(k);
-            let (before, back) = (&plan.moves[i - 1], &plan.moves[i + 1]);
-            prop_assert_eq!(back.kind, "back");
-            prop_assert_eq!(back.touch, Some(k));
-            prop_assert!(distance(before.to, back.to) < 1e-9);
-            let vector = plan.touches[k].vector;
-            let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
-            prop_assert!((towards - distance(before.to, step.to)).abs() < 1e-6, "a touch runs along its inverted vector");
-            prop_assert_eq!(step.feed, "work");
-        } else if !circles(plan) {
-            prop_assert_ne!(step.feed, "work");
-        }
-    }
-    prop_assert_eq!(touched, (0..plan.touches.len()).collect::<Vec<_>>(), "each touch once, in order");
-    for touch in &plan.touches {
-        prop_assert!((distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
-    }
-    if circles(plan) {
-        return program_is_sane(plan);
-    }
-    if plan.moves.is_empty() {
-        prop_assert!(plan.touches.is_empty() && plan.results.is_empty());
-        return program_is_sane(plan);
-    }
-    // It ends where it began, above the touches.
-    let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
-    prop_assert!(distance(first.to, last.to) < 1e-9);
-    prop_assert!(plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + 1e-9), "nothing lies above its end");
-    program_is_sane(plan)
-}
-
-/// Whether it is the control's own two-circle cycle, which goes down at the probing feed and ends elsewhere than it began.
-fn circles(plan: &Plan) -> bool {
-    plan.results.iter().any(|r| r.code == "Q950")
-}
-
-fn program_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
-    if plan.program.extension == "h" {
-        prop_assert!(plan.program.move_lines.iter().all(|l| *l == -1));
-        prop_assert!(plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
-        return Ok(());
-    }
-    if plan.program.extension == "mpf" {
-        return sinumerik_is_sane(plan);
-    }
-    let lines: Vec<&str> = plan.program.text.lines().collect();
-    prop_assert_eq!(plan.program.move_lines.len(), plan.moves.len());
-    prop_assert!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
-    let watched = lines.iter().any(|l| l.starts_with("G38.3"));
-    let scale = if lines.contains(&"G20") { 25.4 } else { 1.0 };
-    for (i, (&line, step)) in plan.program.move_lines.iter().zip(&plan.moves).enumerate() {
-        let word = lines[line as usize].split(' ').next().unwrap();
-        let short = i > 0 && distance(plan.moves[i - 1].to, step.to) * scale < 0.3 + 1e-6;
-        let wanted: &[&str] = match (step.kind, step.feed, &step.arc) {
-            ("touch", ..) => &["G38.2"],
-            // The first of the pieces may be a short one.
-            (.., Some(_)) if watched => &["G38.3", "G1"],
-            (.., Some(arc)) => {
-                if arc.sweep > 0.0 {
-                    &["G3"]
-                } else {
-                    &["G2"]
-                }
-            }
-            ("position", ..) if i == 0 && !circles(plan) => &["o<tp_first>", "G0", "G1"],
-            ("position", ..) if watched && (short || i == 0) => &["G1", "G38.3"],
-            ("position", ..) if watched => &["G38.3"],
-            // A rapid with a rate of its own is a feed move; grbl goes down at a feed.
-            (_, "rapid", None) if circles(plan) || plan.program.post == "grbl" => &["G0", "G1"],
-            (_, "rapid", None) => &["G0"],
-            (.., None) => &["G1"],
-        };
-        prop_assert!(wanted.contains(&word), "{} for {:?}", word, step);
-        if word == "G38.3" {
-            let check = lines[line as usize + 1];
-            prop_assert!(check.starts_with('o') && check.ends_with(" if [#5070 NE 0]"), "{}", check);
-        }
-        if word == "G0" && plan.program.post == "grbl" && i > 0 {
-            let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
-            let axis = [2, 1, 0][axis];
-            prop_assert!(step.to[axis] >= plan.moves[i - 1].to[axis] - 1e-6, "a rapid goes down on grbl: {:?}", step);
-        }
-    }
-    // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
-    let body = lines.iter().rposition(|l| l.ends_with("endsub")).map_or(0, |i| i + 1);
-    let first = plan.program.move_lines.first().map_or(lines.len(), |l| *l as usize);
-    let known: Vec<usize> = plan.program.move_lines.iter().map(|l| *l as usize).collect();
-    for (i, line) in lines.iter().enumerate().skip(body.max(first)) {
-        let moves = ["G0 ", "G1 ", "G2 ", "G3 ", "G38"].iter().any(|g| line.starts_with(g));
-        let piece = watched && known.iter().rposition(|l| *l <= i).is_some_and(|m| plan.moves[m].arc.is_some());
-        prop_assert!(!moves || known.contains(&i) || piece, "{} is of no move", line);
-    }
-    for line in &lines {
-        prop_assert!(line.is_ascii() && line.len() <= 255, "{}", line);
-        prop_assert!(
-            !line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"),
-            "{}",
-            line
-        );
-        if line.starts_with('(') {
-            prop_assert!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
-        } else {
-            prop_assert!(
-                !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with(['#', 'o']) || line.starts_with("G10"),
-                "{}",
-                line
-            );
-        }
-    }
-    Ok(())
-}
-
-/// Emit, read, and the path is there again; nothing moves unwatched; every line is within what the control takes.
-fn sinumerik_is_sane(plan: &Plan) -> Result<(), TestCaseError> {
-    let text = &plan.program.text;
-    let program = touchpath::job::mpf::read(text).map_err(|t| TestCaseError::fail(format!("{t:?}\n{text}")))?;
-    prop_assert_eq!(program.troubles(), []);
-    // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
-    let ends = program.moves().map_err(|t| TestCaseError::fail(format!("{t:?}")))?;
-    let ends: Vec<_> = ends.iter().filter(|s| s.purpose == touchpath::job::mpf::Purpose::Touch).collect();
-    let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
-    prop_assert_eq!(ends.len(), contacts.len());
-    let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();
-    if let Err(why) = common::compare_mpf(plan, |k| searches[k], &program) {
-        return Err(TestCaseError::fail(why));
-    }
-    for line in text.lines() {
-        prop_assert!(line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"), "{}", line);
-        prop_assert!(line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
-    }
-    let registers = text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|w| w.strip_prefix('R')?.parse::<usize>().ok());
-    prop_assert!(registers.max().unwrap_or(0) <= 99);
-    Ok(())
-}
-
 /// The laws say something only if enough forms have a plan.
 #[test]
 fn many_forms_have_a_plan_and_many_have_not() {
@@ -267,12 +121,10 @@ fn many_forms_have_a_plan_and_many_have_not() {
     assert!((60..360).contains(&good), "{good} of 400");
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// A form gives either errors or a whole, sane plan, and `check` says which.
-    #[test]
-    fn every_form_gives_errors_or_a_whole_plan(job in whole_job()) {
+/// A form gives either errors or a whole, sane plan, and `check` says which.
+#[test]
+fn every_form_gives_errors_or_a_whole_plan() {
+    law(600, 150, (whole_job(),), |(job,)| {
         match plan(&job) {
             Ok(plan) => {
                 prop_assert_eq!(errors(&job), 0);
@@ -281,37 +133,73 @@ proptest! {
                     Some(Value::Text(p)) if p == "G19" => 0,
                     _ => 2,
                 };
-                sane(&plan, tool_axis)?;
+                sane(&plan, tool_axis).map_err(TestCaseError::fail)?;
             }
             Err(error) => {
                 prop_assert!(error.findings.iter().any(|f| f.level == Level::Error));
                 prop_assert_eq!(&error.findings, &check(&job));
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// Nothing that is handed over can panic, whole or as a part of a good job.
-    #[test]
-    fn nothing_panics(value in anything(), which in 0usize..160) {
+/// Nothing that is handed over can panic, whole or as a part of a good job.
+#[test]
+fn nothing_panics() {
+    law(600, 600, (anything(), 0usize..160), |(value, which)| {
         let _ = check(&value);
         let job = default_job(CYCLES[which % CYCLES.len()].key).unwrap();
-        let paths = ["format", "name", "units", "plane", "stylus", "stylus.diameter", "feeds", "feeds.work", "overtravel", "cycle",
-            "cycle.type", "cycle.origin", "cycle.rotation", "cycle.angle", "cycle.width1", "cycle.count1", "control",
-            "control.post", "control.workOffset", "part", "part.offset", "part.sizes", "part.sizes.width1", "bogus",
-            "cycle.touches", "cycle.properties", "cycle.custom", "cycle.topClearance", "cycle.stepCount", "tool", "tool.frame", "tool.type"];
+        let paths = [
+            "format",
+            "name",
+            "units",
+            "plane",
+            "stylus",
+            "stylus.diameter",
+            "feeds",
+            "feeds.work",
+            "overtravel",
+            "cycle",
+            "cycle.type",
+            "cycle.origin",
+            "cycle.rotation",
+            "cycle.angle",
+            "cycle.width1",
+            "cycle.count1",
+            "control",
+            "control.post",
+            "control.workOffset",
+            "part",
+            "part.offset",
+            "part.sizes",
+            "part.sizes.width1",
+            "bogus",
+            "cycle.touches",
+            "cycle.properties",
+            "cycle.custom",
+            "cycle.topClearance",
+            "cycle.stepCount",
+            "tool",
+            "tool.frame",
+            "tool.type",
+        ];
         let broken = with(&job, paths[which % paths.len()], value.clone());
         let _ = plan(&broken);
         let _ = touchpath::job::evaluate(&job, &value);
-    }
+        Ok(true)
+    });
+}
 
-    /// The same part in inch and in mm gives the same geometry, program line for program line.
-    #[test]
-    fn inch_and_mm_are_the_same_part(job in whole_job()) {
+/// The same part in inch and in mm gives the same geometry, program line for program line.
+#[test]
+fn inch_and_mm_are_the_same_part() {
+    law(600, 150, (whole_job(),), |(job,)| {
         let metric = with(&job, "units", Value::Text("mm".to_owned()));
         let imperial = in_inch(&metric);
         let (Ok(a), Ok(b)) = (plan(&metric), plan(&imperial)) else {
             prop_assert_eq!(errors(&metric) > 0, errors(&imperial) > 0);
-            return Ok(());
+            return Ok(false);
         };
         prop_assert_eq!(a.moves.len(), b.moves.len());
         for (m, i) in a.moves.iter().zip(&b.moves) {
@@ -326,12 +214,15 @@ proptest! {
                 (m, i) => prop_assert_eq!(m.is_some(), i.is_some()),
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// Turning the job about the tool axis turns the path and nothing else.
-    #[test]
-    fn a_turned_job_is_a_turned_path(job in whole_job(), turn in -180.0..180.0f64) {
-        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+/// Turning the job about the tool axis turns the path and nothing else.
+#[test]
+fn a_turned_job_is_a_turned_path() {
+    law(600, 120, (whole_job(), -180.0..180.0f64), |(job, turn)| {
+        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
         let axes: [usize; 3] = match job.get("plane") {
             Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
             Some(Value::Text(p)) if p == "G19" => [1, 2, 0],
@@ -347,11 +238,11 @@ proptest! {
         let cycle = job.get("cycle").unwrap();
         if circles(&straight) {
             // It has neither origin nor rotation; `circles.rs` turns its points.
-            return Ok(());
+            return Ok(false);
         }
         let Some(Value::List(origin)) = cycle.get("origin") else {
             prop_assert!(straight.moves.is_empty());
-            return Ok(());
+            return Ok(false);
         };
         let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
         let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
@@ -362,17 +253,20 @@ proptest! {
         for (a, b) in straight.moves.iter().zip(&turned.moves) {
             prop_assert!(distance(turned_point(a.to), b.to) < 1e-8);
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
-    /// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
-    #[test]
-    fn results_follow_the_part(job in whole_job(), dx in -0.4..0.4f64, dy in -0.4..0.4f64, turn in -0.2..0.2f64) {
+/// On the nominal part every touch triggers at its contact and every result is nominal; a shifted part shifts the
+/// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
+#[test]
+fn results_follow_the_part() {
+    law(600, 100, (whole_job(), -0.4..0.4f64, -0.4..0.4f64, -0.2..0.2f64), |(job, dx, dy, turn)| {
         let job = with(&with(&job, "overtravel", number(20.0)), "units", Value::Text("mm".to_owned()));
-        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(()) };
+        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
         if circles(&nominal) {
             // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
-            return Ok(());
+            return Ok(false);
         }
         for row in &nominal.results {
             if let Some(deviation) = row.deviation {
@@ -420,25 +314,29 @@ proptest! {
                 }
             }
         }
-    }
+        Ok(true)
+    });
+}
 
-    /// What was measured is evaluated as what was predicted.
-    #[test]
-    fn measured_triggers_give_the_predicted_results(job in whole_job()) {
-        let Ok(predicted) = plan(&job) else { return Ok(()) };
+/// What was measured is evaluated as what was predicted.
+#[test]
+fn measured_triggers_give_the_predicted_results() {
+    law(600, 100, (whole_job(),), |(job,)| {
+        let Ok(predicted) = plan(&job) else { return Ok(false) };
         if predicted.triggers.iter().any(Option::is_none) {
-            return Ok(());
+            return Ok(false);
         }
         let points = Value::List(predicted.triggers.iter().map(|t| point(t.unwrap())).collect());
         // A part that lies far off can trigger before the approach is done; such points are refused, not evaluated.
-        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(()) };
+        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(false) };
         for (a, b) in predicted.results.iter().zip(&rows) {
             prop_assert_eq!(&a.code, &b.code);
             if let (Some(a), Some(b)) = (a.value, b.value) {
                 prop_assert!((a - b).abs() < 1e-7);
             }
         }
-    }
+        Ok(true)
+    });
 }
 
 /// The same job with every length and feed in inch.

@@ -523,7 +523,7 @@ impl Program {
                         let message = "the first moves must name X, Y and Z".to_owned();
                         return Err(Trouble { line: block.line, message });
                     };
-                    let number = number.filter(|_| purpose != Purpose::Back && (motion.measuring || !self.unwatched));
+                    let number = number.filter(|_| purpose != Purpose::Back);
                     let step = Step { line: block.line, number, purpose, to: [x, y, z], feed };
                     match steps.last_mut() {
                         Some(first) if i > 0 && first.number == number && first.to == step.to && purpose != Purpose::Touch => {

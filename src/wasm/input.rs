@@ -74,7 +74,7 @@ fn walk(value: &JsValue, depth: usize, left: &mut Budget) -> Value {
         if length > MOST_VALUES as f64 {
             return Value::Other("a list longer than a job can hold");
         }
-        if !(length >= 0.0) {
+        if length.is_nan() || length < 0.0 {
             return Value::Other("something unreadable");
         }
         return Value::List((0..length as u32).map(|i| take(&JsValue::from_f64(f64::from(i)), left)).collect());

@@ -1,9 +1,12 @@
 //! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod owed;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use proptest::prelude::*;
 use touchpath::job::{Plan, from_json, plan};
 use touchpath::spec::Value;
 
@@ -346,7 +349,7 @@ pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &touchpa
         }
         loop {
             let step = read.next().ok_or(format!("move {i} is missing"))?;
-            if step.purpose != wanted || (wanted != Purpose::Back && step.number != Some(i + 1) && !program.unwatched) {
+            if step.purpose != wanted || (wanted != Purpose::Back && step.number != Some(i + 1)) {
                 return Err(format!("move {i} is read as {step:?}, planned as {planned:?}"));
             }
             if near(&step.to, to) {
@@ -363,4 +366,18 @@ pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &touchpa
         Some(step) => Err(format!("{step:?} is not planned")),
         None => Ok(()),
     }
+}
+
+/// Asks a law of so many cases. Each says whether it came to its assertions: a law that hardly any case reaches says nothing.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn law<S: Strategy>(cases: u32, least: usize, strategy: S, ask: impl Fn(S::Value) -> Result<bool, TestCaseError>) {
+    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+    let reached = std::cell::Cell::new(0);
+    let mut runner = proptest::test_runner::TestRunner::new(config);
+    let result = runner.run(&strategy, |case| {
+        reached.set(reached.get() + usize::from(ask(case)?));
+        Ok(())
+    });
+    result.unwrap_or_else(|why| panic!("{why}"));
+    assert!(reached.get() >= least, "only {} of {cases} cases reached the assertions, at least {least} should", reached.get());
 }

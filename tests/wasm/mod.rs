@@ -159,7 +159,7 @@ fn the_catalog_says_what_a_form_needs() {
     let cycle = Array::from(&get(&catalog, "cycles")).get(0);
     assert_eq!(get(&cycle, "type").as_string().unwrap(), "internal-rectangle-protected");
     let width = Array::from(&get(&cycle, "fields")).iter().find(|f| get(f, "key") == "width1").expect("width 1");
-    assert_eq!(text(&get(&width, "range")), "[0,10000]");
+    assert_eq!(text(&get(&width, "range")), "[0.001,10000]");
     assert_eq!(get(&width, "code").as_string().unwrap(), "CmdPrm.Flt[-53]");
     let grbl = Array::from(&get(&catalog, "posts")).iter().find(|p| get(p, "id") == "grbl").expect("grbl");
     let refused = Array::from(&get(&grbl, "cycles")).iter().find(|c| get(c, "form") == "cycle").unwrap();
@@ -167,4 +167,48 @@ fn the_catalog_says_what_a_form_needs() {
     assert!(get(&refused, "reason").is_string());
     assert_eq!(wasm::version(), env!("CARGO_PKG_VERSION"));
     let _: &Object = catalog.unchecked_ref();
+}
+
+/// An exception that passes through the module leaves it unusable: `Array.isArray` throws on a revoked proxy.
+#[wasm_bindgen_test]
+fn a_revoked_proxy_is_a_value_like_any_other() {
+    let revoked = js("const { proxy, revoke } = Proxy.revocable([], {}); revoke(); return proxy;");
+    for _ in 0..3000 {
+        let findings = wasm::check(&revoked).expect("check never throws");
+        assert_eq!(codes(&findings), ["wrong-type "]);
+    }
+    assert_eq!(text(&wasm::check(&pocket()).expect("check never throws")), "[]");
+}
+
+#[wasm_bindgen_test]
+fn texts_count_in_what_a_job_can_hold() {
+    let long = js("return { format: 1, name: 'x'.repeat(50e6), cycle: { type: 'hole' } };");
+    assert_eq!(codes(&wasm::check(&long).expect("check never throws")), ["wrong-type name"]);
+    let error = wasm::import_job(&js("return ' '.repeat(50e6);")).expect_err("too long");
+    assert_eq!(codes(&get(&error, "findings")), ["text-too-long "]);
+    let keys = js("const o = {}; for (let i = 0; i < 3000; i++) o['k'.repeat(1000) + i] = 1; return o;");
+    assert!(!codes(&wasm::check(&keys).expect("check never throws")).is_empty());
+}
+
+#[wasm_bindgen_test]
+fn units_are_converted_with_tolerances() {
+    let job = parse(
+        r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "diameter1": "10H7", "diameter2": 25.4 }, "note": "x" }"#,
+    );
+    let inch = wasm::convert_units(&job, &"inch".into()).expect("units");
+    assert_eq!(
+        text(&inch),
+        r#"{"format":1,"cycle":{"type":"probing-two-circles","diameter1":"0.393701H7","diameter2":1},"note":"x","units":"inch"}"#
+    );
+    assert!(wasm::convert_units(&job, &"cm".into()).is_err());
+}
+
+/// A header changes nothing of the object but what a job has a place for.
+#[wasm_bindgen_test]
+fn a_header_cannot_reach_the_prototype() {
+    let program = "; job cycle.type=hole __proto__.x=1 constructor.prototype.y=1\nG71\nG90\nM30\n";
+    let imported = wasm::import_job(&program.into()).expect("a job");
+    let job = get(&imported, "job");
+    assert_eq!(text(&job), r#"{"format":1,"cycle":{"type":"hole"}}"#);
+    assert!(get(&job, "x").is_undefined() && get(&Object::new().into(), "x").is_undefined());
 }

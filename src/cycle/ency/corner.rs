@@ -187,7 +187,7 @@ impl Shape for Corner {
             // A vector may be off by a thousandth: over a distance that is so much.
             let off = away.dot(first.vector).abs();
             let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
-            if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) <= NEAR) {
+            if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) < NEAR / 2.0) {
                 let message =
                     format!("Touch {} lies on another of its wall: only touches that are apart give its direction", k + 1);
                 checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);

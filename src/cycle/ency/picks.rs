@@ -7,6 +7,9 @@ use crate::spec::{Checker, Field, Section, Value};
 /// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
 pub const NEAR: f64 = 1e-3;
 
+/// The smallest depth that a form may have, mm.
+const SMALLEST: f64 = 0.001;
+
 /// How far apart in height touches may be that are at one level, mm: dumps are rounded.
 const ONE_LEVEL: f64 = 0.01;
 
@@ -144,7 +147,7 @@ pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut 
 pub fn below_top(picks: &[Pick], touches: &[usize], top: usize, plane: Plane, checker: &mut Checker) {
     let up = plane.basis()[2];
     for &k in touches {
-        if (picks[top].point - picks[k].point).dot(up) < ONE_LEVEL {
+        if (picks[top].point - picks[k].point).dot(up) < SMALLEST / 2.0 {
             let message = format!("Touch {} must lie below touch {}, which is on the top side", k + 1, top + 1);
             checker.error("touch-above-top", format!("cycle.touches[{k}].point"), message);
         }

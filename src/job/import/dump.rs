@@ -279,7 +279,6 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         let mut scratch = Checker::default();
         let mut section = Section::new(&mut scratch, job.get("cycle"), "cycle");
         let Some((placement, dimensioned)) = place(&mut section, &picks, plane) else { continue };
-        fallback.get_or_insert(plane);
         let same = dimensioned.len() == picks.len()
             && dimensioned
                 .iter()
@@ -299,6 +298,13 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
                 sound &= field.hard.holds(size);
                 set(&mut trial, &format!("cycle.{key}"), Value::Number(size));
             }
+        }
+        let sizes = |key: &str, x: f64| {
+            let x = if key == "angle" { x.abs() } else { x };
+            def.fields.iter().find(|f| f.key == key).is_none_or(|f| f.hard.nearly_holds(x))
+        };
+        if placement.sizes.iter().all(|(key, x)| sizes(key, *x)) {
+            fallback.get_or_insert(plane);
         }
         if same && sound {
             fits.push((plane, trial));

@@ -225,9 +225,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
 /// watched.
 fn position(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
-    if request.protected {
-        w.line(&format!("TP_MOVE={}", index + 1));
-    }
+    w.line(&format!("TP_MOVE={}", index + 1));
     if comes_from_anywhere(request, index, step) {
         return approach(w, request, step);
     }

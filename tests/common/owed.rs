@@ -1,0 +1,198 @@
+//! What every plan owes, whatever job it is of. The property tests and the fuzzer ask the same.
+
+use touchpath::job::Plan;
+
+macro_rules! owe {
+    ($holds:expr $(,)?) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } }};
+    ($holds:expr, $($why:tt)+) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } }};
+}
+
+macro_rules! owe_eq {
+    ($a:expr, $b:expr $(,)?) => {{ let (a, b) = (&$a, &$b); if *a != *b { return Err(format!("line {}: {a:?} is not {b:?}", line!())); } }};
+    ($a:expr, $b:expr, $($why:tt)+) => {{
+        let (a, b) = (&$a, &$b);
+        if *a != *b { return Err(format!("line {}: {a:?} is not {b:?}: {}", line!(), format!($($why)+))); }
+    }};
+}
+
+pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// What every plan owes.
+pub fn sane(plan: &Plan, tool_axis: usize) -> Result<(), String> {
+    owe!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
+    owe!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
+    owe!(plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::spec::Level::Error));
+    let mut touched = Vec::new();
+    for (i, step) in plan.moves.iter().enumerate() {
+        if step.kind == "touch" {
+            // A touch starts in front of its wall, ends at the contact, and goes back to where it began.
+            let k = step.touch.unwrap();
+            touched.push(k);
+            let (before, back) = (&plan.moves[i - 1], &plan.moves[i + 1]);
+            owe_eq!(back.kind, "back");
+            owe_eq!(back.touch, Some(k));
+            owe!(distance(before.to, back.to) < 1e-9);
+            let vector = plan.touches[k].vector;
+            let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
+            // Picked touches may run askew by a degree.
+            let straight = distance(before.to, step.to) * 1f64.to_radians().cos() - 1e-9;
+            owe!(towards >= straight, "touch {k} does not run along its inverted vector");
+            owe_eq!(step.feed, "work");
+        } else if !circles(plan) {
+            owe!(step.feed != "work", "{step:?}");
+        }
+    }
+    owe_eq!(touched, (0..plan.touches.len()).collect::<Vec<_>>(), "each touch once, in order");
+    for touch in &plan.touches {
+        owe!((distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
+    }
+    if circles(plan) {
+        return program_is_sane(plan);
+    }
+    if plan.moves.is_empty() {
+        owe!(plan.touches.is_empty() && plan.results.is_empty());
+        return program_is_sane(plan);
+    }
+    // It ends where it began, above the touches.
+    let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
+    owe!(distance(first.to, last.to) < 1e-9);
+    owe!(plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + 1e-9), "nothing lies above its end");
+    program_is_sane(plan)
+}
+
+/// Whether it is the control's own two-circle cycle, which goes down at the probing feed and ends elsewhere than it began.
+pub fn circles(plan: &Plan) -> bool {
+    plan.results.iter().any(|r| r.code == "Q950")
+}
+
+fn program_is_sane(plan: &Plan) -> Result<(), String> {
+    if plan.program.extension == "h" {
+        owe!(plan.program.move_lines.iter().all(|l| *l == -1));
+        owe!(plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
+        return Ok(());
+    }
+    if plan.program.extension == "mpf" {
+        return sinumerik_is_sane(plan);
+    }
+    let lines: Vec<&str> = plan.program.text.lines().collect();
+    owe_eq!(plan.program.move_lines.len(), plan.moves.len());
+    owe!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
+    let watched = lines.iter().any(|l| l.starts_with("G38.3"));
+    let scale = if lines.contains(&"G20") { 25.4 } else { 1.0 };
+    for (i, (&line, step)) in plan.program.move_lines.iter().zip(&plan.moves).enumerate() {
+        let word = lines[line as usize].split(' ').next().unwrap();
+        let short = i > 0 && distance(plan.moves[i - 1].to, step.to) * scale < 0.3 + 1e-6;
+        let wanted: &[&str] = match (step.kind, step.feed, &step.arc) {
+            ("touch", ..) => &["G38.2"],
+            // The first of the pieces may be a short one.
+            (.., Some(_)) if watched => &["G38.3", "G1"],
+            (.., Some(arc)) => {
+                if arc.sweep > 0.0 {
+                    &["G3"]
+                } else {
+                    &["G2"]
+                }
+            }
+            ("position", ..) if i == 0 && !circles(plan) => &["o<tp_first>", "G0", "G1"],
+            ("position", ..) if watched && (short || i == 0) => &["G1", "G38.3"],
+            ("position", ..) if watched => &["G38.3"],
+            // A rapid with a rate of its own is a feed move; grbl goes down at a feed.
+            (_, "rapid", None) if circles(plan) || plan.program.post == "grbl" => &["G0", "G1"],
+            (_, "rapid", None) => &["G0"],
+            (.., None) => &["G1"],
+        };
+        owe!(wanted.contains(&word), "{} for {:?}", word, step);
+        block_ends_at_its_place(lines[line as usize], step, plan, scale)?;
+        if word == "G38.3" {
+            let check = lines[line as usize + 1];
+            owe!(check.starts_with('o') && check.ends_with(" if [#5070 NE 0]"), "{}", check);
+        }
+        if word == "G0" && plan.program.post == "grbl" && i > 0 {
+            let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
+            let axis = [2, 1, 0][axis];
+            owe!(step.to[axis] >= plan.moves[i - 1].to[axis] - 1e-6, "a rapid goes down on grbl: {:?}", step);
+        }
+    }
+    // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
+    let body = lines.iter().rposition(|l| l.ends_with("endsub")).map_or(0, |i| i + 1);
+    let first = plan.program.move_lines.first().map_or(lines.len(), |l| *l as usize);
+    let known: Vec<usize> = plan.program.move_lines.iter().map(|l| *l as usize).collect();
+    for (i, line) in lines.iter().enumerate().skip(body.max(first)) {
+        let moves = ["G0 ", "G1 ", "G2 ", "G3 ", "G38"].iter().any(|g| line.starts_with(g));
+        let piece = watched && known.iter().rposition(|l| *l <= i).is_some_and(|m| plan.moves[m].arc.is_some());
+        owe!(!moves || known.contains(&i) || piece, "{} is of no move", line);
+    }
+    for line in &lines {
+        owe!(line.is_ascii() && line.len() <= 255, "{}", line);
+        owe!(!line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"), "{}", line);
+        if line.starts_with('(') {
+            owe!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
+        } else {
+            owe!(
+                !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with(['#', 'o']) || line.starts_with("G10"),
+                "{}",
+                line
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Emit, read, and the path is there again; nothing moves unwatched; every line is within what the control takes.
+fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
+    let text = &plan.program.text;
+    if text.contains("CYCLE977(") {
+        // The control makes the moves of its own cycle.
+        let own =
+            plan.moves.iter().zip(&plan.program.move_lines).filter(|(m, _)| m.kind == "touch").all(|(_, line)| *line == -1);
+        owe!(own, "{text}");
+        return Ok(());
+    }
+    let program = touchpath::job::mpf::read(text).map_err(|t| format!("{t:?}\n{text}"))?;
+    owe_eq!(program.troubles(), []);
+    // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
+    let ends = program.moves().map_err(|t| format!("{t:?}"))?;
+    let ends: Vec<_> = ends.iter().filter(|s| s.purpose == touchpath::job::mpf::Purpose::Touch).collect();
+    let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
+    owe_eq!(ends.len(), contacts.len());
+    let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();
+    super::compare_mpf(plan, |k| searches[k], &program)?;
+    for line in text.lines() {
+        owe!(line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"), "{}", line);
+        owe!(line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
+    }
+    let registers = text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|w| w.strip_prefix('R')?.parse::<usize>().ok());
+    owe!(registers.max().unwrap_or(0) <= 99);
+    Ok(())
+}
+
+/// Every axis word of a block is the place of its move, within the last decimal; a touch lies on its line, behind the contact.
+fn block_ends_at_its_place(line: &str, step: &touchpath::job::Move, plan: &Plan, scale: f64) -> Result<(), String> {
+    if !line.starts_with('G') {
+        return Ok(());
+    }
+    let last = if scale == 1.0 { 0.6e-4 } else { 0.6e-5 };
+    let mut search: Option<f64> = None;
+    for word in line.split(' ').skip(1) {
+        let Some(axis) = ["X", "Y", "Z"].iter().position(|name| word.starts_with(name)) else { continue };
+        let written: f64 = word[1..].parse().map_err(|_| format!("{line}: {word} is no number"))?;
+        match step.touch.filter(|_| step.kind == "touch") {
+            None => owe!(
+                step.arc.is_some() && !line.contains(['I', 'J', 'K']) || (written - step.to[axis]).abs() < last,
+                "{line} {step:?}"
+            ),
+            Some(k) => {
+                let vector = plan.touches[k].vector[axis];
+                if vector.abs() > 0.5 {
+                    let reach = (step.to[axis] - written) / vector;
+                    owe!(reach > -last && search.is_none_or(|s| (s - reach).abs() < 4.0 * last), "{line} {step:?}");
+                    search = Some(reach);
+                }
+            }
+        }
+    }
+    owe!(step.kind != "touch" || search.is_some(), "{line} does not reach for its wall");
+    Ok(())
+}

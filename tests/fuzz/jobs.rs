@@ -1,0 +1,298 @@
+//! Whole jobs, and the laws that each must hold.
+
+use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::job::{Plan, SECTIONS, check, convert_units, export_table, import, plan};
+use touchpath::post::POSTS;
+use touchpath::spec::{Default, Field, Kind, Level, Value};
+
+use crate::Tally;
+use crate::common::owed;
+use crate::draw::Draw;
+use crate::readers;
+
+fn text(text: &str) -> Value {
+    Value::Text(text.to_owned())
+}
+
+/// Mostly what is usual; now and then an end of a range, something by it, or anything that is allowed.
+fn number(draw: &mut Draw, field: &Field, scale: f64) -> f64 {
+    let (low, high) = field.usual.unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
+    let x = match draw.index(80) {
+        0 => field.hard.min,
+        1 => field.hard.max,
+        2 => low,
+        3 => high,
+        4 => draw.between(field.hard.min, field.hard.max),
+        5 => field.hard.min + *draw.of(&[1e-12, 1e-9, 1e-6, 1e-4]),
+        // Round numbers are what people type.
+        6..40 => (draw.between(low, high) * 2.0).round() / 2.0,
+        _ => match field.default {
+            Default::Number(x) if draw.once_in(3) => x,
+            _ => draw.between(low, high),
+        },
+    };
+    x / scale
+}
+
+fn nominal(draw: &mut Draw, x: f64, scale: f64) -> Value {
+    let x = x / scale;
+    match draw.index(24) {
+        0 => text(&format!("{x:.4}H7")),
+        1 => text(&format!("{x:.3}+{:.4}-{:.4}", 0.02 / scale, 0.01 / scale)),
+        2 => text(&format!("{x:.2}m")),
+        3 => text(&format!("?{x:.2}")),
+        4 => text(&format!("{x:.3}@{:.3}", x + 0.01 / scale)),
+        _ => Value::Number(x),
+    }
+}
+
+fn value(draw: &mut Draw, field: &Field, scale: f64) -> Value {
+    if field.null.is_some() && draw.once_in(6) {
+        return Value::Null;
+    }
+    match field.kind {
+        Kind::Length | Kind::Feed => Value::Number(number(draw, field, scale)),
+        Kind::Angle => Value::Number(number(draw, field, 1.0)),
+        Kind::Count => Value::Number(draw.between(field.hard.min, field.hard.max.min(9.0) + 1.0).floor()),
+        Kind::Flag => Value::Flag(draw.once_in(2)),
+        Kind::Choice(choices) => text(draw.of(choices).value),
+        Kind::Code(codes) => Value::Number(f64::from(draw.of(codes).value)),
+        Kind::Text(_) => text(draw.word(&["PROBE", "a b", "x)\nG0 Z-9", "é%;(", "", "~", "N10 M30"])),
+        Kind::Nominal => {
+            let x = draw.between(6.0, 40.0);
+            nominal(draw, x, scale)
+        }
+        Kind::NominalPoint => {
+            let side = if field.key == "point2" { 1.0 } else { -1.0 };
+            let place = [side * draw.between(25.0, 120.0), draw.between(-50.0, 50.0), draw.between(-40.0, 10.0)];
+            Value::List(place.iter().map(|x| nominal(draw, *x, scale)).collect())
+        }
+        Kind::Point => Value::List((0..3).map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale)).collect()),
+    }
+}
+
+fn form(draw: &mut Draw, fields: &[Field], scale: f64, least: usize) -> Vec<(String, Value)> {
+    // A job may leave out what it likes.
+    let said: Vec<&Field> = fields.iter().filter(|_| !draw.once_in(least)).collect();
+    said.into_iter().map(|f| (f.key.to_owned(), value(draw, f, scale))).collect()
+}
+
+fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
+    entries.retain(|(k, _)| k != key);
+    entries.push((key.to_owned(), value));
+}
+
+/// A job; the index goes through every cycle, control, plane and unit.
+pub fn whole(draw: &mut Draw, index: u64) -> Value {
+    let at = |every: u64, count: usize| (index / every) as usize % count;
+    let def: &CycleDef = CYCLES[at(1, CYCLES.len())];
+    let post = POSTS[at(18, POSTS.len())];
+    let plane = ["G17", "G18", "G19"][at(72, 3)];
+    let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(216, 2)];
+    let mut job = vec![("format".to_owned(), Value::Number(1.0))];
+    for (path, fields) in SECTIONS {
+        let mut values = form(draw, fields, scale, 3);
+        match *path {
+            "" => {
+                put(&mut values, "units", text(units));
+                put(&mut values, "plane", text(plane));
+                job.extend(values);
+                continue;
+            }
+            "control" => {
+                let kind =
+                    if post.key == "heidenhain" && def.home.0 == "heidenhain" || draw.once_in(12) { "cycle" } else { "moves" };
+                put(&mut values, "post", text(post.key));
+                put(&mut values, "form", text(kind));
+                if post.work_offsets == 0 {
+                    put(&mut values, "workOffset", Value::Null);
+                }
+            }
+            // A tool whose length acts elsewhere is refused: rarely so.
+            "tool" if !draw.once_in(20) => continue,
+            "part" => {
+                let far = if draw.once_in(4) { 0.0 } else { *draw.of(&[0.01, 0.5, 3.0, 20.0]) };
+                let offset = (0..3).map(|_| Value::Number(draw.between(-far, far) / scale)).collect();
+                values = vec![
+                    ("offset".to_owned(), Value::List(offset)),
+                    ("rotation".to_owned(), Value::Number(draw.between(-far, far))),
+                ];
+                let sizes = def.fields.iter().filter(|f| f.size).map(|f| {
+                    let by = if matches!(f.kind, Kind::Angle) { 1.0 } else { scale };
+                    (f.key.to_owned(), Value::Number(draw.between(-far, far) / 10.0 / by))
+                });
+                values.push(("sizes".to_owned(), Value::Map(sizes.collect())));
+            }
+            _ => {}
+        }
+        job.push(((*path).to_owned(), Value::Map(values)));
+    }
+    let mut cycle = form(draw, def.fields, scale, 2);
+    cycle.push(("type".to_owned(), text(def.key)));
+    for section in def.sections {
+        if draw.once_in(if section.optional { 4 } else { 2 }) {
+            cycle.push((section.key.to_owned(), Value::Map(form(draw, section.fields, scale, 3))));
+        }
+    }
+    job.push(("cycle".to_owned(), Value::Map(cycle)));
+    let job = Value::Map(job);
+    if def.place.is_some() && draw.once_in(5) { picked(draw, job) } else { job }
+}
+
+/// The same job with its touches picked one by one, as they are or a little off.
+fn picked(draw: &mut Draw, job: Value) -> Value {
+    let Ok(plan) = plan(&job) else { return job };
+    let off = if draw.once_in(2) { 0.0 } else { *draw.of(&[1e-9, 1e-4, 0.005, 1.0, 50.0]) };
+    let wrong = draw.index(plan.touches.len().max(1));
+    let triple = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
+    let touches = plan
+        .touches
+        .iter()
+        .enumerate()
+        .map(|(k, touch)| {
+            let mut point = touch.point;
+            if k == wrong {
+                point[draw.index(3)] += off;
+            }
+            Value::Map(vec![("point".to_owned(), triple(point)), ("vector".to_owned(), triple(touch.vector))])
+        })
+        .collect();
+    crate::common::with(&job, "cycle.touches", Value::List(touches))
+}
+
+fn word(job: &Value, path: &[&str]) -> String {
+    let at = path.iter().try_fold(job, |value, key| value.get(key));
+    match at {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    }
+}
+
+/// Everything a job must hold.
+pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), String> {
+    let mut asked = |name: &str| *tally.entry(name.to_owned()).or_insert(0) += 1;
+    let plan = match plan(job) {
+        Ok(plan) => plan,
+        Err(error) => {
+            asked("refused");
+            let errors = error.findings.iter().filter(|f| f.level == Level::Error).count();
+            return if errors > 0 { Ok(()) } else { Err("refused without an error".to_owned()) };
+        }
+    };
+    let tool_axis = match word(job, &["plane"]).as_str() {
+        "G18" => 1,
+        "G19" => 0,
+        _ => 2,
+    };
+    owed::sane(&plan, tool_axis)?;
+    asked(&format!("planned {}", word(job, &["cycle", "type"])));
+    asked(&format!("planned for {}", plan.program.post));
+    let protection = word(job, &["control", "protection"]);
+    for setting in
+        [word(job, &["plane"]), word(job, &["units"]), if protection == "none" { protection } else { "checked".to_owned() }]
+    {
+        asked(&format!("planned in {setting}"));
+    }
+    if draw.once_in(4) {
+        asked("inch and mm");
+        other_units(job, &plan)?;
+    }
+    if plan.table.iter().any(|r| r.code == "CmdPrm.Int[-1]") && draw.once_in(4) {
+        asked("dump and job");
+        dumped(&plan, draw)?;
+    }
+    if plan.program.post == "sinumerik" && draw.once_in(4) {
+        asked("program and job");
+        read_back(&plan)?;
+    }
+    if draw.once_in(6) {
+        asked("mutated text");
+        readers::mutated(&plan, draw)?;
+    }
+    if !plan.touches.is_empty() && draw.once_in(6) {
+        asked("measured points");
+        readers::measured(job, &plan, draw)?;
+    }
+    Ok(())
+}
+
+/// In the other units the same part: where rounding lets it be planned at all, with the same moves.
+fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
+    let (to, factor) = if word(job, &["units"]) == "inch" { ("mm", 25.4) } else { ("inch", 1.0 / 25.4) };
+    let converted = convert_units(job, to).map_err(|e| e.to_string())?;
+    // Six decimals of an inch may lie beyond a limit.
+    let Ok(there) = plan(&converted) else { return Ok(()) };
+    if here.moves.len() != there.moves.len() {
+        return Ok(());
+    }
+    for (a, b) in here.moves.iter().zip(&there.moves) {
+        // A place is a sum of some values, each rounded, and turned by an angle over its distance.
+        let far = a.to.iter().fold(1.0f64, |most, x| most.max(x.abs()));
+        let near = if to == "inch" { 1e-3 / 25.4 } else { 5e-3 } * (1.0 + far / 1000.0);
+        if (0..3).any(|i| (a.to[i] * factor - b.to[i]).abs() > near) || a.kind != b.kind {
+            return Err(format!("in {to} {a:?} is {b:?}"));
+        }
+    }
+    Ok(())
+}
+
+/// A table is a dump, and the dump makes a job that is not refused and has the same touches.
+fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
+    let dump = export_table(plan, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
+    let imported = import(&dump).map_err(|e| format!("dump refused: {e}\n{dump}"))?;
+    // The dump says no units: its numbers are read as mm, and the ball, the feeds and the overtravel are the defaults.
+    if plan.results.iter().any(|r| r.unit == "inch") || plan.findings.iter().any(|f| f.code == "result-untrue") {
+        return Ok(());
+    }
+    let refused: Vec<String> = check(&imported.job)
+        .into_iter()
+        .filter(|f| f.level == Level::Error && !depends_on_the_ball(&f.code))
+        .map(|f| format!("{} {}: {}", f.code, f.path, f.message))
+        .collect();
+    if refused.is_empty() { Ok(()) } else { Err(format!("the job of a dump is refused: {refused:?}\n{dump}")) }
+}
+
+/// Findings that another ball or overtravel than the job's brings.
+fn depends_on_the_ball(code: &str) -> bool {
+    matches!(
+        code,
+        "clearance-too-small"
+            | "ball-too-wide"
+            | "approach-beyond-wall"
+            | "touch-beyond-corner"
+            | "crossing-too-low"
+            | "collision"
+            | "start-in-feature"
+            | "touch-too-short"
+            | "touch-askew"
+    )
+}
+
+/// A program for SINUMERIK says its job: read back it is the same program.
+fn read_back(plan: &Plan) -> Result<(), String> {
+    let imported = import(&plan.program.text).map_err(|e| format!("{e}\n{}", plan.program.text))?;
+    if let Some(f) = imported
+        .findings
+        .iter()
+        .find(|f| matches!(f.code.as_str(), "program-differs" | "unsafe-program" | "header-unsound" | "header-unknown"))
+    {
+        return Err(format!("{}: {}\n{}", f.code, f.message, plan.program.text));
+    }
+    Ok(())
+}
+
+/// A job as JSON text.
+pub fn json(value: &Value) -> String {
+    match value {
+        Value::Null | Value::Other(_) => "null".to_owned(),
+        Value::Flag(on) => on.to_string(),
+        Value::Number(x) if x.is_finite() => format!("{x:?}"),
+        Value::Number(_) => "null".to_owned(),
+        Value::Text(text) => format!("{:?}", text.chars().filter(|c| !c.is_control()).collect::<String>()),
+        Value::List(items) => format!("[{}]", items.iter().map(json).collect::<Vec<_>>().join(", ")),
+        Value::Map(entries) => {
+            let entries: Vec<String> = entries.iter().map(|(key, value)| format!("{key:?}: {}", json(value))).collect();
+            format!("{{ {} }}", entries.join(", "))
+        }
+    }
+}

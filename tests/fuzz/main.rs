@@ -1,0 +1,123 @@
+//! The laws as a fuzzer: whole jobs over every cycle, control, plane and unit, and mutated dumps, programs and measured points for every
+//! reader. A job that breaks a law is kept as a file, in `target/fuzz/`, and named.
+//!
+//! `FUZZ_JOBS` says how many jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` where the fresh half of them begins.
+//! `npm run fuzz` goes on until it is stopped.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod draw;
+mod jobs;
+mod readers;
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::time::{Instant, SystemTime, UNIX_EPOCH};
+
+use draw::Draw;
+use touchpath::spec::Value;
+
+/// The seed that is run every time.
+const FIXED: u64 = 20_261_121;
+
+/// How many jobs a run of this seed takes.
+struct Share {
+    seed: u64,
+    jobs: u64,
+}
+
+/// How often each law was asked.
+type Tally = BTreeMap<String, u64>;
+
+fn main() {
+    let asked = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let count = asked("FUZZ_JOBS").unwrap_or(0);
+    if count == 0 {
+        println!("fuzz: FUZZ_JOBS is not set: nothing is run");
+        return;
+    }
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |d| d.as_nanos() as u64);
+    let fresh = asked("FUZZ_SEED").unwrap_or(now);
+    println!("fuzz: {count} jobs, seeds {FIXED} and {fresh} (FUZZ_SEED={fresh} runs them again)");
+    // A panic is caught and reported with its job; its message is printed once, there.
+    std::panic::set_hook(Box::new(|_| {}));
+    let (start, mut failed) = (Instant::now(), 0);
+    let tally = Mutex::new(Tally::new());
+    for share in [Share { seed: FIXED, jobs: count / 2 }, Share { seed: fresh, jobs: count - count / 2 }] {
+        failed += run(&share, &tally);
+    }
+    let tally = tally.into_inner().expect("no thread holds it");
+    for (law, times) in &tally {
+        println!("  {times:>9}  {law}");
+    }
+    println!("fuzz: {count} jobs in {:.1} s, {failed} failures", start.elapsed().as_secs_f64());
+    let idle = idle(&tally, count);
+    for law in &idle {
+        println!("fuzz: {law} was hardly asked: the law says nothing");
+    }
+    if failed > 0 || !idle.is_empty() {
+        std::process::exit(1);
+    }
+}
+
+/// Laws and kinds of jobs that were reached by too few cases.
+fn idle(tally: &Tally, count: u64) -> Vec<String> {
+    let least = count / 2000;
+    let kinds = touchpath::cycle::CYCLES.iter().map(|c| format!("planned {}", c.key));
+    let posts = touchpath::post::POSTS.iter().map(|p| format!("planned for {}", p.key));
+    let laws = ["inch and mm", "dump and job", "program and job", "mutated text", "measured points"].map(str::to_owned);
+    let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));
+    kinds.chain(posts).chain(laws).chain(others).filter(|name| tally.get(name).copied().unwrap_or(0) < least).collect()
+}
+
+/// Runs a share of the jobs on every core; gives the number of failures.
+fn run(share: &Share, tally: &Mutex<Tally>) -> usize {
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()) as u64;
+    let failures = Mutex::new(0usize);
+    std::thread::scope(|scope| {
+        for thread in 0..threads {
+            let failures = &failures;
+            scope.spawn(move || {
+                let mut own = Tally::new();
+                for index in (thread..share.jobs).step_by(threads as usize) {
+                    let mut draw = Draw::new(share.seed ^ index.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+                    let job = jobs::whole(&mut draw, index);
+                    let result = catch_unwind(AssertUnwindSafe(|| jobs::laws(&job, &mut draw, &mut own)));
+                    let why = match result {
+                        Ok(Ok(())) => continue,
+                        Ok(Err(why)) => why,
+                        Err(panic) => format!("panic: {}", message(&*panic)),
+                    };
+                    let mut failures = failures.lock().expect("no thread panics with it");
+                    *failures += 1;
+                    if *failures <= 20 {
+                        println!(
+                            "fuzz: job {index} of seed {}: {why}\n      kept as {}",
+                            share.seed,
+                            keep(&job, share.seed, index)
+                        );
+                    }
+                }
+                let mut all = tally.lock().expect("no thread panics with it");
+                for (law, times) in own {
+                    *all.entry(law).or_insert(0) += times;
+                }
+            });
+        }
+    });
+    failures.into_inner().expect("every thread has ended")
+}
+
+fn message(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().cloned();
+    text.or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned())).unwrap_or_else(|| "no message".to_owned())
+}
+
+/// Writes a job that broke a law where it can be run again.
+fn keep(job: &Value, seed: u64, index: u64) -> String {
+    let folder = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
+    let path = format!("{folder}/fuzz/{seed}-{index}.json");
+    let kept = std::fs::create_dir_all(format!("{folder}/fuzz")).and_then(|()| std::fs::write(&path, jobs::json(job)));
+    kept.map_or_else(|why| format!("nothing: {why}"), |()| path)
+}

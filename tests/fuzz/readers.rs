@@ -1,0 +1,95 @@
+//! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
+
+use touchpath::job::{Plan, evaluate, export_table, import, plan};
+use touchpath::spec::Value;
+
+use crate::draw::Draw;
+
+/// A text with some of it changed, left out, said twice, or put elsewhere.
+fn mutate(draw: &mut Draw, text: &str) -> String {
+    const INSERTS: [&str; 14] = [
+        "-",
+        "9",
+        ",",
+        ".",
+        "=",
+        "\n",
+        "\"",
+        "[",
+        "]",
+        "e9",
+        "inf",
+        "; job cycle.touches[3].point=[1,2,3]\n",
+        "\u{2212}",
+        "PREDEF",
+    ];
+    let mut bytes = text.as_bytes().to_vec();
+    for _ in 0..1 + draw.index(4) {
+        if bytes.is_empty() {
+            break;
+        }
+        let at = draw.index(bytes.len());
+        let end = (at + 1 + draw.index(12)).min(bytes.len());
+        match draw.index(6) {
+            0 => drop(bytes.drain(at..end)),
+            1 => bytes[at] = b"0123456789-.XYZ;=[]"[draw.index(19)],
+            2 => drop(bytes.splice(at..at, draw.of(&INSERTS).bytes())),
+            3 => {
+                let again = bytes[at..end].to_vec();
+                drop(bytes.splice(at..at, again));
+            }
+            4 => bytes.truncate(at),
+            _ => {
+                let other = draw.index(bytes.len());
+                bytes.swap(at, other);
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// What a reader makes of a mutated program or dump is a job that is refused, or one whose touches are all in its path.
+pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
+    let source = match draw.index(3) {
+        0 => export_table(made, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?,
+        _ => made.program.text.clone(),
+    };
+    for _ in 0..3 {
+        let text = mutate(draw, &source);
+        let Ok(imported) = import(&text) else { continue };
+        let Ok(plan) = plan(&imported.job) else { continue };
+        let touched = plan.moves.iter().filter(|m| m.kind == "touch").count();
+        if touched != plan.touches.len() {
+            return Err(format!("{touched} of {} touches are in the path of\n{text}", plan.touches.len()));
+        }
+    }
+    Ok(())
+}
+
+/// Predicted triggers, as text in every form, evaluate to the predicted results; mutated, they are refused or evaluated.
+pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String> {
+    // A touch that meets another wall or an edge may make two walls parallel: their corner is then noise.
+    if plan.findings.iter().any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact")) {
+        return Ok(());
+    }
+    let Some(triggers) = plan.triggers.iter().copied().collect::<Option<Vec<_>>>() else { return Ok(()) };
+    let separator = *draw.of(&[", ", ";", "\t", " "]);
+    let lines: Vec<String> = triggers.iter().map(|p| p.map(|x| format!("{x}")).join(separator)).collect();
+    let text = lines.join("\n");
+    // A part that lies far off can trigger before the approach is done: such points are refused.
+    if let Ok(rows) = evaluate(job, &Value::Text(text.clone())) {
+        for (shown, read) in plan.results.iter().zip(&rows) {
+            let same = match (shown.value, read.value) {
+                (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()),
+                (a, b) => a.is_some() == b.is_some(),
+            };
+            if shown.code != read.code || !same {
+                return Err(format!("{} is {:?}, from its triggers {:?}", shown.code, shown.value, read.value));
+            }
+        }
+    }
+    for _ in 0..3 {
+        let _ = evaluate(job, &Value::Text(mutate(draw, &text)));
+    }
+    Ok(())
+}
