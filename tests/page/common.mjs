@@ -55,11 +55,6 @@ export async function openTab() {
   const tab = await context.newPage();
   tab.on("pageerror", (error) => problems.push(String(error)));
   tab.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  await tab.addInitScript(() => {
-    document.addEventListener("securitypolicyviolation", (e) =>
-      console.error(`policy: ${e.violatedDirective} ${e.blockedURI}`),
-    );
-  });
   await tab.goto(addressOf(server));
   await ready(tab);
   return tab;

@@ -127,7 +127,7 @@ test("the page could run whatever script got into it: the policy refuses it, and
     // What the test itself runs may do anything; a task of the page may not.
     await new Promise((done) => setTimeout(done));
     const trials = {
-      eval: () => Reflect.apply(globalThis.eval, null, ["1"]),
+      code: () => Reflect.construct(Function, ["1"]),
       markup: () => {
         document.createElement("p").innerHTML = "<b>x</b>";
       },
@@ -152,13 +152,11 @@ test("the page could run whatever script got into it: the policy refuses it, and
     }
     return names;
   });
-  assert.deepEqual(refused, ["eval", "markup", "style", "fetch"]);
-  for (const directive of ["script", "style-src-elem", "connect-src"]) {
+  assert.deepEqual(refused, ["code", "markup", "style", "fetch"]);
+  for (const what of [/TrustedScript/, /TrustedHTML/, /style-src/, /connect-src/]) {
     assert.ok(
-      problems.some(
-        (text) => text.startsWith(`policy: ${directive}`) || text.startsWith(`policy: require-trusted-types-for`),
-      ),
-      `${directive}: ${problems.join("; ")}`,
+      problems.some((text) => what.test(text)),
+      `${what}: ${problems.join("; ")}`,
     );
   }
   problems.splice(0);
