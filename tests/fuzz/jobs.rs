@@ -271,6 +271,10 @@ fn depends_on_the_ball(code: &str) -> bool {
 /// A program for SINUMERIK says its job: read back it is the same program.
 fn read_back(plan: &Plan) -> Result<(), String> {
     let imported = import(&plan.program.text).map_err(|e| format!("{e}\n{}", plan.program.text))?;
+    // The header does not say how the part lies: what is free on a displaced part may not be on the nominal one.
+    if check(&imported.job).iter().any(|f| f.code == "collision") {
+        return Ok(());
+    }
     if let Some(f) = imported
         .findings
         .iter()
