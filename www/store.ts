@@ -168,8 +168,10 @@ export class Store extends EventTarget {
 
   /** Other units: the values shown are converted, the geometry stays. */
   setUnits(units: Units): void {
-    if (units === this.units) return;
-    this.draft = convertUnits(this.draft, units) as unknown as Draft;
+    if (units === this.draft.units) return;
+    // Numbers in units that are none cannot be converted: they stay, and now have units.
+    const known = this.draft.units === "mm" || this.draft.units === "inch";
+    this.draft = known ? (convertUnits(this.draft, units) as unknown as Draft) : { ...this.draft, units };
     this.typed.clear();
     this.changed();
   }

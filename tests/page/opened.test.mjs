@@ -68,13 +68,43 @@ test("a stored state that the form cannot show left an empty page: the defaults 
 });
 
 test("a leaf of a wrong type stands in its field, beside its message", async () => {
-  await openText(JSON.stringify({ format: 1, cycle: { type: "boss", depth: "ten", diameter: true } }));
+  await openText(
+    JSON.stringify({
+      format: 1,
+      units: "cm",
+      control: { post: "fanuc", workOffset: "G54" },
+      cycle: { type: "boss", depth: "ten", diameter: true, rotation: null, variant: 7 },
+    }),
+  );
   await page.waitForFunction(() =>
     document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
   );
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.diameter").inputValue(), "true");
+  assert.equal(await field("cycle.rotation").inputValue(), "", "null is not the default");
+  for (const [path, shown] of [
+    ["units", "cm"],
+    ["control.post", "fanuc"],
+    ["control.workOffset", "G54"],
+    ["cycle.variant", "7"],
+  ]) {
+    assert.equal(await textOf(field(path ?? "").locator("option:checked")), shown, path);
+    assert.ok(await page.locator(`[id="e-${path}"]`).isVisible(), path);
+  }
   assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "7" }, "the program is the last good one");
+  // Each can be put right where it stands.
+  await field("units").selectOption("mm");
+  await field("control.post").selectOption("linuxcnc");
+  await field("control.workOffset").selectOption({ index: 1 });
+  await field("cycle.variant").selectOption("0");
+  for (const [path, value] of /** @type {const} */ ([
+    ["cycle.depth", "10"],
+    ["cycle.diameter", "40"],
+    ["cycle.rotation", "0"],
+  ])) {
+    await field(path).fill(value);
+  }
+  assert.equal((await cycles()).program, "5");
 });
 
 test("the page could not leave a job that says only its cycle", async () => {

@@ -142,6 +142,8 @@ class FormPart extends Part {
   private field(placed: Placed): TemplateResult {
     const { field, path } = placed;
     if (path === "control.workOffset") return this.workOffset(placed);
+    const held = this.store.get(path);
+    const value = held === undefined ? field.default : held;
     switch (field.kind) {
       case "flag":
         return html`<div class="field">
@@ -153,7 +155,7 @@ class FormPart extends Part {
         return html`<div class="field">
           <label for=${`f-${path}`}>${field.label}</label>
           <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.choose(path, (e.target as HTMLSelectElement).value)}>
-            ${field.choices.map((c) => html`<option value=${c.value} ?selected=${this.store.get(path) === c.value}>${c.label}</option>`)}
+            ${this.options(field.choices, value)}
           </select>
           ${this.foot(placed)}
         </div>`;
@@ -161,7 +163,10 @@ class FormPart extends Part {
         return html`<div class="field">
           <label for=${`f-${path}`}>${field.label}</label>
           <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.store.set(path, Number((e.target as HTMLSelectElement).value))}>
-            ${field.choices.map((c) => html`<option value=${c.value} ?selected=${(this.store.get(path) ?? field.default) === c.value}>${c.value}: ${c.label}</option>`)}
+            ${this.options(
+              field.choices.map((c) => ({ value: c.value, label: `${c.value}: ${c.label}` })),
+              value,
+            )}
           </select>
           ${this.foot(placed)}
         </div>`;
@@ -196,9 +201,8 @@ class FormPart extends Part {
     const value = this.store.get(path);
     const stand = this.store.standIn(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
-    const text =
-      this.store.typed.get(path) ??
-      String(value ?? (Array.isArray(stand) && index ? stand[Number(index)] : stand) ?? "");
+    const missing = Array.isArray(stand) && index ? stand[Number(index)] : stand;
+    const text = this.store.typed.get(path) ?? String((value === undefined ? missing : value) ?? "");
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const bad = this.store.at(path).some((f) => f.level === "error");
     return html`<span class="number"><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
@@ -230,7 +234,8 @@ class FormPart extends Part {
     const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
     const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
-    const options = [null, ...Array.from({ length: most }, (_, i) => i + 1)];
+    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1, label: `${word(i + 1)} (${i + 1})` }));
+    const options = [{ value: null, label: "none, measure only" }, ...numbers];
     return html`<div class="field">
       <label for=${`f-${path}`}>${field.label}</label>
       <select id=${`f-${path}`} aria-describedby=${`h-${path}`}
@@ -238,10 +243,17 @@ class FormPart extends Part {
           const chosen = (e.target as HTMLSelectElement).value;
           this.store.set(path, chosen ? Number(chosen) : null);
         }}>
-        ${options.map((n) => html`<option value=${n ?? ""} ?selected=${n === value}>${n === null ? "none, measure only" : `${word(n)} (${n})`}</option>`)}
+        ${this.options(options, value)}
       </select>
       ${this.foot(placed)}
     </div>`;
+  }
+
+  /** The choices, and before them a value that is none of them: the form shows what the job says. */
+  private options(choices: { value: string | number | null; label: string }[], value: unknown): TemplateResult {
+    const known = choices.some((c) => c.value === value);
+    return html`${known ? nothing : html`<option value=${String(value)} selected disabled>${String(value)}</option>`}
+      ${choices.map((c) => html`<option value=${c.value ?? ""} ?selected=${c.value === value}>${c.label}</option>`)}`;
   }
 
   private choose(path: string, value: string): void {
