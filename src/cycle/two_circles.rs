@@ -12,7 +12,7 @@ mod rules;
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::ResultRow;
 use crate::geom::{Frame, Vec3};
-use crate::path::{Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
+use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
 use crate::spec::{Checker, Code, Field, SubForm, form};
 use crate::tolerance::Nominal;
 
@@ -327,7 +327,7 @@ impl TwoCircles {
         let mut push = |code: i32, meaning: &str, value: ParameterValue, field: &'static str| {
             rows.push(Parameter {
                 code,
-                accessor: "Q",
+                accessor: Accessor::Q,
                 type_name: "",
                 value,
                 meaning: meaning.to_owned(),
