@@ -174,7 +174,7 @@ pub struct Wall {
     pub extent: (f64, f64),
     /// How deep below `point` it is drawn.
     pub drawn_depth: f64,
-    /// Whether it ends at `point`'s level with a flat top side behind it; else it goes on upwards.
+    /// Whether it ends at `point`'s level with a flat top side behind it; else it has no upper end.
     pub has_top: bool,
     /// Which body it bounds. Walls of one body bound it together: the material is what lies behind all of them.
     pub body: usize,

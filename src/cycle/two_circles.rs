@@ -266,7 +266,7 @@ impl TwoCircles {
         Frame::new(setup.plane, Vec3::ZERO, 0.0)
     }
 
-    /// The height of the ball centre at which nothing is met: the clearance height; with mode −1, which never uses it, the height
+    /// The height of the ball centre at which there is no contact: the clearance height; with mode −1, which never uses it, the height
     /// where the stylus comes from.
     fn free_height(&self, setup: &Setup) -> f64 {
         if self.form.clearance_height_mode >= 0 {

@@ -15,7 +15,7 @@ pub struct Custom {
 }
 
 impl Custom {
-    /// Its row of the table. Numbers are not converted: nobody here knows what they are.
+    /// Its row of the table. Numbers are not converted: their unit is not known.
     pub fn row(&self) -> Parameter {
         Parameter {
             code: self.code,
