@@ -9,6 +9,9 @@ use crate::geom::{Frame, Plane, Vec3};
 /// The most touches a path may have: touch 17 of a CAM parameter table would start at code −196 and run into the −200 block.
 pub const MAX_TOUCHES: usize = 16;
 
+// Each touch of such a table may be a sample of its own.
+const _: () = assert!(MAX_TOUCHES <= crate::formula::MOST_SAMPLES);
+
 /// The rate that rapids are taken to have where a time is stated, mm/min. Machines differ; only the estimate depends on it.
 pub const RAPID_RATE: f64 = 5000.0;
 
@@ -171,7 +174,7 @@ pub struct Wall {
     pub extent: (f64, f64),
     /// How deep below `point` it is drawn.
     pub drawn_depth: f64,
-    /// Whether it ends at `point`'s level with a flat top side behind it; else it goes on upwards.
+    /// Whether it ends at `point`'s level with a flat top side behind it; else it has no upper end.
     pub has_top: bool,
     /// Which body it bounds. Walls of one body bound it together: the material is what lies behind all of them.
     pub body: usize,
@@ -204,13 +207,41 @@ pub enum Surface {
     Unknown,
 }
 
+/// How a parameter is addressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accessor {
+    /// `CmdPrm.Int[ ]`.
+    Int,
+    /// `CmdPrm.Flt[ ]`.
+    Flt,
+    /// `CmdPrm.Bol[ ]`.
+    Bol,
+    /// A Q parameter.
+    Q,
+}
+
+impl Accessor {
+    /// Those of a CAM parameter table.
+    pub const CMD_PRM: [Accessor; 3] = [Accessor::Int, Accessor::Flt, Accessor::Bol];
+
+    /// The word: `Int`, `Flt`, `Bol`, `Q`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Accessor::Int => "Int",
+            Accessor::Flt => "Flt",
+            Accessor::Bol => "Bol",
+            Accessor::Q => "Q",
+        }
+    }
+}
+
 /// One row of the source's parameter table, before units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     /// The code inside the brackets of `CmdPrm.…[ ]`.
     pub code: i32,
-    /// `Int`, `Flt` or `Bol`.
-    pub accessor: &'static str,
+    /// How it is addressed.
+    pub accessor: Accessor,
     /// The type column of the source's page.
     pub type_name: &'static str,
     /// The value.

@@ -348,9 +348,9 @@ fn tolerances_and_verdicts() {
         let plan = planned(&with(&toleranced("20H7", delta, 0.0), "cycle.errorReaction", number(reaction)));
         row(&plan.results, "Q183").verdict.clone().unwrap()
     };
-    assert_eq!(says(0.0, 0.05), "scrap: the program goes on");
+    assert_eq!(says(0.0, 0.05), "scrap: the program continues");
     assert_eq!(says(1.0, -0.01), "rework: the control stops and shows the results");
-    assert_eq!(says(2.0, -0.01), "rework: the program goes on");
+    assert_eq!(says(2.0, -0.01), "rework: the program continues");
     assert_eq!(says(2.0, 0.05), "scrap: the control stops and shows the results");
 }
 

@@ -10,14 +10,15 @@ const LAYERS: &[&[&str]] = &[
     &["num"],
     &["geom"],
     &["tolerance"],
-    &["formula", "path", "spec"],
+    &["formula", "spec"],
+    &["path"],
     &["cycle", "post", "part", "view", "tool_length"],
     &["job"],
     &["wasm"],
 ];
 
-/// `formula` and `path` hold the two halves of one vocabulary; a picture shows what happens on the part.
-const ALLOWED: &[(&str, &str)] = &[("formula", "path"), ("path", "formula"), ("view", "part"), ("view", "tool_length")];
+/// A picture shows what happens on the part.
+const ALLOWED: &[(&str, &str)] = &[("view", "part"), ("view", "tool_length")];
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

@@ -12,7 +12,7 @@ mod rules;
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::ResultRow;
 use crate::geom::{Frame, Vec3};
-use crate::path::{Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
+use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
 use crate::spec::{Checker, Code, Field, SubForm, form};
 use crate::tolerance::Nominal;
 
@@ -266,7 +266,7 @@ impl TwoCircles {
         Frame::new(setup.plane, Vec3::ZERO, 0.0)
     }
 
-    /// The height of the ball centre at which nothing is met: the clearance height; with mode −1, which never uses it, the height
+    /// The height of the ball centre at which there is no contact: the clearance height; with mode −1, which never uses it, the height
     /// where the stylus comes from.
     fn free_height(&self, setup: &Setup) -> f64 {
         if self.form.clearance_height_mode >= 0 {
@@ -327,7 +327,7 @@ impl TwoCircles {
         let mut push = |code: i32, meaning: &str, value: ParameterValue, field: &'static str| {
             rows.push(Parameter {
                 code,
-                accessor: "Q",
+                accessor: Accessor::Q,
                 type_name: "",
                 value,
                 meaning: meaning.to_owned(),

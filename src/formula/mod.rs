@@ -16,7 +16,6 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use crate::geom::Vec3;
 use crate::num::tidy;
-use crate::path::MAX_TOUCHES;
 
 /// An expression over the triggers of the touches.
 #[derive(Clone, Debug, PartialEq)]
@@ -305,19 +304,22 @@ impl Formula {
     }
 }
 
+/// The most samples that a formula computes with: a derivative is kept for each.
+pub const MOST_SAMPLES: usize = 16;
+
 /// A number and its derivative by each touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual {
     /// The number.
     pub value: f64,
     /// Its change for a unit shift of each trigger along its probing direction.
-    pub by_touch: [f64; MAX_TOUCHES],
+    pub by_touch: [f64; MOST_SAMPLES],
 }
 
 impl Dual {
     /// A number that depends on no touch.
     pub const fn constant(value: f64) -> Self {
-        Dual { value, by_touch: [0.0; MAX_TOUCHES] }
+        Dual { value, by_touch: [0.0; MOST_SAMPLES] }
     }
 
     /// The standard deviation of this number if every touch scatters independently by `sigma`: linear propagation.

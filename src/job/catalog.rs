@@ -6,7 +6,7 @@ use crate::cycle::{self, CYCLES, CycleDef};
 use crate::job::form::{FORMAT, SECTIONS};
 use crate::job::import::LONGEST_TEXT;
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
-use crate::post::POSTS;
+use crate::post::{Form, POSTS};
 use crate::spec::{Choice, Code, Default, Field, Kind, Value};
 
 /// Cycles, controls and the sections around them.
@@ -183,9 +183,9 @@ pub fn catalog() -> Catalog {
                 cycles: CYCLES
                     .iter()
                     .flat_map(|def| {
-                        ["moves", "cycle"].map(|form| {
+                        Form::ALL.map(|form| {
                             let reason = (post.supports)(def.key, form).err();
-                            SupportEntry { key: def.key, form, supported: reason.is_none(), reason }
+                            SupportEntry { key: def.key, form: form.word(), supported: reason.is_none(), reason }
                         })
                     })
                     .collect(),

@@ -5,7 +5,7 @@ use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::part::Lie;
 use crate::path::{Feeds, Setup};
-use crate::post::{self, PostDef};
+use crate::post::{self, Form, PostDef};
 use crate::spec::{Checker, Choice, Field, Section, Value, form};
 use crate::tool_length::{self, Query, lentoax, sentence};
 
@@ -24,8 +24,10 @@ pub const POST_CHOICES: &[Choice] = &[
     Choice { value: "sinumerik", label: "SINUMERIK" },
     Choice { value: "heidenhain", label: "HEIDENHAIN TNC7" },
 ];
-const FORMS: &[Choice] =
-    &[Choice { value: "moves", label: "Plain moves" }, Choice { value: "cycle", label: "The control's own cycle" }];
+const FORMS: &[Choice] = &[
+    Choice { value: Form::Moves.word(), label: "Plain moves" },
+    Choice { value: Form::Cycle.word(), label: "The control's own cycle" },
+];
 
 const PROTECTIONS: &[Choice] =
     &[Choice { value: "checked", label: "Watched and checked" }, Choice { value: "none", label: "Not watched" }];
@@ -141,8 +143,8 @@ pub struct Job {
     pub cycle: Box<dyn Cycle>,
     /// The control.
     pub post: &'static PostDef,
-    /// `moves`, or `cycle` for the control's own.
-    pub form: String,
+    /// Plain moves, or the control's own cycle.
+    pub form: Form,
     /// Tool number of the probe; none is not called.
     pub tool: Option<i32>,
     /// Whether positioning is to be watched, where the control can.
@@ -208,7 +210,7 @@ impl Job {
             def,
             cycle,
             post,
-            form: control.form,
+            form: Form::named(&control.form),
             tool: control.tool,
             protected: control.protection == "checked",
             work_offset: control.work_offset,
@@ -283,11 +285,13 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if let Some(def) = def
         && checker.sound(&["control.post", "control.form"])
-        && let Err(why) = (post.supports)(def.key, &control.form)
+        && let Err(why) = (post.supports)(def.key, Form::named(&control.form))
     {
-        let other = if control.form == "cycle" { "moves" } else { "cycle" };
-        let advice =
-            if (post.supports)(def.key, other).is_ok() { format!(". Use the form \"{other}\"") } else { String::new() };
+        let other = Form::named(&control.form).other();
+        let advice = match (post.supports)(def.key, other) {
+            Ok(()) => format!(". Use the form \"{}\"", other.word()),
+            Err(_) => String::new(),
+        };
         let message = format!("{} does not take this cycle in the form \"{}\": {why}{advice}", post.title, control.form);
         checker.error("form-unsupported", "control.form", message);
     }

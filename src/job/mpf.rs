@@ -111,7 +111,7 @@ pub enum Term {
 pub enum Purpose {
     /// Must not touch anything.
     Position,
-    /// Must touch; goes on to the end of its search.
+    /// Must touch; searches to the end of its path.
     Touch,
     /// Back from a touch.
     Back,

@@ -7,7 +7,7 @@ use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::{Job, JobError, catalog};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{self, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
+use crate::path::{self, Accessor, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 use crate::post::Request;
 use crate::spec::{Checker, Finding, Value};
 
@@ -237,7 +237,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         name: &job.name,
         title: job.def.title,
         source: job.def.source,
-        form: &job.form,
+        form: job.form,
         scale: job.scale,
         plane: job.setup.plane,
         setup: &job.setup,
@@ -445,8 +445,8 @@ fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
 fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
     ParameterRow {
         code: match parameter.accessor {
-            "Q" => format!("Q{}", parameter.code),
-            accessor => format!("CmdPrm.{accessor}[{}]", parameter.code),
+            Accessor::Q => format!("Q{}", parameter.code),
+            accessor => format!("CmdPrm.{}[{}]", accessor.word(), parameter.code),
         },
         type_name: parameter.type_name,
         value: match &parameter.value {

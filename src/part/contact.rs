@@ -10,9 +10,9 @@ pub struct Contact {
     pub fraction: f64,
     /// The ball centre there.
     pub center: Vec3,
-    /// Index of the surface that is met.
+    /// Index of the surface touched.
     pub surface: usize,
-    /// Whether it is met at an edge, a corner or a rim, not square to its face.
+    /// Whether the contact is at an edge, a corner or a rim, not square to its face.
     pub edge: bool,
 }
 
@@ -22,7 +22,7 @@ const SKIN: f64 = 1e-7;
 /// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. `up` is the
 /// tool axis. A ball that moves away from a surface it touches does not meet it.
 ///
-/// Flat walls bound convex bodies; a wall alone goes on along its length. A surface ends at its top where it has one, and behind
+/// Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind
 /// the edge lies a flat top side.
 /// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
 pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
@@ -49,7 +49,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     let front = if inside { round.radius - start.length() } else { start.length() - round.radius };
     let material = !inside && round.plate.is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
     if material && h0.min(h1) < radius - SKIN {
-        // Over the plate, or in it: its top side is met on the way down.
+        // Over the plate, or in it: the ball touches its top side on the way down.
         return if h0 < radius - SKIN { Some(0.0) } else { (h1 < h0).then(|| ((h0 - radius) / (h0 - h1)).clamp(0.0, 1.0)) };
     }
     // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
@@ -66,14 +66,14 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
         if front >= radius - SKIN {
             return None;
         }
-        // Over the free side the edge is met, over the material its top side.
+        // Over the free side the ball touches the edge, over the material its top side.
         let free = front > 0.0 && (inside || !round.hole);
         let stop = if free { (radius * radius - front * front).sqrt() } else { radius };
         return if h0 < stop - SKIN { Some(0.0) } else { (h1 < stop).then(|| ((h0 - stop) / (h0 - h1)).clamp(0.0, 1.0)) };
     }
     let near = reach(h0.min(h1))?;
     let gap = front - near;
-    // The way is met where |start + t·way| is `limit`: going out of a hole's middle, or coming in from outside.
+    // Contact is where |start + t·way| is `limit`: going out of a hole's middle, or coming in from outside.
     let limit = if inside { round.radius - near } else { round.radius + near };
     let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
     if gap < -SKIN || (gap <= SKIN && !inside && b < 0.0) {
@@ -220,7 +220,7 @@ impl Body {
             let gap = self.gap(from + way * t);
             Some((t, gap.surface, !gap.face))
         };
-        // A ball that only grazes the body goes on.
+        // A ball that only grazes the body does not touch it.
         reach(radius - SKIN)?;
         reach(radius)
     }
@@ -254,7 +254,7 @@ mod tests {
         assert_eq!(meet(true, 3.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]), Some(7.0));
         assert_eq!(meet(true, 0.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]), Some(10.0));
         assert_eq!(meet(true, 3.0, [0.0, 0.0, -5.0], [6.9, 0.0, -5.0]), None);
-        // At 45° the ball is met when its centre is 3 in front: 7·√2 along the way.
+        // At 45° the ball touches when its centre is 3 in front: 7·√2 along the way.
         let diagonal = meet(false, 3.0, [0.0, 0.0, 0.0], [20.0, 20.0, 0.0]).unwrap();
         assert!((diagonal - 7.0 * 2f64.sqrt()).abs() < 1e-12);
     }
@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn going_down_meets_the_top_side_or_the_edge() {
         assert_eq!(meet(true, 3.0, [12.0, 0.0, 10.0], [12.0, 0.0, -10.0]), Some(7.0));
-        // 2.4 in front of the wall, the edge is met 1.8 above it.
+        // 2.4 in front of the wall, the ball touches the edge 1.8 above it.
         let met = meet(true, 3.0, [7.6, 0.0, 10.0], [7.6, 0.0, -10.0]).unwrap();
         assert!((met - 8.2).abs() < 1e-12);
         assert_eq!(meet(true, 3.0, [7.0, 0.0, 10.0], [7.0, 0.0, -10.0]), None);
@@ -308,13 +308,13 @@ mod tests {
         assert_eq!(block(3.0, [-40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((37.0, 1)));
         assert_eq!(block(3.0, [-10.0, 24.0, -5.0], [40.0, 24.0, -5.0]), None);
         assert_eq!(block(3.0, [10.0, 10.0, 30.0], [10.0, 10.0, -5.0]).map(|m| m.0), Some(27.0));
-        // The upright edge at (20, 20): passing 1.8 outside of one wall, it is met 2.4 before the other (3-4-5).
+        // The upright edge at (20, 20): passing 1.8 outside of one wall, the ball touches it 2.4 before the other (3-4-5).
         let (far, _) = block(3.0, [40.0, 21.8, -5.0], [-10.0, 21.8, -5.0]).unwrap();
         assert!((far - (20.0 - 2.4)).abs() < 1e-9, "{far}");
         // The top corner at (20, 20, 0): 1 beside, 2 above and 2 before it is 3 away (1-2-2-3).
         let (far, _) = block(3.0, [40.0, 21.0, 2.0], [-10.0, 21.0, 2.0]).unwrap();
         assert!((far - (20.0 - 2.0)).abs() < 1e-9, "{far}");
-        // Past the corner at a distance of more than the radius nothing is met; grazing is passing.
+        // Past the corner at a distance of more than the radius there is no contact; grazing is passing.
         assert_eq!(block(3.0, [40.0, 22.5, 2.5], [-10.0, 22.5, 2.5]), None);
         assert_eq!(block(3.0, [40.0, 23.0, -5.0], [-10.0, 23.0, -5.0]), None);
         // A point stylus meets the face itself; a ball inside has met it at once.
@@ -347,12 +347,12 @@ mod tests {
     #[test]
     fn a_stud_is_met_from_outside() {
         assert_eq!(round(false, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0));
-        // Past it at a distance of 13 is free; at 12 it is met where 13² = 12² + 5².
+        // Past it at a distance of 13 is free; at 12 there is contact where 13² = 12² + 5².
         assert_eq!(round(false, [-20.0, 13.0, -5.0], [20.0, 13.0, -5.0]), None);
         assert_eq!(round(false, [-20.0, 12.0, -5.0], [20.0, 12.0, -5.0]), Some(15.0));
         assert_eq!(round(false, [13.0, 0.0, -5.0], [20.0, 0.0, -5.0]), None, "leaving it");
         assert_eq!(round(false, [13.0, 0.0, -5.0], [12.0, 0.0, -5.0]), Some(0.0));
-        // Over it, 1.8 above its edge, a ball of 3 is met 2.4 before the edge; over the top it is free.
+        // Over it, 1.8 above its edge, a ball of 3 touches 2.4 before the edge; over the top it is free.
         let met = round(false, [20.0, 0.0, 1.8], [0.0, 0.0, 1.8]).unwrap();
         assert!((met - 7.6).abs() < 1e-12);
         assert_eq!(round(false, [20.0, 0.0, 3.0], [-20.0, 0.0, 3.0]), None);

@@ -7,7 +7,7 @@
 use crate::geom::Vec3;
 use crate::path::{Move, Purpose};
 use crate::post::words::{Dialect, Writer, comes_from_anywhere, upwards};
-use crate::post::{PostDef, Program, Request, check_plain_moves};
+use crate::post::{Form, PostDef, Program, Request, check_plain_moves};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -22,7 +22,7 @@ pub static DEF: PostDef = PostDef {
     says_job: false,
     name: crate::post::comment_text,
     rate,
-    supports: |_, form| if form == "moves" { Ok(()) } else { Err("grbl has no probing cycles of its own") },
+    supports: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,
 };

@@ -6,9 +6,9 @@
 
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
-use crate::path::ParameterValue;
+use crate::path::{Accessor, ParameterValue};
 use crate::post::words::{stated_start, wrapped};
-use crate::post::{PostDef, Program, Request};
+use crate::post::{Form, PostDef, Program, Request};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -28,9 +28,9 @@ pub static DEF: PostDef = PostDef {
     emit,
 };
 
-fn supports(cycle: &str, form: &str) -> Result<(), &'static str> {
+fn supports(cycle: &str, form: Form) -> Result<(), &'static str> {
     match (cycle, form) {
-        ("probing-two-circles", "cycle") => Ok(()),
+        ("probing-two-circles", Form::Cycle) => Ok(()),
         ("probing-two-circles", _) => Err(
             "the control's low-level probing blocks are not documented well enough in what we have to print these moves: use its \
              own cycle",
@@ -118,7 +118,7 @@ fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
 /// Angles have three decimals on the control.
 fn check(request: &Request<'_>, checker: &mut Checker) {
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
-        let row = request.path.parameters.iter().find(|p| p.accessor == "Q" && p.code == code);
+        let row = request.path.parameters.iter().find(|p| p.accessor == Accessor::Q && p.code == code);
         if let Some(ParameterValue::Number(angle)) = row.map(|p| &p.value)
             && (angle * 1e3 - (angle * 1e3).round()).abs() > 1e-6
         {

@@ -14,7 +14,9 @@ use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
 use crate::path::{Move, Purpose, RAPID_RATE};
 use crate::post::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
-use crate::post::{PostDef, Program, Request, check_plain_moves, check_rotary, check_write, expr, work_offset_word, written};
+use crate::post::{
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, expr, work_offset_word, written,
+};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -30,8 +32,8 @@ pub static DEF: PostDef = PostDef {
     name: crate::post::comment_text,
     rate,
     supports: |_, form| match form {
-        "moves" => Ok(()),
-        _ => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
+        Form::Moves => Ok(()),
+        Form::Cycle => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
     },
     check,
     emit,

@@ -12,11 +12,46 @@ mod words;
 
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::path::{Feeds, Move, ParameterValue, Path, Setup};
+use crate::path::{Accessor, Feeds, Move, ParameterValue, Path, Setup};
 use crate::spec::{Checker, Value};
 
 /// Every control, in the order of the form.
 pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
+
+/// How a program probes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Plain moves and touches, a block each.
+    Moves,
+    /// The control's own cycle.
+    Cycle,
+}
+
+impl Form {
+    /// Both.
+    pub const ALL: [Form; 2] = [Form::Moves, Form::Cycle];
+
+    /// `control.form` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Form::Moves => "moves",
+            Form::Cycle => "cycle",
+        }
+    }
+
+    /// The form of a word; plain moves where it is none.
+    pub fn named(word: &str) -> Form {
+        if word == Form::Cycle.word() { Form::Cycle } else { Form::Moves }
+    }
+
+    /// The other one.
+    pub const fn other(self) -> Form {
+        match self {
+            Form::Moves => Form::Cycle,
+            Form::Cycle => Form::Moves,
+        }
+    }
+}
 
 /// What is known of a control.
 #[derive(Debug)]
@@ -43,8 +78,8 @@ pub struct PostDef {
     pub name: fn(&str) -> String,
     /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
-    /// Whether it takes a cycle (by its key) in a form (`moves` or `cycle`), and why not.
-    pub supports: fn(&str, &str) -> Result<(), &'static str>,
+    /// Whether it takes a cycle (by its key) in a form, and why not.
+    pub supports: fn(&str, Form) -> Result<(), &'static str>,
     /// Reports what of this very program it cannot do, or what its user should know.
     pub check: fn(&Request<'_>, &mut Checker),
     /// Prints the program.
@@ -60,8 +95,8 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Whose cycle it is.
     pub source: &'a str,
-    /// `moves`, or `cycle` for the control's own.
-    pub form: &'a str,
+    /// Plain moves, or the control's own cycle.
+    pub form: Form,
     /// Millimetres in a unit of the program.
     pub scale: f64,
     /// The working plane.
@@ -175,8 +210,11 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
         let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
-    let reacts =
-        request.path.parameters.iter().any(|p| p.accessor == "Q" && p.code == 309 && p.value != ParameterValue::Whole(0));
+    let reacts = request
+        .path
+        .parameters
+        .iter()
+        .any(|p| p.accessor == Accessor::Q && p.code == 309 && p.value != ParameterValue::Whole(0));
     let toleranced = request.path.parameters.iter().any(|p| matches!(p.value, ParameterValue::Text(_)));
     if reacts && toleranced {
         let message = "A program of plain moves does not check tolerances: it does not stop as Q309 says";

@@ -14,7 +14,7 @@ pub struct Dialect {
     pub decimals_inch: usize,
     /// What a comment begins and ends with.
     pub comment: (&'static str, &'static str),
-    /// The most characters of a comment line. A longer text goes on in the next one.
+    /// The most characters of a comment line. A longer text continues in the next one.
     pub comment_width: usize,
     /// The most characters of a block.
     pub longest_block: usize,

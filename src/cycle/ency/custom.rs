@@ -1,6 +1,6 @@
 //! The user's own codes: positive numbers that only the user's postprocessor knows. They go through as they are.
 
-use crate::path::{Parameter, ParameterValue};
+use crate::path::{Accessor, Parameter, ParameterValue};
 use crate::spec::{Section, Value};
 
 /// The most own codes a cycle may carry.
@@ -10,20 +10,20 @@ const MOST: usize = 200;
 #[derive(Clone, Debug)]
 pub struct Custom {
     code: i32,
-    accessor: &'static str,
+    accessor: Accessor,
     value: ParameterValue,
 }
 
 impl Custom {
-    /// Its row of the table. Numbers are not converted: nobody here knows what they are.
+    /// Its row of the table. Numbers are not converted: their unit is not known.
     pub fn row(&self) -> Parameter {
         Parameter {
             code: self.code,
             accessor: self.accessor,
             type_name: match self.accessor {
-                "Int" => "Integer",
-                "Bol" => "Boolean",
-                _ => "Double",
+                Accessor::Int => "Integer",
+                Accessor::Bol => "Boolean",
+                Accessor::Flt | Accessor::Q => "Double",
             },
             value: self.value.clone(),
             meaning: "The user's own code".to_owned(),
@@ -62,13 +62,16 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
                 continue;
             }
         };
-        let accessor = ["Int", "Flt", "Bol"].into_iter().find(|a| item.get("type") == Some(&Value::Text((*a).to_owned())));
+        let accessor = match item.get("type") {
+            Some(Value::Text(word)) => Accessor::CMD_PRM.into_iter().find(|a| a.word() == word),
+            _ => None,
+        };
         let value = match (accessor, item.get("value")) {
-            (Some("Int"), Some(Value::Number(n))) if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) => {
+            (Some(Accessor::Int), Some(Value::Number(n))) if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) => {
                 ParameterValue::Whole(*n as i32)
             }
-            (Some("Flt"), Some(Value::Number(x))) if x.is_finite() => ParameterValue::Number(*x),
-            (Some("Bol"), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
+            (Some(Accessor::Flt), Some(Value::Number(x))) if x.is_finite() => ParameterValue::Number(*x),
+            (Some(Accessor::Bol), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
             _ => {
                 let message =
                     "An own code has a type, Int, Flt or Bol, and a value of it: a whole number, a number, true or false";
@@ -80,7 +83,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             section.checker.error("code-twice", format!("{path}.code"), format!("Code {code} is there twice"));
             continue;
         }
-        codes.push(Custom { code, accessor: accessor.unwrap_or("Flt"), value });
+        codes.push(Custom { code, accessor: accessor.unwrap_or(Accessor::Flt), value });
     }
     codes
 }

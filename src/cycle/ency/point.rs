@@ -55,7 +55,7 @@ impl Shape for Point {
         tracer.position(start + on.frame.w * feed_distance, Feed::Return, 4);
     }
 
-    /// The nominal point, moved along the target vector as far as the surface lies off. Across it nothing is measured.
+    /// The nominal point, moved along the target vector by its displacement. Across it nothing is measured.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let axes = on.setup.plane.axes();
         let touch = &on.touches[0];
@@ -83,7 +83,7 @@ impl Shape for Point {
         if place[..2].iter().flatten().all(|(e, _)| matches!(e, Expr::Length(_))) {
             (place[0], place[1]) = (None, None);
         }
-        formula.result("deviation", Role::Shift, "How far the surface lies off along the target vector", 0.0, Some(&off));
+        formula.result("deviation", Role::Shift, "How far the surface is displaced along the target vector", 0.0, Some(&off));
         formula.datum = Some(Datum { place, rotation: None, told: false });
         formula
     }

@@ -2,7 +2,7 @@
 
 use crate::cycle::ency::{Feature, Properties};
 use crate::geom::AXIS_NAMES;
-use crate::path::{Parameter, ParameterValue, Setup, Touch};
+use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
 use crate::spec::{Field, Kind, Shown, Values};
 
 /// The code of the variant, and those that say something only of the angular one.
@@ -26,7 +26,7 @@ pub(super) fn table(
     let (number, kind_name) = form.kind();
     let kind = Parameter {
         code: -1,
-        accessor: "Int",
+        accessor: Accessor::Int,
         type_name: "Integer",
         value: ParameterValue::Whole(number),
         meaning: format!("Probing cycle type: {number} = {kind_name}"),
@@ -61,8 +61,9 @@ pub(super) fn table(
 }
 
 /// The accessor and the number of a code such as `CmdPrm.Flt[-50]`.
-pub fn code_of(field: &Field) -> Option<(&'static str, i32)> {
+pub fn code_of(field: &Field) -> Option<(Accessor, i32)> {
     let (accessor, rest) = field.code.strip_prefix("CmdPrm.")?.split_once('[')?;
+    let accessor = Accessor::CMD_PRM.into_iter().find(|a| a.word() == accessor)?;
     Some((accessor, rest.strip_suffix(']')?.parse().ok()?))
 }
 
@@ -73,7 +74,7 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
         Shown::Number(x) if field.kind == Kind::Angle => (ParameterValue::Number(x), "Double"),
         Shown::Number(x) => (ParameterValue::Length(x), "Double"),
         Shown::Whole(n) => (ParameterValue::Whole(n), "Integer"),
-        Shown::Flag(on) if accessor == "Bol" => (ParameterValue::Flag(on), "Boolean"),
+        Shown::Flag(on) if accessor == Accessor::Bol => (ParameterValue::Flag(on), "Boolean"),
         // Written with the Flt accessor and the type Integer, as the source's tables do.
         Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
         Shown::Point(_) | Shown::Nothing => return None,
@@ -99,7 +100,7 @@ fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: 
             let mut push = |code: i32, value: ParameterValue, meaning: String| {
                 rows.push(Parameter {
                     code,
-                    accessor: "Flt",
+                    accessor: Accessor::Flt,
                     type_name: "Double",
                     value,
                     meaning,

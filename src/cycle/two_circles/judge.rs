@@ -66,7 +66,7 @@ fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
         2 => status == 2,
         _ => false,
     };
-    let deed = if stops { "the control stops and shows the results" } else { "the program goes on" };
+    let deed = if stops { "the control stops and shows the results" } else { "the program continues" };
     row("Q183", "Workpiece status", Unit::None, f64::from(status)).with_verdict(format!("{word}: {deed}"))
 }
 

@@ -136,7 +136,7 @@ impl TwoCircles {
         let small = object.hole && diameter / 2.0 < self.stand_off(setup);
         if small {
             let message = format!(
-                "Hole {number} is too small for the set-up clearance: the control asks, and goes on from the centre with the \
+                "Hole {number} is too small for the set-up clearance: the control asks, and continues from the centre with the \
                  reachable clearance of {}",
                 checker.length(reachable)
             );

@@ -3,13 +3,14 @@
 //! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds behind it in the same line, or the `value` of its
 //! JSON object.
 
+use crate::path::Accessor;
 use crate::spec::Value;
 
 /// A code with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// `Int`, `Flt` or `Bol`.
-    pub accessor: &'static str,
+    /// How it is addressed.
+    pub accessor: Accessor,
     /// The code.
     pub code: i32,
     /// Its value; true is 1.
@@ -80,12 +81,11 @@ fn typographic(text: &str) -> String {
 }
 
 /// The next code of a text and what stands behind its bracket.
-fn next_code(text: &str) -> Option<(&'static str, i32, &str)> {
-    const ACCESSORS: [&str; 3] = ["Int", "Flt", "Bol"];
+fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     for (at, _) in text.match_indices('[') {
         let before = text[..at].trim_end().as_bytes();
         let Some(start) = before.len().checked_sub(3) else { continue };
-        let accessor = ACCESSORS.into_iter().find(|a| before[start..].eq_ignore_ascii_case(a.as_bytes()));
+        let accessor = Accessor::CMD_PRM.into_iter().find(|a| before[start..].eq_ignore_ascii_case(a.word().as_bytes()));
         let whole = start == 0 || !(before[start - 1].is_ascii_alphanumeric() || before[start - 1] == b'_');
         let Some(accessor) = accessor.filter(|_| whole) else { continue };
         // No code is longer than a dozen characters.
@@ -196,7 +196,7 @@ mod tests {
             ("| CmdPrm.Flt[-50] | Double | 1.25e1 |", 12.5),
             ("Flt[-50]=.125E+2", 12.5),
         ] {
-            assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
+            assert_eq!(entries(text), [Entry { accessor: Accessor::Flt, code: -50, value }], "{text}");
         }
         for (text, value) in [
             ("Flt[-50] (Width 1, from 2) = 64", 64.0),
@@ -206,7 +206,7 @@ mod tests {
             ("Flt[-50] = 1 064,5", 1064.5),
             ("Flt[-50] = 64 mm", 64.0),
         ] {
-            assert_eq!(entries(text), [Entry { accessor: "Flt", code: -50, value }], "{text}");
+            assert_eq!(entries(text), [Entry { accessor: Accessor::Flt, code: -50, value }], "{text}");
         }
         assert!(entries("TouchPoint[1] = 2.5").is_empty());
         assert_eq!(value(" = True"), Some(1.0));

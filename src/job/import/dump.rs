@@ -8,7 +8,7 @@ use crate::job::JobError;
 use crate::job::catalog::default_job;
 use crate::job::import::codes::{Entry, entries};
 use crate::job::import::{Imported, set};
-use crate::path::MAX_TOUCHES;
+use crate::path::{Accessor, MAX_TOUCHES};
 use crate::spec::{Checker, Field, Kind, Section, Value};
 
 /// How near the touches of the dimensions must be to those of the dump to be the same, mm.
@@ -70,7 +70,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     Ok(build(block, def, checker))
 }
 
-/// What a block has under a code; the last where it is told twice.
+/// What a block has under a code; the last where it stands twice.
 fn find(block: &[Entry], code: i32) -> Option<f64> {
     block.iter().rev().find(|e| e.code == code).map(|e| e.value)
 }
@@ -173,13 +173,13 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
             // A fraction is no Int, whatever the dump calls it.
             let whole = e.value.fract() == 0.0 && e.value.abs() <= f64::from(i32::MAX);
             let (accessor, value) = match e.accessor {
-                "Bol" => ("Bol", Value::Flag(e.value != 0.0)),
-                "Int" if whole => ("Int", Value::Number(e.value)),
-                _ => ("Flt", Value::Number(e.value)),
+                Accessor::Bol => (Accessor::Bol, Value::Flag(e.value != 0.0)),
+                Accessor::Int if whole => (Accessor::Int, Value::Number(e.value)),
+                _ => (Accessor::Flt, Value::Number(e.value)),
             };
             Value::Map(vec![
                 ("code".to_owned(), Value::Number(f64::from(e.code))),
-                ("type".to_owned(), Value::Text(accessor.to_owned())),
+                ("type".to_owned(), Value::Text(accessor.word().to_owned())),
                 ("value".to_owned(), value),
             ])
         })

@@ -177,7 +177,7 @@ fn blocks(text: &str) -> Vec<String> {
         let line = line.trim_end_matches('~');
         let line = line.split_once(';').map_or(line, |(code, _)| code).trim();
         if goes_on {
-            let block = blocks.last_mut().expect("a block goes on");
+            let block = blocks.last_mut().expect("a continuation line follows a block");
             block.push(' ');
             block.push_str(line);
         } else {

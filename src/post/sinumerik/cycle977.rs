@@ -56,7 +56,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if request.plane != crate::geom::Plane::G17 {
         let message = format!(
-            "How CYCLE977 is told another plane than G17 is not proven by anything we have: it could probe in the wrong one{advice}"
+            "No source at hand shows how CYCLE977 selects another plane than G17: it could probe in the wrong one{advice}"
         );
         checker.error("cycle-plane", "plane", message);
     }

@@ -20,7 +20,7 @@ use crate::path::{Move, Purpose, RAPID_RATE};
 use crate::post::expr;
 use crate::post::sinumerik::registers::{RParameters, Registers};
 use crate::post::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
-use crate::post::{MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
+use crate::post::{Form, MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -58,9 +58,9 @@ const LAST_REGISTER: usize = 99;
 /// How many more the write of the frame needs.
 const FRAME_REGISTERS: usize = 6;
 
-fn supports(cycle: &str, form: &str) -> Result<(), &'static str> {
+fn supports(cycle: &str, form: Form) -> Result<(), &'static str> {
     match (cycle, form) {
-        (_, "moves") | ("internal-rectangle-protected", _) => Ok(()),
+        (_, Form::Moves) | ("internal-rectangle-protected", _) => Ok(()),
         ("double-wall-internal-corner", _) => Err(
             "its corner cycle is CYCLE961, and the order of that cycle's arguments is not proven by anything we have: a wrong one \
              would move the probe somewhere else",
@@ -81,7 +81,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("rapid-at-feed", "feeds", message);
     }
-    if request.form == "cycle" {
+    if request.form == Form::Cycle {
         return cycle977::check(request, checker);
     }
     check_plain_moves(request, checker);
@@ -118,7 +118,7 @@ fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    if request.form == "cycle" { cycle977::emit(request) } else { emit_moves(request) }
+    if request.form == Form::Cycle { cycle977::emit(request) } else { emit_moves(request) }
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
@@ -209,7 +209,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     };
     w.line("TRANS");
     w.line(&(DEF.work_offset_word)(n));
-    if request.form != "moves" {
+    if request.form != Form::Moves {
         return;
     }
     w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
@@ -356,7 +356,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     };
     // A cycle of the control's own may have written before the last lift.
     let written = match (request.form, request.work_offset) {
-        ("cycle", Some(_)) => "The cycle may have corrected the work offset",
+        (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
         _ => "Nothing is written",
     };
     if let Some(first) = request.path.moves.first() {
@@ -390,7 +390,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     }
     let frame = match (request.work_offset, request.form) {
         (None, _) => "A programmed turn, mirror or scale is active. Nothing has moved",
-        (Some(_), "moves") => {
+        (Some(_), Form::Moves) => {
             "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
         }
         _ => return,
