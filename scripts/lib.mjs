@@ -36,6 +36,13 @@ export function run(command, args, { env = {}, cwd = root, quiet = false } = {})
   return done.stdout ?? "";
 }
 
+/** The laws asked of random jobs: half of them the same every time, half fresh. Ends the script where one breaks a law. */
+export function fuzz(/** @type {number} */ jobs) {
+  run("cargo", ["test", "--locked", "--quiet", "--profile", "fuzz", "--test", "fuzz"], {
+    env: { FUZZ_JOBS: String(jobs) },
+  });
+}
+
 /** Whether a command is there and works. */
 export function works(/** @type {string} */ command, args = ["--version"], env = {}) {
   return spawnSync(command, args, { stdio: "ignore", env: { ...process.env, ...env } }).status === 0;

@@ -10,6 +10,7 @@ import {
   ensurePackages,
   ensureTarget,
   ensureWasmPack,
+  fuzz,
   pathWith,
   root,
   run,
@@ -88,6 +89,7 @@ if (tools && !only) {
   await stage("Native tests", () =>
     run("cargo", ["test", "--locked"], { env: { RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
   );
+  await stage("Fuzz", () => fuzz(200_000));
   await build();
 }
 if (only !== "setup") {

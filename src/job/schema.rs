@@ -70,7 +70,10 @@ fn field(field: &Field) -> Value {
                 entries.push(("minimum", Value::Number(field.hard.min)));
                 entries.push(("maximum", Value::Number(field.hard.max)));
             }
-            _ if field.hard.above && field.hard.min == 0.0 => entries.push(("exclusiveMinimum", Value::Number(0.0))),
+            // A least size above 0 differs with the units, which the schema does not know: above 0 holds in both.
+            _ if field.hard.min > 0.0 || (field.hard.above && field.hard.min == 0.0) => {
+                entries.push(("exclusiveMinimum", Value::Number(0.0)))
+            }
             _ if field.hard.min >= 0.0 => entries.push(("minimum", Value::Number(0.0))),
             _ => {}
         }

@@ -220,6 +220,9 @@ export interface ProbingTwoCircles {
   angularLength?: number;
   setUpClearance?: number;
   clearanceHeight?: number;
+  /** PREDEF in the program: the control takes it from GLOBAL DEF. The number is then only what the moves show. */
+  setUpClearancePredef?: boolean;
+  clearanceHeightPredef?: boolean;
   clearanceHeightMode?: -1 | 0 | 1 | 2;
   errorReaction?: 0 | 1 | 2;
   alignRotaryAxis?: 0 | 1 | 2;
@@ -264,7 +267,10 @@ export interface Job {
     post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain";
     form?: "moves" | "cycle";
     workOffset?: number | null;
-    tool?: number;
+    /** Whether positioning is watched too (LinuxCNC); `none` where the way is known to be free. */
+    protection?: "checked" | "none";
+    /** The tool that the program calls; null calls none. */
+    tool?: number | null;
   };
   /** Which of the probe's lengths acts where: only a SINUMERIK asks. The default is a milling probe (type 710). */
   tool?: Pick<LentoaxQuery, "frame" | "sd42900" | "sd42940" | "sd42950"> & { type?: number };
@@ -332,7 +338,7 @@ export interface Plan {
   program: { post: string; extension: string; text: string; moveLines: number[] };
   table: ParameterRow[];
   results: ResultRow[];
-  /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
+  /** Ball centre at the trigger of each touch on the virtual part; null where there is no contact before its end. */
   triggers: (Vec3 | null)[];
   findings: Finding[];
 }
@@ -385,6 +391,8 @@ export interface CycleEntry {
   sections: { key: string; optional: boolean; fields: FieldEntry[] }[];
   /** The documented steps, in our words; index 0 is step 1. */
   steps: string[];
+  /** The most touches that a job of it can have. */
+  maxTouches: number;
 }
 
 export interface PostEntry {
@@ -405,6 +413,7 @@ export interface Catalog {
   sections: { path: string; fields: FieldEntry[] }[];
   posts: PostEntry[];
   rapidRate: number;
+  /** The most touches that a CmdPrm table holds; `cycles[].maxTouches` is each cycle's own. */
   maxTouches: number;
   /** The longest text that is read, in characters. */
   longestText: number;
