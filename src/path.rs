@@ -25,6 +25,9 @@ pub const SHORTEST_TOUCH: f64 = 0.01;
 /// How far a touch may run askew of its inverted target vector, degrees.
 pub const MOST_ASKEW: f64 = 1.0;
 
+/// Touches whose heights differ by no more than this, mm, are at one level: picks come rounded out of a dump.
+pub const ONE_LEVEL: f64 = 0.01;
+
 /// What a cycle needs to know of the job around it.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
@@ -366,11 +369,17 @@ impl Path {
             }
             let aside = (way + self.touches[k].vector * along).length();
             let askew = aside.atan2(along).to_degrees();
-            if askew > MOST_ASKEW {
+            if askew > MOST_ASKEW && aside > ONE_LEVEL {
                 faults.push((k, TouchFault::Askew(askew)));
             }
         }
         faults
+    }
+
+    /// The shortest way from the begin of a touch to its nominal contact, mm.
+    pub fn shortest_way(&self) -> f64 {
+        let pairs = self.moves.windows(2).filter(|pair| matches!(pair[1].purpose, Purpose::Touch(_)));
+        pairs.map(|pair| pair[0].to.distance(pair[1].to)).fold(f64::INFINITY, f64::min)
     }
 
     /// Where touch `k` stands among those of its sample.

@@ -618,3 +618,185 @@ fn numbers_are_read_an_ulp_apart() {
         assert_eq!(x.to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text}");
     }
 }
+
+// What the control has, and the moves cannot know.
+
+#[test]
+fn predefined_heights_become_no_program_of_moves() {
+    let predef = r#""type": "probing-two-circles", "setUpClearancePredef": true, "clearanceHeightPredef": true"#;
+    let moves = cycle(&format!("{{ {predef} }}"));
+    assert_eq!(
+        errors(&moves),
+        ["not-known cycle.setUpClearancePredef".to_owned(), "not-known cycle.clearanceHeightPredef".to_owned()]
+    );
+    // The control's own cycle takes them from GLOBAL DEF: what stands in for the picture refuses nothing.
+    let own = job(&format!(
+        r#"{{ "format": 1, "control": {{ "post": "heidenhain", "form": "cycle" }},
+        "cycle": {{ {predef}, "point1": [-30, 0, 140], "point2": [30, 0, 140], "probe": {{ "setUp": 0 }},
+        "start": [0, 0, 200] }} }}"#
+    ));
+    let plan = planned(&own);
+    assert!(plan.program.text.contains("Q320=PREDEF") && plan.program.text.contains("Q260=PREDEF"));
+    assert_eq!(plan.findings.iter().filter(|f| f.code == "predefined").count(), 2);
+}
+
+#[test]
+fn unknown_keys_do_not_hide_the_error_that_matters() {
+    let noise = |cycle: &str| {
+        let keys: String = (0..200).map(|i| format!(r#""zz{i}": 1, "#)).collect();
+        job(&format!(r#"{{ {keys} "format": 1, "cycle": {cycle} }}"#))
+    };
+    // One pick where four are needed: a panic where the 201st error was forgotten.
+    for kind in ["hole", "internal-rectangle", "triple-wall-external-corner"] {
+        let job = noise(&format!(r#"{{ "type": "{kind}", "touches": [{{ "point": [0, 0, 0], "vector": [1, 0, 0] }}] }}"#));
+        assert!(plan(&job).is_err(), "{kind}");
+    }
+}
+
+#[test]
+fn a_sinumerik_header_says_the_job_that_made_the_program() {
+    // No form is said: the reader takes moves, though the cycle's own control is another.
+    let job = job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles" }, "control": { "post": "sinumerik" } }"#);
+    let text = planned(&job).program.text;
+    assert!(text.contains("control.form=moves") && !text.contains("control.form=cycle"));
+    let read = import(&text).unwrap();
+    assert_eq!(read.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), ["part-not-in-program"]);
+    assert_eq!(planned(&read.job).program.text, text);
+    // A header without the control: the blocks cannot be compared, and that is said.
+    let other = import(&text.replace("control.post=sinumerik ", "")).unwrap();
+    assert!(other.findings.iter().any(|f| f.code == "program-differs" && f.path == "control.post"), "{:?}", other.findings);
+}
+
+#[test]
+fn the_plate_around_a_hole_leaves_room_beside_the_stud() {
+    for (diameter, geometry, offset) in [(0.0, 2, 0.001), (1.0, 2, 0.6), (1.0, 3, -0.6), (6.0, 2, 1.0)] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "stylus": {{ "diameter": {diameter} }}, "part": {{ "offset": [{offset}, 0, 0] }},
+            "cycle": {{ "type": "probing-two-circles", "geometryType": {geometry}, "clearanceHeightMode": 1 }} }}"#
+        ));
+        assert_eq!(errors(&job), [""; 0], "{diameter} {geometry} {offset}");
+    }
+}
+
+#[test]
+fn an_extrusion_is_left_before_the_next_object() {
+    let job = cycle(
+        r#"{ "type": "probing-two-circles", "geometryType": 1, "clearanceHeightMode": 0, "startingAngle": 90,
+        "extrusion": { "points": 3, "length": -8 } }"#,
+    );
+    let plan = planned(&job);
+    // Nothing crosses more than a millimetre below the measuring height.
+    for pair in plan.moves.windows(2) {
+        let [from, to] = [pair[0].to, pair[1].to];
+        let crosses = (from[0] - to[0]).hypot(from[1] - to[1]) > 1.0 && pair[1].kind == "position";
+        assert!(!crosses || (from[2] >= -10.0 && to[2] >= -10.0), "{from:?} {to:?}");
+    }
+}
+
+#[test]
+fn a_dump_that_is_a_hundredth_of_a_micrometre_off_level_is_level() {
+    let corner = |feed: &str| {
+        job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "double-wall-internal-corner"{feed}, "touches": [
+            {{ "point": [15, 0, 0], "vector": [0, 1, 0] }}, {{ "point": [35, 0, 0.00001], "vector": [0, 1, 0] }},
+            {{ "point": [0, 15, 0], "vector": [1, 0, 0] }}, {{ "point": [0, 35, 0], "vector": [1, 0, 0] }}] }} }}"#
+        ))
+    };
+    // A contact in a crossing lifts; only the last move, up, does not.
+    let exits: Vec<String> =
+        planned(&corner("")).program.text.lines().filter(|l| l.contains("tp_exit> call")).map(str::to_owned).collect();
+    let blocked: Vec<bool> = exits.iter().map(|l| l.ends_with("[0]")).collect();
+    assert_eq!(blocked.iter().filter(|b| **b).count(), 1, "{exits:?}");
+    assert_eq!(blocked.last(), Some(&true));
+    assert_eq!(errors(&corner(r#", "feedDistance": 0"#)), [""; 0]);
+}
+
+#[test]
+fn the_ends_of_ranges_hold_in_inch() {
+    for (kind, path, mm) in [
+        ("hole", "overtravel", 1000.0),
+        ("hole", "stylus.diameter", 100.0),
+        ("hole", "feeds.work", 0.1),
+        ("hole", "cycle.depth", 0.001),
+        ("probing-two-circles", "cycle.probe.dist", 1000.0),
+        ("double-wall-internal-corner", "cycle.step1", 0.001),
+    ] {
+        let asked = with(&default_job(kind).unwrap(), path, number(mm));
+        let ranges = |job: &Value| check(job).iter().filter(|f| f.code == "out-of-range" || f.code == "unusual").count();
+        let before = ranges(&asked);
+        assert_eq!(ranges(&convert_units(&asked, "inch").unwrap()), before, "{kind} {path}");
+    }
+}
+
+#[test]
+fn chords_around_a_stud_stay_clear_of_it() {
+    let job =
+        cycle(r#"{ "type": "probing-two-circles", "geometryType": 1, "clearanceHeightMode": 1, "probe": { "setUp": 0.012 } }"#);
+    let text = planned(&job).program.text;
+    let mut at = [f64::NAN; 3];
+    let mut nearest = f64::INFINITY;
+    for line in text.lines().filter(|l| l.starts_with("G38") || l.starts_with("G0") || l.starts_with("G1 ")) {
+        let mut to = at;
+        for word in line.split(' ') {
+            if let Some(axis) = ["X", "Y", "Z"].iter().position(|a| word.starts_with(a)) {
+                to[axis] = word[1..].parse().unwrap();
+            }
+        }
+        // The middle of a chord is nearest. Both studs have a diameter of 20, and the ball one of 6.
+        if line.starts_with("G38.3") && to[2] == -10.0 && at[2] == -10.0 {
+            let middle = [(at[0] + to[0]) / 2.0, (at[1] + to[1]) / 2.0];
+            for centre in [-30.0, 30.0] {
+                nearest = nearest.min((middle[0] - centre).hypot(middle[1]) - 13.0);
+            }
+        }
+        at = to;
+    }
+    assert!(nearest > 0.005 && nearest < 0.012, "{nearest}");
+}
+
+#[test]
+fn unwatched_positioning_is_said_where_it_could_be_watched() {
+    for post in ["linuxcnc", "sinumerik"] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "control": {{ "post": "{post}", "protection": "none" }} }}"#
+        ));
+        assert!(warnings(&job).contains(&"positioning-not-watched".to_owned()), "{post}");
+        assert!(!warnings(&with(&job, "control.protection", text("checked"))).contains(&"positioning-not-watched".to_owned()));
+    }
+}
+
+#[test]
+fn a_lift_is_made_before_the_program_aborts() {
+    // ABORT throws away what LinuxCNC has read and not yet moved; M66 waits for it.
+    let text = planned(&default_job("hole").unwrap()).program.text;
+    let lines: Vec<&str> = text.lines().collect();
+    let aborts: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].starts_with("(ABORT,Contact")).collect();
+    assert_eq!(aborts.len(), 1);
+    assert_eq!(lines[aborts[0] - 1], "M66 E0 L0");
+    assert!(lines[..aborts[0] - 1].iter().any(|l| l.starts_with("G1 Z") && l.contains('F')));
+}
+
+#[test]
+fn an_iso_block_may_end_and_begin_without_a_space() {
+    let iso = "%X G70*\nN10 T5 G18*\nN20G1411 Q1100=+0 Q1101=+0 Q1102=-1 Q1116=+1 Q1103=+2 Q1104=+0 Q1105=-1 Q1117=+1*\n";
+    let read = import(iso).unwrap();
+    let at = |path: &str| path.split('.').try_fold(&read.job, |v, key| v.get(key)).cloned();
+    assert_eq!(at("units"), Some(text("inch")));
+    assert_eq!(at("plane"), Some(text("G18")));
+    assert_eq!(at("control.tool"), Some(Value::Number(5.0)));
+    assert_eq!(at("cycle.diameter2"), Some(Value::Number(1.0)));
+}
+
+#[test]
+fn a_program_high_above_the_table_is_read_with_the_stylus_above_it() {
+    let high = with(&default_job("probing-two-circles").unwrap(), "cycle.point1", point([-30.0, 0.0, 140.0]));
+    let high = with(&with(&high, "cycle.point2", point([30.0, 0.0, 140.0])), "cycle.clearanceHeight", number(200.0));
+    let high = with(&high, "cycle.start", point([0.0, 0.0, 300.0]));
+    let text = planned(&high).program.text;
+    let read = import(&text).unwrap().job;
+    assert_eq!(errors(&read), [""; 0]);
+    assert_eq!(planned(&read).program.text.lines().filter(|l| !l.contains("taken to be at")).count() + 1, text.lines().count());
+    // With PREDEF the clearance height is not known: the stylus is taken above the touches all the same.
+    let predef = import(&text.replace("Q260=+200", "Q260=PREDEF")).unwrap().job;
+    assert_eq!(errors(&predef), [""; 0]);
+}

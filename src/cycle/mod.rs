@@ -97,6 +97,11 @@ pub trait Cycle: Debug {
     /// Reports what only the whole path shows: where it begins and ends against the feature. Paths start with `cycle.`.
     fn review(&self, _setup: &Setup, _path: &Path, _checker: &mut Checker) {}
 
+    /// The fields whose value the control itself has (path, label): the moves are made with what the form shows instead.
+    fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
+        Vec::new()
+    }
+
     /// The surfaces of the feature alone, as [`Cycle::plan`] gives them.
     fn surfaces(&self, setup: &Setup) -> Vec<Surface>;
 

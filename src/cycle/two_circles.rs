@@ -12,7 +12,7 @@ mod rules;
 use crate::cycle::{Cycle, CycleDef};
 use crate::formula::ResultRow;
 use crate::geom::{Frame, Vec3};
-use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, Setup, Spread, Surface};
+use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setup, Spread, Surface};
 use crate::spec::{Checker, Code, Field, SubForm, form};
 use crate::tolerance::Nominal;
 
@@ -67,7 +67,7 @@ pub static DEF: CycleDef = CycleDef {
         let form = Form::read(section);
         let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
         let extrusion = section.sub(&EXTRUSION, Extrusion::read);
-        Box::new(TwoCircles { form, probe, extrusion })
+        Box::new(TwoCircles { form, probe, extrusion }.with_stand_ins())
     },
 };
 
@@ -257,6 +257,25 @@ impl TwoCircles {
         [object(1, &form.point1, &form.diameter1), object(2, &form.point2, &form.diameter2)]
     }
 
+    /// What the control takes from GLOBAL DEF is not known here: the form's number stands in, moved to where moves can be shown.
+    fn with_stand_ins(mut self) -> Self {
+        const ROOM: f64 = 10.0;
+        if self.form.set_up_clearance_predef {
+            let most = self.probe.dist - SHORTEST_TOUCH - self.probe.set_up;
+            let least = SHORTEST_TOUCH - self.probe.set_up;
+            self.form.set_up_clearance = self.form.set_up_clearance.min(most).max(least).max(0.0);
+        }
+        if self.form.clearance_height_predef {
+            let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+            let touches =
+                self.objects().iter().filter_map(Object::place).map(|[_, _, w]| w + extrusion).fold(f64::MIN, f64::max);
+            if self.form.clearance_height <= touches {
+                self.form.clearance_height = touches + ROOM;
+            }
+        }
+        self
+    }
+
     /// The stand-off in every probing direction, mm, from surface to ball centre.
     fn stand_off(&self, setup: &Setup) -> f64 {
         self.form.set_up_clearance + self.probe.set_up + setup.radius
@@ -384,6 +403,12 @@ impl Cycle for TwoCircles {
         self.check(setup, checker);
     }
 
+    fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
+        let set_up = self.form.set_up_clearance_predef.then_some(("cycle.setUpClearancePredef", "set-up clearance (Q320)"));
+        let height = self.form.clearance_height_predef.then_some(("cycle.clearanceHeightPredef", "clearance height (Q260)"));
+        set_up.into_iter().chain(height).collect()
+    }
+
     fn plan(&self, setup: &Setup) -> Path {
         let (touches, moves) = planner::Planner::new(self, setup).run();
         Path {
@@ -422,8 +447,9 @@ impl Cycle for TwoCircles {
             // The top is not known: half-way between the highest touch and the height at which the ball is free.
             let touched = w + highest;
             let top = touched + ((free - touched) / 2.0).max(0.0);
-            // Around a hole there is material, but not where the other object is, nor where the ball goes around that.
-            let clear = if other.hole { 0.0 } else { self.stand_off(setup) + setup.radius };
+            // Around a hole there is material, but not where the other object is, nor where the ball goes around that, on a
+            // part displaced by as much as a touch searches.
+            let clear = if other.hole { 0.0 } else { self.stand_off(setup) + setup.radius + self.probe.dist };
             let reach = place(other)
                 .map_or(f64::INFINITY, |[oa, oo, _]| (oa - a).hypot(oo - o) - other.nominal_diameter() / 2.0 - clear);
             Surface::Round(Round {

@@ -215,7 +215,8 @@ fn complete_job(def: &CycleDef, scale: f64, short: bool) -> Value {
             job.extend(default_values(fields));
         } else {
             let mut entries = default_values(fields);
-            if *path == "control" {
+            // A form begins with the cycle's own control; what a job leaves out is the reader's default.
+            if *path == "control" && short {
                 for (key, value) in [("post", def.home.0), ("form", def.home.1)] {
                     entries.retain(|(k, _)| k != key);
                     entries.push((key.to_owned(), Value::Text(value.to_owned())));

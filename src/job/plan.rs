@@ -8,7 +8,7 @@ use crate::job::{Job, JobError, catalog};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
-use crate::post::Request;
+use crate::post::{Form, Request};
 use crate::spec::{Checker, Finding, Value};
 
 /// A point or vector as a list.
@@ -217,6 +217,16 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
 /// Makes the plan; `value` is the job as it was given. `checker` holds what the check has found.
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
+    for (field, label) in job.cycle.set_on_the_control() {
+        let what = format!("The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here");
+        if job.form == Form::Moves {
+            let message = format!("{what}. A program of moves needs the value: clear the flag and give it");
+            checker.error("not-known", field, message);
+        } else {
+            let message = format!("{what}. Moves, triggers and collisions are shown with the form's number in its place");
+            checker.warning("predefined", field, message);
+        }
+    }
     check_path(job, path, &mut checker);
     if !checker.failed() {
         report_run(job, path, run, &mut checker);

@@ -15,7 +15,8 @@ use crate::num::decimal;
 use crate::path::{Move, Purpose, RAPID_RATE};
 use crate::post::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
 use crate::post::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, expr, work_offset_word, written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, expr, work_offset_word,
+    written,
 };
 use crate::spec::Checker;
 
@@ -57,6 +58,7 @@ const SHORTEST_PROBE: f64 = 0.3;
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
+    check_watched(request, checker);
     check_rotary(request, checker, "LinuxCNC has no rotary table that a program could know of");
     check_write(request, checker);
     check_short(request, checker);
@@ -208,6 +210,8 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let lift = w.number(lift);
     w.line(&format!("G1 {height} F{lift}"));
     w.line("o1 endif");
+    // ABORT throws away the moves that are read but not yet made: M66 waits until the lift is done.
+    w.line("M66 E0 L0");
     w.line("(ABORT,Contact in move #1, which must be free. Nothing is written)");
     w.line("M2");
     w.line("o<tp_exit> endsub");

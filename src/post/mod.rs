@@ -228,6 +228,15 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
+/// A control that could watch positioning, and is asked not to.
+fn check_watched(request: &Request<'_>, checker: &mut Checker) {
+    if !request.protected && !request.path.moves.is_empty() {
+        let message =
+            "Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks";
+        checker.warning("positioning-not-watched", "control.protection", message);
+    }
+}
+
 /// What plain moves cannot do with a rotary table, and why.
 fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
     if request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn")) {

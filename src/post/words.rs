@@ -2,7 +2,7 @@
 
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
-use crate::path::{Arc, Move, Purpose, Touch};
+use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
 use crate::post::{Program, Request, comment_text};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
@@ -272,7 +272,8 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
     let Some(from) = from else { return 0 };
     let rise = (to - from).dot(request.path.frame.w);
-    if rise > 1e-6 {
+    // Between touches that are level within the rounding of a dump nothing goes up; any way down is one.
+    if rise > ONE_LEVEL {
         1
     } else if rise < -1e-6 {
         -1
@@ -288,7 +289,8 @@ pub fn highest(request: &Request<'_>) -> Vec3 {
     ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w))).unwrap_or(Vec3::ZERO)
 }
 
-/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm.
+/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
+/// ball has free before its touches.
 const CHORD_SAG: f64 = 0.02;
 
 /// The ends of the straight moves that make a positioning move.
@@ -296,7 +298,8 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
-    let degrees = (2.0 * (1.0 - CHORD_SAG / radius).clamp(-1.0, 1.0).acos()).to_degrees();
+    let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
+    let degrees = (2.0 * (1.0 - sag / radius).clamp(-1.0, 1.0).acos()).to_degrees();
     step.pieces(from, request.path.frame.w, degrees.clamp(0.1, 30.0))
 }
 

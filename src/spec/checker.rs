@@ -3,7 +3,7 @@
 use crate::geom::Vec3;
 use crate::num::decimal;
 use crate::spec::field::Checked;
-use crate::spec::{Default, Field, Finding, Kind, Level, Shown, SubForm, Value};
+use crate::spec::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
 use crate::tolerance::{self, Nominal};
 
 /// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
@@ -14,17 +14,15 @@ pub struct Checker {
     /// The unit's name, `mm` or `inch`.
     pub unit: &'static str,
     found: Vec<Finding>,
-    /// How many errors, warnings and notes there were beyond the most that are listed.
-    more: [usize; 3],
 }
 
-/// The most findings that are listed; the rest is counted.
+/// The most findings that are listed; the rest is counted. Errors come before warnings, and those before notes.
 const MOST_FINDINGS: usize = 200;
 
 /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
 impl std::default::Default for Checker {
     fn default() -> Self {
-        Checker { scale: 1.0, unit: "mm", found: Vec::new(), more: [0; 3] }
+        Checker { scale: 1.0, unit: "mm", found: Vec::new() }
     }
 }
 
@@ -45,37 +43,48 @@ impl Checker {
     }
 
     fn push(&mut self, level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) {
-        if self.found.len() < MOST_FINDINGS {
-            self.found.push(Finding::new(level, code, path, message));
-        } else {
-            self.more[level as usize] += 1;
-        }
+        self.found.push(Finding::new(level, code, path, message));
     }
 
-    /// How many findings there are, listed or only counted.
+    /// How many findings there are.
     pub fn count(&self) -> usize {
-        self.found.len() + self.more.iter().sum::<usize>()
+        self.found.len()
     }
 
-    /// Whether a finding with this code is listed.
+    /// Whether there is a finding with this code.
     pub fn has(&self, code: &str) -> bool {
         self.found.iter().any(|f| f.code == code)
     }
 
     /// Everything found, in the order found; last, where there are too many to list, how many more.
     pub fn findings(mut self) -> Vec<Finding> {
-        if self.more != [0; 3] {
-            let level = [Level::Error, Level::Warning, Level::Info].into_iter().find(|l| self.more[*l as usize] > 0);
-            let [errors, warnings, notes] = self.more;
-            let message = format!("More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes");
-            self.found.push(Finding::new(level.unwrap_or(Level::Info), "more-findings", "", message));
+        const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
+        // How many of each level may still be listed, and how many are beyond the list.
+        let mut room = [0; 3];
+        let mut more = [0; 3];
+        let mut left = MOST_FINDINGS;
+        for (i, level) in LEVELS.into_iter().enumerate() {
+            let count = self.found.iter().filter(|f| f.level == level).count();
+            room[i] = count.min(left);
+            more[i] = count - room[i];
+            left -= room[i];
         }
+        let Some(gravest) = more.iter().position(|n| *n > 0) else { return self.found };
+        self.found.retain(|f| {
+            let room = &mut room[LEVELS.iter().position(|l| *l == f.level).expect("there are three levels")];
+            let listed = *room > 0;
+            *room -= usize::from(listed);
+            listed
+        });
+        let [errors, warnings, notes] = more;
+        let message = format!("More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes");
+        self.found.push(Finding::new(LEVELS[gravest], "more-findings", "", message));
         self.found
     }
 
     /// Whether any finding so far is an error.
     pub fn failed(&self) -> bool {
-        self.more[Level::Error as usize] > 0 || self.found.iter().any(|f| f.level == Level::Error)
+        self.found.iter().any(|f| f.level == Level::Error)
     }
 
     /// Whether none of these paths (or anything inside or around them) has an error.
@@ -187,7 +196,8 @@ impl<'a, 'c> Section<'a, 'c> {
             self.checker.error("not-whole", path, format!("{} must be a whole number", field.label));
             return None;
         }
-        let inner = given * scale;
+        // The end of a range, said in inch, is not said to the last bit.
+        let inner = if scale == 1.0 { given } else { field.hard.snapped(given * scale) };
         let unit = self.unit(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
@@ -202,7 +212,7 @@ impl<'a, 'c> Section<'a, 'c> {
             return None;
         }
         if let Some((min, max)) = field.usual
-            && !(min..=max).contains(&inner)
+            && !(Range { min, max, above: false }).nearly_holds(inner)
         {
             self.checker.warning(
                 "unusual",

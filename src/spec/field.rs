@@ -120,9 +120,10 @@ impl Range {
         self.holds(self.snapped(x))
     }
 
-    /// A computed number, brought to an end of the range where it lies beyond it by no more than noise.
+    /// A computed number, brought to an end of the range where it lies beyond it by no more than noise: half of the last of six decimals in
+    /// inch.
     pub fn snapped(&self, x: f64) -> f64 {
-        const NOISE: f64 = 1e-6;
+        const NOISE: f64 = 1.5e-5;
         let inside = x.clamp(self.min, self.max);
         if (x - inside).abs() <= NOISE { inside } else { x }
     }

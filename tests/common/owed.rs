@@ -128,6 +128,9 @@ fn program_is_sane(plan: &Plan) -> Result<(), String> {
     for line in &lines {
         owe!(line.is_ascii() && line.len() <= 255, "{}", line);
         owe!(!line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"), "{}", line);
+        if *line == "M66 E0 L0" {
+            continue;
+        }
         if line.starts_with('(') {
             owe!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
         } else {

@@ -36,7 +36,7 @@ use std::fmt::Debug;
 use crate::cycle::Cycle;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, MAX_TOUCHES, Path, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
+use crate::path::{Feed, MAX_TOUCHES, ONE_LEVEL, Path, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 use crate::spec::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 
 /// The form that every cycle of the family may have besides its own.
@@ -359,10 +359,11 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
     let heights: Vec<f64> = path.moves.iter().map(|m| m.to.dot(path.frame.w)).collect();
     let [begin, .., end] = heights.as_slice() else { return };
     let highest = heights.iter().copied().fold(*end, f64::max);
-    if highest > end + ROUNDING {
+    // Picks that are level within the rounding of a dump are level.
+    if highest > end + ONE_LEVEL + ROUNDING {
         let message = format!(
             "The path goes {} higher than it ends: a touch lies too high above the others",
-            checker.length(highest - end)
+            checker.rounded_up(highest - end)
         );
         checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
     }
@@ -372,7 +373,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             let missing = top + setup.radius - begin.min(*end);
             if missing > ROUNDING {
                 let message = format!(
-                    "The path would begin and end inside the feature: with these clearances the feed distance must be at least {}, so that                      the ball is clear of the top side",
+                    "The path would begin and end inside the feature: with these clearances the feed distance must be at least {}, so that the ball is clear of the top side",
                     checker.rounded_up(feed_distance + missing)
                 );
                 checker.error("start-in-feature", field, message);

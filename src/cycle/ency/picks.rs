@@ -1,7 +1,7 @@
 //! Touches that are picked one by one, as in the Job Assignment.
 
 use crate::geom::{Plane, Vec3};
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, ONE_LEVEL};
 use crate::spec::{Checker, Field, Section, Value};
 
 /// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
@@ -9,9 +9,6 @@ pub const NEAR: f64 = 1e-3;
 
 /// The smallest depth that a form may have, mm.
 const SMALLEST: f64 = 0.001;
-
-/// How far apart in height touches may be that are at one level, mm: dumps are rounded.
-const ONE_LEVEL: f64 = 0.01;
 
 /// A picked touch.
 #[derive(Clone, Copy, Debug, PartialEq)]

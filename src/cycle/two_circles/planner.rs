@@ -69,6 +69,10 @@ impl<'a> Planner<'a> {
             self.tracer.position(stands[0].at, Feed::Work, probing);
             self.probe(object, &stands, probing);
             let last = i + 1 == probed.len();
+            if mode < 1 && !last {
+                // To the next object at the measuring height, not where the extrusion ended.
+                self.along(stands.last().expect("a circle has touches").at, back);
+            }
             if mode >= 1 || (mode == 0 && last) {
                 self.up(if last && object.number == 1 { 8 } else { back });
             }

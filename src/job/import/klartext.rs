@@ -138,14 +138,44 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         return Err(JobError { findings: checker.findings() });
     }
     set(&mut job, "cycle.extrusion", extrusion);
+    raise_start(&mut job);
     if passed_over > 0 {
         let blocks = if passed_over == 1 { "1 other block is".to_owned() } else { format!("{passed_over} other blocks are") };
         checker.info("passed-over", "", format!("{blocks} passed over"));
     }
     let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
-                   the defaults are taken";
+                   the defaults are taken, and for the stylus at least the clearance height";
     checker.info("not-in-program", "stylus", unknown);
     Ok(Imported { job, findings: checker.findings() })
+}
+
+/// A program does not say where the stylus stands before the cycle: the default, but not below what the program goes to.
+fn raise_start(job: &mut Value) {
+    let axis = match job.get("plane") {
+        Some(Value::Text(plane)) if plane == "G18" => 1,
+        Some(Value::Text(plane)) if plane == "G19" => 0,
+        _ => 2,
+    };
+    let Some(cycle) = job.get("cycle") else { return };
+    let number = |value: Option<&Value>| if let Some(Value::Number(x)) = value { Some(*x) } else { None };
+    let height = |value: Option<&Value>| match value {
+        Some(Value::List(point)) => number(point.get(2)),
+        _ => None,
+    };
+    let Some(Value::List(start)) = cycle.get("start") else { return };
+    let Some(stands) = number(start.get(axis)) else { return };
+    let needed = match cycle.get("clearanceHeightPredef") {
+        // The default is so far above the touches.
+        Some(Value::Flag(true)) => {
+            ["point1", "point2"].iter().filter_map(|p| height(cycle.get(p))).map(|w| w + stands).fold(stands, f64::max)
+        }
+        _ => number(cycle.get("clearanceHeight")).unwrap_or(stands),
+    };
+    if needed > stands {
+        let mut start = start.clone();
+        start[axis] = Value::Number(needed);
+        set(job, "cycle.start", Value::List(start));
+    }
 }
 
 /// Whether a block holds this word.
@@ -156,10 +186,7 @@ fn says(blocks: &[String], word: &str) -> bool {
 /// A word of ISO programming: a letter and a number, a program name, or the end sign.
 fn is_iso_word(word: &str) -> bool {
     let number = |text: &str| text.parse::<f64>().is_ok();
-    word == "*"
-        || word.starts_with('%')
-        || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..]))
-        || word == "PROBE"
+    word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
 }
 
 /// An ISO word that says something of the job.
@@ -175,7 +202,8 @@ fn blocks(text: &str) -> Vec<String> {
         let line = line.trim();
         let continued = line.ends_with('~');
         let line = line.trim_end_matches('~');
-        let line = line.split_once(';').map_or(line, |(code, _)| code).trim();
+        // `*` ends an ISO block.
+        let line = line.split_once(';').map_or(line, |(code, _)| code).trim().trim_end_matches('*').trim_end();
         if goes_on {
             let block = blocks.last_mut().expect("a continuation line follows a block");
             block.push(' ');
@@ -192,7 +220,9 @@ fn blocks(text: &str) -> Vec<String> {
 fn without_number(line: &str) -> &str {
     let digits = line.strip_prefix(['N', 'n']).unwrap_or(line);
     let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
-    if rest.len() < digits.len() && (rest.is_empty() || rest.starts_with(char::is_whitespace)) {
+    // In ISO a word may follow at once: `N20G1411`.
+    let iso = digits.len() < line.len() && rest.starts_with(|c: char| c.is_ascii_alphabetic());
+    if rest.len() < digits.len() && (iso || rest.is_empty() || rest.starts_with(char::is_whitespace)) {
         rest.trim_start()
     } else {
         line

@@ -118,7 +118,11 @@ fn value(text: &str) -> Value {
 
 /// Reports where the blocks are not those that the header's job makes, one for one: they were changed, or the header was.
 fn compare(program: &Program, plan: &Plan, checker: &mut Checker) {
-    let Ok(wanted) = mpf::read(&plan.program.text) else { return };
+    let Ok(wanted) = mpf::read(&plan.program.text) else {
+        let message = "The header says a job for another control: its blocks cannot be compared with the program's, which may have been changed";
+        checker.warning("program-differs", "control.post", message);
+        return;
+    };
     let pairs = program.blocks.iter().zip(&wanted.blocks);
     let differs = pairs.filter(|(a, b)| a.statement != b.statement).map(|(a, _)| a.line).next();
     let (count, expected) = (program.blocks.len(), wanted.blocks.len());

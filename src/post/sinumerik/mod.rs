@@ -20,7 +20,9 @@ use crate::path::{Move, Purpose, RAPID_RATE};
 use crate::post::expr;
 use crate::post::sinumerik::registers::{RParameters, Registers};
 use crate::post::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
-use crate::post::{Form, MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, job_lines, written};
+use crate::post::{
+    Form, MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, job_lines, written,
+};
 use crate::spec::Checker;
 
 pub static DEF: PostDef = PostDef {
@@ -81,6 +83,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("rapid-at-feed", "feeds", message);
     }
+    check_watched(request, checker);
     if request.form == Form::Cycle {
         return cycle977::check(request, checker);
     }
@@ -172,10 +175,11 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         ));
     }
     w.comment("Not verified on a control: run it with a hand on the feed override");
-    w.comment(if request.protected {
-        "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round"
-    } else {
-        "Touches are MEAS=1 G1 with a check. Positioning is NOT watched"
+    w.comment(match (request.protected, request.form) {
+        (true, Form::Moves) => "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round",
+        (true, Form::Cycle) => "Watched moves are MEAS=1 G1 with a check; the cycle touches by itself",
+        (false, Form::Moves) => "Touches are MEAS=1 G1 with a check. Positioning is NOT watched",
+        (false, Form::Cycle) => "The cycle touches by itself. Positioning is NOT watched",
     });
     for note in notes {
         w.comment(note);
@@ -359,7 +363,9 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
         (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
         _ => "Nothing is written",
     };
-    if let Some(first) = request.path.moves.first() {
+    // Where something jumps to an exit that lifts: a watched move, or a touch.
+    let touches = request.form == Form::Moves;
+    if let Some(first) = request.path.moves.first().filter(|_| request.protected || touches) {
         let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
         // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
         let (axis, height) = (AXIS_NAMES[tool], w.number(highest(request)[tool]));
@@ -371,8 +377,10 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
             w.line(&contact);
             w.line("GOTOF TP_EXIT");
         }
-        w.line("TP_MISSED:");
-        w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
+        if touches {
+            w.line("TP_MISSED:");
+            w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
+        }
         w.line("TP_EXIT:");
         w.line(&format!("IF $AA_IW[{axis}]>={height} GOTOF TP_STOP"));
         let lift = format!("G1 {axis}{height} F{}", w.number(rate_of(request, first)));
