@@ -1,7 +1,7 @@
 //! Touch-probe cycles that you can see before the machine moves.
 //!
-//! One JSON form goes in, one plan comes out: the job is [checked](spec), its [cycle] becomes a [path], and from
-//! the path follow the [program](post), the parameter table, what the control will have measured on a [part] that lies a
+//! One JSON form goes in, one plan comes out: the job is [checked](form), its [cycle] becomes a [path], and from
+//! the path follow the [program](control), the parameter table, what the control will have measured on a [part] that lies a
 //! little off, and the [picture](view). [`job`] joins these; it is what a Rust user calls.
 //!
 //! Inside the crate everything is millimetres and radians (degrees where a name says so, and in formulas, as controls take
@@ -11,18 +11,25 @@
 //! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, limits or spindles; the
 //! stylus is a ball without a shaft; and no program made here has been run on a machine by its authors.
 
+pub mod control;
 pub mod cycle;
+pub mod form;
 pub mod formula;
 pub mod geom;
 pub mod job;
 pub mod num;
 pub mod part;
 pub mod path;
-pub mod post;
-pub mod spec;
 pub mod tolerance;
 pub mod tool_length;
 pub mod view;
+
+/// What [`control`] was called up to 0.1.
+#[doc(hidden)]
+pub use control as post;
+/// What [`form`] was called up to 0.1.
+#[doc(hidden)]
+pub use form as spec;
 
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

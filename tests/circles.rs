@@ -5,9 +5,9 @@ mod common;
 
 use common::{compare_moves, interpret, interpret_from, job, law, number, number_at, planned, point, with};
 use proptest::prelude::*;
+use touchpath::form::{Level, Value};
 use touchpath::formula::fit_circle;
 use touchpath::job::{Plan, ResultRow, check, evaluate, import, plan};
-use touchpath::spec::{Level, Value};
 
 fn text(t: &str) -> Value {
     Value::Text(t.to_owned())

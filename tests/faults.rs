@@ -4,8 +4,8 @@
 mod common;
 
 use common::{interpret, interpret_from, job, number, planned, point, with};
+use touchpath::form::{Level, Value};
 use touchpath::job::{check, default_job, evaluate, export_table, import, plan};
-use touchpath::spec::{Level, Value};
 
 fn text(t: &str) -> Value {
     Value::Text(t.to_owned())

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::form::{Default, Field, Kind};
 use touchpath::job::{catalog, default_job, plan, scene_parts};
 use touchpath::num::decimal;
-use touchpath::spec::{Default, Field, Kind};
 use touchpath::view::scene::{self, Actual, Projection, Stroke};
 
 fn keep(path: &str, text: &str) {

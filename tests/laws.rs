@@ -9,8 +9,8 @@ use common::{number, point, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::form::{Default, Field, Kind, Level, Value};
 use touchpath::job::{Plan, check, default_job, plan};
-use touchpath::spec::{Default, Field, Kind, Level, Value};
 
 /// Any value a field allows, or, now and then, one that it does not.
 fn field_value(field: &Field) -> BoxedStrategy<Value> {

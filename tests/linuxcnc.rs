@@ -5,8 +5,8 @@
 mod common;
 
 use common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
+use touchpath::form::Value;
 use touchpath::job::Plan;
-use touchpath::spec::Value;
 
 /// Every job but those of 1411, which `circles.rs` judges; those for another control put out for LinuxCNC.
 fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {

@@ -4,8 +4,8 @@
 mod common;
 
 use common::{job, number, planned, point, with};
+use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, ResultRow, evaluate};
-use touchpath::spec::{Level, Value};
 
 fn row<'a>(plan: &'a Plan, code: &str) -> &'a ResultRow {
     plan.results.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}"))

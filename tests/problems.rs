@@ -4,8 +4,8 @@
 mod common;
 
 use common::{job, number, point, with};
+use touchpath::form::{Finding, Level, Value};
 use touchpath::job::{check, default_job, plan};
-use touchpath::spec::{Finding, Level, Value};
 
 fn pocket() -> Value {
     default_job("internal-rectangle-protected").unwrap()

@@ -7,9 +7,9 @@ mod machine;
 
 use common::{job, number, planned, point, with};
 use machine::Machine;
+use touchpath::form::{Level, Value};
 use touchpath::job::mpf::{Program, Statement, read};
 use touchpath::job::{Plan, check, default_job};
-use touchpath::spec::{Level, Value};
 
 /// Every job of the repository that a SINUMERIK takes, put out for it; and its own ones.
 fn plans() -> Vec<(String, Value, Plan)> {

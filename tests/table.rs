@@ -4,8 +4,8 @@
 mod common;
 
 use common::{job, number, planned, with};
+use touchpath::form::Value;
 use touchpath::job::{ParameterValue, Plan};
-use touchpath::spec::Value;
 
 fn codes(plan: &Plan) -> Vec<String> {
     plan.table.iter().map(|r| r.code.clone()).collect()

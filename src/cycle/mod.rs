@@ -1,54 +1,37 @@
 //! The cycles. Adding one is a file, its line in [`CYCLES`], and a job in `tests/jobs/`.
 
-mod boss;
-mod double_wall_external_corner;
-mod double_wall_internal_corner;
 mod ency;
-mod external_rectangle;
-mod groove;
-mod groove_protected;
-mod hole;
-mod hole_protected;
-mod internal_rectangle;
-mod internal_rectangle_protected;
-mod nc_action;
-mod probe_on_off;
-mod surface;
-mod triple_wall_external_corner;
-mod triple_wall_internal_corner;
-mod two_circles;
-mod web;
-mod web_three_points;
+mod heidenhain;
 
 pub use ency::{Pick, Placement, code_of, only_angular};
 
 use std::fmt::Debug;
 
+use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::ResultRow;
 use crate::geom::{Plane, Vec3};
 use crate::path::{Path, Setup, Surface};
-use crate::spec::{Checker, Field, Section, SubForm};
 
 /// Every cycle, in the order of the gallery.
 pub static CYCLES: &[&CycleDef] = &[
-    &internal_rectangle_protected::DEF,
-    &double_wall_internal_corner::DEF,
-    &two_circles::DEF,
-    &surface::DEF,
-    &hole::DEF,
-    &hole_protected::DEF,
-    &boss::DEF,
-    &internal_rectangle::DEF,
-    &external_rectangle::DEF,
-    &web::DEF,
-    &web_three_points::DEF,
-    &groove::DEF,
-    &groove_protected::DEF,
-    &double_wall_external_corner::DEF,
-    &triple_wall_internal_corner::DEF,
-    &triple_wall_external_corner::DEF,
-    &probe_on_off::DEF,
-    &nc_action::DEF,
+    &ency::types::internal_rectangle_protected::DEF,
+    &ency::types::double_wall_internal_corner::DEF,
+    &heidenhain::two_circles::DEF,
+    &ency::types::surface::DEF,
+    &ency::types::hole::DEF,
+    &ency::types::hole_protected::DEF,
+    &ency::types::boss::DEF,
+    &ency::types::internal_rectangle::DEF,
+    &ency::types::external_rectangle::DEF,
+    &ency::types::web::DEF,
+    &ency::types::web_three_points::DEF,
+    &ency::types::groove::DEF,
+    &ency::types::groove_protected::DEF,
+    &ency::types::double_wall_external_corner::DEF,
+    &ency::types::triple_wall_internal_corner::DEF,
+    &ency::types::triple_wall_external_corner::DEF,
+    &ency::types::probe_on_off::DEF,
+    &ency::types::nc_action::DEF,
 ];
 
 /// What is known of a cycle before its form is filled in.

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
+use crate::control::{Form, POSTS};
 use crate::cycle::{self, CYCLES, CycleDef};
-use crate::job::form::{FORMAT, SECTIONS};
+use crate::form::{Choice, Code, Default, Field, Kind, Value};
 use crate::job::import::LONGEST_TEXT;
+use crate::job::sections::{FORMAT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
-use crate::post::{Form, POSTS};
-use crate::spec::{Choice, Code, Default, Field, Kind, Value};
 
 /// Cycles, controls and the sections around them.
 #[derive(Clone, Debug, Serialize)]

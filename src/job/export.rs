@@ -1,7 +1,7 @@
 //! The parameter table as text.
 
+use crate::form::{Finding, Level};
 use crate::job::{JobError, ParameterRow, ParameterValue, Plan};
-use crate::spec::{Finding, Level};
 
 /// The table of a plan as `csv` (with a heading), `json` (a list of rows) or `text` (a line `CmdPrm.Flt[-50] = 50` a row), in
 /// the documented order. Any other format is refused.

@@ -1,8 +1,8 @@
 //! Reads a LENTOAX query: the same checks as a job's, every problem at once.
 
+use crate::form::{Checker, Choice, Code, Field, Section, Value, form};
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
-use crate::spec::{Checker, Choice, Code, Field, Section, Value, form};
 use crate::tool_length::{Query, Step};
 
 /// The most frame steps a query may have.

@@ -9,26 +9,26 @@
 
 mod catalog;
 mod export;
-mod form;
 mod import;
 mod lentoax;
 pub mod mpf;
 mod plan;
 mod schema;
+mod sections;
 mod units;
 
 pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
 pub use export::export_table;
-pub use form::{Job, SECTIONS};
 #[cfg(not(target_arch = "wasm32"))]
 pub use import::import;
 pub use import::{Imported, LONGEST_TEXT, import_with, is_dump, too_long};
 pub use lentoax::lentoax_query;
 pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ResultRow, TouchPoint};
 pub use schema::job_schema;
+pub use sections::{Job, SECTIONS};
 pub use units::convert_units;
 
-use crate::spec::{Checker, Finding, Value};
+use crate::form::{Checker, Finding, Value};
 
 /// A job that no plan can be made of, with every finding.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -39,7 +39,7 @@ pub struct JobError {
 }
 
 fn first_error(findings: &[Finding]) -> String {
-    let errors: Vec<&Finding> = findings.iter().filter(|f| f.level == crate::spec::Level::Error).collect();
+    let errors: Vec<&Finding> = findings.iter().filter(|f| f.level == crate::form::Level::Error).collect();
     match errors.as_slice() {
         [] => "the job has no error".to_owned(),
         [one] => one.message.clone(),
@@ -102,7 +102,7 @@ pub fn from_json(text: &str) -> Result<Value, JobError> {
     match serde_json::from_str::<serde_json::Value>(text) {
         Ok(json) => Ok(Value::from(&json)),
         Err(error) => {
-            let finding = Finding::new(crate::spec::Level::Error, "not-json", "", format!("This is not JSON: {error}"));
+            let finding = Finding::new(crate::form::Level::Error, "not-json", "", format!("This is not JSON: {error}"));
             Err(JobError { findings: vec![finding] })
         }
     }

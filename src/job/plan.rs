@@ -2,14 +2,14 @@
 
 use serde::Serialize;
 
+use crate::control::{Form, Request};
+use crate::form::{Checker, Finding, Value};
 use crate::formula::Unit;
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::{Job, JobError, catalog};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
-use crate::post::{Form, Request};
-use crate::spec::{Checker, Finding, Value};
 
 /// A point or vector as a list.
 pub type Triple = [f64; 3];

@@ -4,9 +4,9 @@
 //! are left to it, but for their sign.
 
 use crate::cycle::{CYCLES, CycleDef};
-use crate::job::form::{FORMAT, SECTIONS};
+use crate::form::{Field, Kind, Value};
+use crate::job::sections::{FORMAT, SECTIONS};
 use crate::path::MAX_TOUCHES;
-use crate::spec::{Field, Kind, Value};
 
 /// JSON Schema (2020-12) of a job.
 pub fn job_schema() -> Value {

@@ -1,9 +1,9 @@
 //! A job in other units: every length and feed converted, values with tolerances too. The geometry stays.
 
 use crate::cycle;
+use crate::form::{Field, Finding, Kind, Level, Value};
 use crate::job::JobError;
-use crate::job::form::SECTIONS;
-use crate::spec::{Field, Finding, Kind, Level, Value};
+use crate::job::sections::SECTIONS;
 use crate::tolerance;
 
 /// Millimetres in an inch.

@@ -1,7 +1,7 @@
 //! Points that a machine really measured, in whatever form they were copied.
 
+use crate::form::{Checker, Value};
 use crate::geom::Vec3;
-use crate::spec::{Checker, Value};
 
 /// Ball centres, one a touch, mm.
 pub type Measured = Vec<Option<Vec3>>;

@@ -4,8 +4,8 @@ use js_sys::{JsString, Reflect};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
+use crate::form::Value;
 use crate::job::LONGEST_TEXT;
-use crate::spec::Value;
 
 #[wasm_bindgen]
 extern "C" {

@@ -16,8 +16,8 @@ use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
+use crate::form::{Finding, Level, Value};
 use crate::job::{self, JobError, Move, Planned};
-use crate::spec::{Finding, Level, Value};
 use crate::tool_length;
 use crate::wasm::input::from_js;
 

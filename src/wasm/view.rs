@@ -5,8 +5,8 @@ use std::rc::Rc;
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
+use crate::form::Value;
 use crate::job::{self, Planned};
-use crate::spec::Value;
 use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
 use crate::view::scene::{self, Actual, Projection, Scene, Spot};

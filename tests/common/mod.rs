@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use proptest::prelude::*;
+use touchpath::form::Value;
 use touchpath::job::{Plan, from_json, plan};
-use touchpath::spec::Value;
 
 /// The jobs of the repository: name and value.
 pub fn jobs() -> Vec<(String, Value)> {

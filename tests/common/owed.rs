@@ -23,7 +23,7 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 pub fn sane(plan: &Plan, tool_axis: usize) -> Result<(), String> {
     owe!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
     owe!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
-    owe!(plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::spec::Level::Error));
+    owe!(plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error));
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
         if step.kind == "touch" {

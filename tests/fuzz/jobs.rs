@@ -1,9 +1,9 @@
 //! Whole jobs, and the laws that each must hold.
 
+use touchpath::control::POSTS;
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::form::{Default, Field, Kind, Level, Value};
 use touchpath::job::{Plan, SECTIONS, check, convert_units, export_table, import, plan};
-use touchpath::post::POSTS;
-use touchpath::spec::{Default, Field, Kind, Level, Value};
 
 use crate::Tally;
 use crate::common::owed;

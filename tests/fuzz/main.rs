@@ -16,7 +16,7 @@ use std::sync::Mutex;
 use std::time::{Instant, SystemTime, UNIX_EPOCH};
 
 use draw::Draw;
-use touchpath::spec::Value;
+use touchpath::form::Value;
 
 /// The seed that is run every time.
 const FIXED: u64 = 20_261_121;
@@ -65,7 +65,7 @@ fn main() {
 fn idle(tally: &Tally, count: u64) -> Vec<String> {
     let least = count / 2000;
     let kinds = touchpath::cycle::CYCLES.iter().map(|c| format!("planned {}", c.key));
-    let posts = touchpath::post::POSTS.iter().map(|p| format!("planned for {}", p.key));
+    let posts = touchpath::control::POSTS.iter().map(|p| format!("planned for {}", p.key));
     let laws = ["inch and mm", "dump and job", "program and job", "mutated text", "measured points"].map(str::to_owned);
     let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));
     kinds.chain(posts).chain(laws).chain(others).filter(|name| tally.get(name).copied().unwrap_or(0) < least).collect()

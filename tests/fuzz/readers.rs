@@ -1,7 +1,7 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
+use touchpath::form::Value;
 use touchpath::job::{Plan, evaluate, export_table, import, plan};
-use touchpath::spec::Value;
 
 use crate::draw::Draw;
 

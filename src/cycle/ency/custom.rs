@@ -1,7 +1,7 @@
 //! The user's own codes: positive numbers that only the user's postprocessor knows. They go through as they are.
 
+use crate::form::{Section, Value};
 use crate::path::{Accessor, Parameter, ParameterValue};
-use crate::spec::{Section, Value};
 
 /// The most own codes a cycle may carry.
 const MOST: usize = 200;
@@ -50,7 +50,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         let path = format!("{place}[{i}]");
         if let Value::Map(entries) = item {
             for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
-                let message = format!("An own code has code, type and value, and no \"{}\"", crate::spec::printable(key));
+                let message = format!("An own code has code, type and value, and no \"{}\"", crate::form::printable(key));
                 section.checker.error("unknown-key", path.clone(), message);
             }
         }

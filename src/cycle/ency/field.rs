@@ -1,6 +1,6 @@
 //! Fields that several cycles of the family have.
 
-use crate::spec::{Code, Field, form};
+use crate::form::{Code, Field, form};
 
 /// The smallest size, step or clearance, mm: less would be lost in a program's last decimals.
 const SMALLEST: f64 = 0.001;

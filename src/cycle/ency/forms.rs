@@ -1,8 +1,8 @@
 //! Forms that two cycles share: what is probed from inside, and the same from outside.
 
 use crate::cycle::ency::{Circle, Pairs, Shape, Side, Variant, field};
+use crate::form::form;
 use crate::geom::Vec3;
-use crate::spec::form;
 
 form! {
     /// Holes and bosses, each touch entered from above.

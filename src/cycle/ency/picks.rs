@@ -1,8 +1,8 @@
 //! Touches that are picked one by one, as in the Job Assignment.
 
+use crate::form::{Checker, Field, Section, Value};
 use crate::geom::{Plane, Vec3};
 use crate::path::{MAX_TOUCHES, ONE_LEVEL};
-use crate::spec::{Checker, Field, Section, Value};
 
 /// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
 pub const NEAR: f64 = 1e-3;
@@ -62,7 +62,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             let path = format!("{place}[{k}]");
             if let Value::Map(entries) = item {
                 for (key, _) in entries.iter().filter(|(key, _)| key != "point" && key != "vector") {
-                    let message = format!("A touch has a point and a vector, and no \"{}\"", crate::spec::printable(key));
+                    let message = format!("A touch has a point and a vector, and no \"{}\"", crate::form::printable(key));
                     section.checker.error("unknown-key", path.clone(), message);
                 }
             }

@@ -1,9 +1,9 @@
 //! The parameter table, from the form's own codes.
 
 use crate::cycle::ency::{Feature, Properties};
+use crate::form::{Field, Kind, Shown, Values};
 use crate::geom::AXIS_NAMES;
 use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
-use crate::spec::{Field, Kind, Shown, Values};
 
 /// The code of the variant, and those that say something only of the angular one.
 const VARIANT: i32 = -59;

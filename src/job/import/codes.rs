@@ -3,8 +3,8 @@
 //! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds behind it in the same line, or the `value` of its
 //! JSON object.
 
+use crate::form::Value;
 use crate::path::Accessor;
-use crate::spec::Value;
 
 /// A code with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,13 +3,13 @@
 //! The codes are found by [`codes`](crate::job::import::codes); here they become a job.
 
 use crate::cycle::{CYCLES, CycleDef, Pick, code_of, only_angular};
+use crate::form::{Checker, Field, Kind, Section, Value};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
 use crate::job::catalog::default_job;
 use crate::job::import::codes::{Entry, entries};
 use crate::job::import::{Imported, set};
 use crate::path::{Accessor, MAX_TOUCHES};
-use crate::spec::{Checker, Field, Kind, Section, Value};
 
 /// How near the touches of the dimensions must be to those of the dump to be the same, mm.
 const SAME: f64 = 1e-6;

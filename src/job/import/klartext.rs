@@ -1,9 +1,9 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
+use crate::form::{Checker, Value};
 use crate::job::JobError;
 use crate::job::catalog::default_job_in;
 use crate::job::import::{Imported, set};
-use crate::spec::{Checker, Value};
 
 /// Which parameter is which key of the cycle, and its default on the control.
 const PARAMETERS: &[(u32, &str, f64)] = &[

@@ -8,9 +8,9 @@ mod sinumerik;
 pub use dump::recognises as is_dump;
 
 use crate::cycle::CycleDef;
+use crate::form::{Finding, Level, Value};
 use crate::job::JobError;
-use crate::job::form::SECTIONS;
-use crate::spec::{Finding, Level, Value};
+use crate::job::sections::SECTIONS;
 
 /// A job made of a text, and what had to be said about it.
 #[derive(Debug)]
@@ -92,7 +92,7 @@ fn has_place(def: &CycleDef, path: &str) -> bool {
     // A point may be given axis by axis.
     let plain = plain.as_str();
     let whole = plain.strip_suffix("[]").unwrap_or(plain);
-    let known = |section: &str, fields: &[crate::spec::Field]| {
+    let known = |section: &str, fields: &[crate::form::Field]| {
         let key = if section.is_empty() { Some(whole) } else { whole.strip_prefix(section).and_then(|k| k.strip_prefix('.')) };
         key.is_some_and(|key| fields.iter().any(|f| f.key == key))
     };

@@ -1,13 +1,13 @@
 //! Reads back a SINUMERIK program that was written here: its header says the job, and its blocks are compared with those that the job
 //! makes.
 
+use crate::control::{JOB_LINE, MADE_BY};
 use crate::cycle;
-use crate::job::form::FORMAT;
+use crate::form::{Checker, Value};
 use crate::job::import::{Imported, has_place, set};
 use crate::job::mpf::{self, Program};
+use crate::job::sections::FORMAT;
 use crate::job::{JobError, Plan};
-use crate::post::{JOB_LINE, MADE_BY};
-use crate::spec::{Checker, Value};
 
 /// How many lines that are not understood, or not safe, are listed.
 const MOST_TOLD: usize = 20;
@@ -51,7 +51,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     }
     let version = program.comments.iter().find_map(|c| c.strip_prefix(MADE_BY)?.split(' ').next());
     if let Some(version) = version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
-        let version = crate::spec::printable(version);
+        let version = crate::form::printable(version);
         let message = format!(
             "Version {version} wrote this program, and {} reads it: blocks may differ where only the versions do",
             env!("CARGO_PKG_VERSION")

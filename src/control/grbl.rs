@@ -1,0 +1,122 @@
+//! grbl 1.1 and its kin: the moves alone.
+//!
+//! Sources: grbl's motion control and its interface document. grbl has no variables and no arithmetic: after each touch it
+//! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest. It does not watch the probe during
+//! positioning moves.
+
+use crate::control::words::{Dialect, Writer, comes_from_anywhere, upwards};
+use crate::control::{Form, PostDef, Program, Request, check_plain_moves};
+use crate::form::Checker;
+use crate::geom::Vec3;
+use crate::path::{Move, Purpose};
+
+pub static DEF: PostDef = PostDef {
+    key: "grbl",
+    title: "grbl",
+    extension: "nc",
+    work_offsets: 0,
+    work_offset_word: |_| String::new(),
+    no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
+    first_length: false,
+    plain_arithmetic: false,
+    says_job: false,
+    name: crate::control::comment_text,
+    rate,
+    supports: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
+    check,
+    emit,
+};
+
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    comment: ("(", ")"),
+    // grbl 1.1 takes about 80 characters a line, its kin 256.
+    comment_width: 78,
+    longest_block: 78,
+    units: ("G21", "G20"),
+    modes: "G40 G61 G80 G90",
+    arcs: " G91.1",
+};
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    check_plain_moves(request, checker);
+    checker.info(
+        "no-results-in-program",
+        "control.post",
+        "grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
+         those points give",
+    );
+    checker.info(
+        "positioning-not-watched",
+        "control.protection",
+        "grbl does not watch the probe in positioning moves: a contact there goes unnoticed",
+    );
+    if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+        let message = "grbl does not watch positioning moves: a rapid that goes down runs at the feed of the touches";
+        checker.info("rapid-at-feed", "feeds", message);
+    }
+}
+
+/// A rapid that goes down runs at the feed of the touches, since a contact would go unnoticed; so does an arc, which needs a feed.
+fn rate(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let careful = step.arc.is_some() || upwards(request, from, step.to) < 0;
+    request.feeds.rate(step.feed).or(careful.then_some(request.feeds.work))
+}
+
+fn emit(request: &Request<'_>) -> Program {
+    let path = request.path;
+    let mut w = Writer::new(request, &DIALECT);
+    w.header("Measures only: each touch is reported as PRB in machine coordinates");
+    if let (Some(first), None) = (path.moves.first(), path.start) {
+        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+        w.comment(&format!(
+            "The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second down \
+             to {place}. That way must be free"
+        ));
+    }
+    w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
+    w.modes();
+    w.line("M5 M9");
+    let mut at = path.start;
+    for (i, step) in path.moves.iter().enumerate() {
+        match step.purpose {
+            Purpose::Position if comes_from_anywhere(request, i, step) => approach(&mut w, request, step),
+            Purpose::Position | Purpose::Back(_) => {
+                w.makes_move();
+                plain(&mut w, request, step, at);
+            }
+            Purpose::Touch(k) => {
+                w.makes_move();
+                w.touch("G38.2", step, &path.touches[k], false, request.feeds.work);
+            }
+        }
+        at = Some(step.to);
+    }
+    w.line("M2");
+    w.finish()
+}
+
+/// To the first place: in the plane at the height where the stylus stands, then down. grbl cannot ask where that is.
+fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
+    let stated = request.feeds.rate(step.feed);
+    let feed = |w: &Writer<'_>, rate: Option<f64>| match rate {
+        Some(rate) => ("G1", format!(" F{}", w.number(rate))),
+        None => ("G0", String::new()),
+    };
+    let (word, rate) = feed(w, stated);
+    let across = w.plane_words(step.to);
+    w.line(&format!("{word}{across}{rate}"));
+    w.makes_move();
+    let (word, rate) = feed(w, stated.or(Some(request.feeds.work)));
+    let down = w.tool_word(step.to);
+    w.line(&format!("{word}{down}{rate}"));
+}
+
+fn plain(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, at: Option<Vec3>) {
+    let rate = rate(request, at, step);
+    if let (Some(arc), Some(from)) = (&step.arc, at) {
+        return w.arc(from, step, arc, rate);
+    }
+    w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, false, rate);
+}

@@ -1,0 +1,352 @@
+//! LinuxCNC: touches as G38.2, results computed in the program, one write of the work offset at the very end.
+//!
+//! Sources: LinuxCNC's g-code and overview documents, its interpreter and its motion control. #5061… are the ball centre at the trigger
+//! in the current work system and the program's units. A contact in a move that is not a probe move does not always stop the machine: in
+//! automatic mode versions up to 2.8 only report it in jogs and MDI commands (issues 368 and 371), and from 2.9 on only an edge counts, not a
+//! probe that is tripped already. So positioning is made of G38.3, which stops at any contact without an error, and of a check of #5070
+//! behind it. Ways back from a contact stay plain: the probe is tripped when they set out, and the way is the one the ball has come.
+//! G38 stays modal, so every block names its own word.
+//! M70 saves the modes that the program states and M72 gives them back, so that nothing leaks into the next program; the spindle and the
+//! coolant are off before M70, since M72 would start them again (issue 2764).
+
+use crate::control::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
+use crate::control::{
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, expr, work_offset_word,
+    written,
+};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula};
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::num::decimal;
+use crate::path::{Move, Purpose, RAPID_RATE};
+
+pub static DEF: PostDef = PostDef {
+    key: "linuxcnc",
+    title: "LinuxCNC",
+    extension: "ngc",
+    work_offsets: 9,
+    work_offset_word,
+    no_work_offset: "",
+    first_length: false,
+    plain_arithmetic: true,
+    says_job: false,
+    name: crate::control::comment_text,
+    rate,
+    supports: |_, form| match form {
+        Form::Moves => Ok(()),
+        Form::Cycle => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
+    },
+    check,
+    emit,
+};
+
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    comment: ("(", ")"),
+    // A line may have 255 characters; more than this is hard to read.
+    comment_width: 160,
+    longest_block: 255,
+    units: ("G21", "G20"),
+    // G8: X is a radius. Under G7, the lathe's diameters, half of every X would be run.
+    modes: "G8 G40 G61 G80 G90",
+    arcs: " G91.1",
+};
+
+/// The shortest probe move, mm: the interpreter's documents refuse less than 0.254 mm. Shorter positioning moves are plain.
+const SHORTEST_PROBE: f64 = 0.3;
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    check_plain_moves(request, checker);
+    check_watched(request, checker);
+    check_rotary(request, checker, "LinuxCNC has no rotary table that a program could know of");
+    check_write(request, checker);
+    check_short(request, checker);
+    let Some(datum) = request.path.formula.datum.as_ref() else { return };
+    if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
+        let message = "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane";
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+    }
+}
+
+/// A touch too short for a probe move.
+fn check_short(request: &Request<'_>, checker: &mut Checker) {
+    let path = request.path;
+    let mut at = path.start;
+    for step in &path.moves {
+        if let (Purpose::Touch(k), Some(from)) = (step.purpose, at) {
+            let way = from.distance(step.to) + path.touches[k].search;
+            if way < SHORTEST_PROBE {
+                let message = format!(
+                    "LinuxCNC refuses probe moves this short: touch {} searches {} in all, at least {} are needed. Use a larger clearance or \
+                     overtravel",
+                    k + 1,
+                    checker.length(way),
+                    checker.length(SHORTEST_PROBE)
+                );
+                checker.error("probe-move-too-short", "overtravel", message);
+                return;
+            }
+        }
+        at = Some(step.to);
+    }
+}
+
+/// Watched moves, and arcs, run at a stated feed: a rapid without a number at the stated rate of rapids, an arc that is not watched at the
+/// feed of the touches.
+fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let stated = request.feeds.rate(step.feed);
+    match (step.purpose, request.protected, step.arc) {
+        (Purpose::Position, true, _) => Some(stated.unwrap_or(RAPID_RATE)),
+        (_, false, Some(_)) => Some(stated.unwrap_or(request.feeds.work)),
+        _ => stated,
+    }
+}
+
+fn emit(request: &Request<'_>) -> Program {
+    let path = request.path;
+    let formula = path.formula.plain();
+    let mut w = Writer::new(request, &DIALECT);
+    begin(&mut w, request, &formula);
+    let mut at = path.start;
+    let mut labels = Labels { next: FIRST_LABEL };
+    for (i, step) in path.moves.iter().enumerate() {
+        match step.purpose {
+            Purpose::Position if comes_from_anywhere(request, i, step) => approach(&mut w, request, step, &mut labels),
+            Purpose::Position if request.protected => watched(&mut w, request, (i, step), at, &mut labels),
+            Purpose::Position | Purpose::Back(_) => {
+                w.makes_move();
+                plain(&mut w, request, step, at);
+            }
+            Purpose::Touch(k) => {
+                w.makes_move();
+                w.touch("G38.2", step, &path.touches[k], request.protected, request.feeds.work);
+                latch(&mut w, request, &formula, k);
+            }
+        }
+        at = Some(step.to);
+    }
+    for assignment in &formula.assignments {
+        let value = expr::print(&expr::Rs274, &formula, &assignment.expr, request.scale);
+        w.line(&format!("#<{}>=[{value}]", assignment.name));
+    }
+    for result in &formula.results {
+        if let Some(variable) = result.variable {
+            let name = &formula.assignments[variable].name;
+            w.line(&format!("(PRINT,{}=#<{name}>)", result.code));
+        }
+    }
+    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
+        write_datum(&mut w, request, &formula, n, datum);
+    }
+    w.line("M72");
+    w.line("M2");
+    w.finish()
+}
+
+/// What stands before the first move.
+fn begin(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
+    let offset = match request.work_offset {
+        Some(n) => {
+            format!("Work offset: {} P{n} is selected first; {}", work_offset_word(n), written(request, formula.datum.as_ref()))
+        }
+        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
+    };
+    w.header(&offset);
+    if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+        w.comment(&format!(
+            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+        ));
+    }
+    if !request.path.moves.is_empty() {
+        w.comment(if request.protected {
+            "Positioning is G38.3 with a check of #5070: a contact lifts and stops. The first of them also looks whether the probe is tripped"
+        } else {
+            "Positioning is NOT watched by this program. LinuxCNC itself does not stop at every contact"
+        });
+    }
+    if request.scale != 1.0 && !formula.results.is_empty() {
+        w.comment("PRINT shows a value below .0001 inch as 0; the named parameters hold it in full");
+    }
+    if request.protected && !request.path.moves.is_empty() {
+        exit(w, request);
+    }
+    w.line("M5 M9");
+    w.line("M70");
+    w.modes();
+    if let Some(n) = request.work_offset {
+        w.line(&work_offset_word(n));
+    }
+}
+
+/// Numbers of the O words in the body of a program. 1 to 3 are in its subroutines.
+struct Labels {
+    next: usize,
+}
+
+const FIRST_LABEL: usize = 4;
+
+impl Labels {
+    fn take(&mut self) -> usize {
+        self.next += 1;
+        self.next - 1
+    }
+}
+
+/// What reads the ball's place along each axis, in the current work system.
+const CURRENT: [&str; 3] = ["#<_x>", "#<_y>", "#<_z>"];
+
+/// The one exit, and the way to the first place.
+fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
+    let tool = request.plane.axes()[2];
+    let top = highest(request);
+    let lift = request.path.moves.iter().find_map(|m| request.feeds.rate(m.feed)).unwrap_or(RAPID_RATE);
+    let height = w.height_word(top);
+    let level = height[1..].to_owned();
+    w.line("o<tp_exit> sub");
+    w.comment("#1 is the move, #2 is 1 where up is free");
+    w.line(&format!("o1 if [[#2 EQ 1] AND [{} LT {level}]]", CURRENT[tool]));
+    let lift = w.number(lift);
+    w.line(&format!("G1 {height} F{lift}"));
+    w.line("o1 endif");
+    // ABORT throws away the moves that are read but not yet made: M66 waits until the lift is done.
+    w.line("M66 E0 L0");
+    w.line("(ABORT,Contact in move #1, which must be free. Nothing is written)");
+    w.line("M2");
+    w.line("o<tp_exit> endsub");
+    if request.path.start.is_some() {
+        return;
+    }
+    let short = w.number(SHORTEST_PROBE);
+    let near: Vec<String> = (0..3).map(|i| format!("[ABS[#{}-{}] LT {short}]", i + 1, CURRENT[i])).collect();
+    w.line("o<tp_first> sub");
+    w.comment("#1 #2 #3 are the place, #4 is the feed, #5 is 1 where up is free");
+    w.line(&format!("o2 if [{}]", near.join(" AND ")));
+    w.line("G1 X#1 Y#2 Z#3 F#4");
+    w.line("o2 else");
+    w.line("G38.3 X#1 Y#2 Z#3 F#4");
+    w.line("o3 if [#5070 NE 0]");
+    w.line("o<tp_exit> call [1] [#5]");
+    w.line("o3 endif");
+    w.line("o2 endif");
+    w.line("o<tp_first> endsub");
+}
+
+/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut Labels) {
+    let tool = request.plane.axes()[2];
+    let label = labels.take();
+    let height = w.height_word(step.to);
+    w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
+    if request.protected {
+        let rate = w.number(rate(request, None, step).unwrap_or(RAPID_RATE));
+        let place = [0, 1, 2].map(|i| w.number(step.to[i]));
+        // Which axes move: the others stay where they are.
+        let call = |w: &mut Writer<'_>, moves: &dyn Fn(usize) -> bool, free: u8| {
+            let target = [0, 1, 2].map(|i| format!("[{}]", if moves(i) { &place[i] } else { CURRENT[i] }));
+            w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
+        };
+        call(w, &|i| i == tool, 0);
+        w.line(&format!("o{label} endif"));
+        call(w, &|i| i != tool, 1);
+        w.makes_move();
+        call(w, &|_| true, 1);
+        w.stands_at(step.to);
+        return;
+    }
+    let rate = request.feeds.rate(step.feed);
+    let word = if rate.is_some() { "G1" } else { "G0" };
+    let feed = rate.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
+    let up = w.tool_word(step.to);
+    w.line(&format!("{word}{up}{feed}"));
+    w.line(&format!("o{label} endif"));
+    let across = w.plane_words(step.to);
+    w.line(&format!("{word}{across}{feed}"));
+    w.makes_move();
+    w.line(&format!("{word}{up}{feed}"));
+}
+
+/// A positioning move, straight or in short straight pieces, each watched by the probe and checked.
+fn watched(w: &mut Writer<'_>, request: &Request<'_>, (index, step): (usize, &Move), at: Option<Vec3>, labels: &mut Labels) {
+    let rate = rate(request, at, step);
+    w.makes_move();
+    let mut from = at;
+    for to in pieces(request, step, at) {
+        if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
+            w.straight("G1", to, true, rate);
+        } else {
+            w.straight("G38.3", to, true, rate);
+            let label = labels.take();
+            // On the way up a lift would push on against what was met.
+            let free = u8::from(upwards(request, from, to) <= 0);
+            w.line(&format!("o{label} if [#5070 NE 0]"));
+            w.line(&format!("o<tp_exit> call [{}] [{free}]", index + 1));
+            w.line(&format!("o{label} endif"));
+        }
+        from = Some(to);
+    }
+}
+
+/// A move that is not watched.
+fn plain(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, at: Option<Vec3>) {
+    let rate = rate(request, at, step);
+    if let (Some(arc), Some(from)) = (&step.arc, at) {
+        return w.arc(from, step, arc, rate);
+    }
+    w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, request.protected, rate);
+}
+
+/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, k: usize) {
+    let sample = request.path.samples(k);
+    for axis in (0..3).filter(|&axis| formula.uses(sample.index, axis)) {
+        let (name, source) = (expr::trigger_name(sample.index, axis), 5061 + axis);
+        w.line(&match (sample.first, sample.last) {
+            (true, _) => format!("#<{name}>=#{source}"),
+            (false, false) => format!("#<{name}>=[#<{name}>+#{source}]"),
+            (false, true) => format!("#<{name}>=[[#<{name}>+#{source}]/{}]", sample.count),
+        });
+    }
+}
+
+/// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal
+/// place: right in any units and under any rotation, as long as both axes of the plane are named. A rotation is set first (in
+/// degrees, on top of the one that is there); it turns the axes in which the way from the measured point to the current position
+/// is counted.
+fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: i32, datum: &Datum) {
+    let axes = request.plane.axes();
+    let name = |e: &Expr| expr::print(&expr::Rs274, formula, e, request.scale);
+    let current = axes.map(|axis| CURRENT[axis]);
+    let turned = datum.rotation.as_ref().map(name);
+    if let Some(turn) = &turned {
+        if let [Some((x, _)), Some((y, _)), _] = &datum.place {
+            w.line(&format!("#<away_a>=[{}-{}]", current[0], name(x)));
+            w.line(&format!("#<away_o>=[{}-{}]", current[1], name(y)));
+        }
+        // Rotation of system n: #5230, #5250 ….
+        w.line(&format!("G10 L2 P{n} R[#{}+{turn}]", 5210 + 20 * n));
+    }
+    if datum.measured() == [false; 3] {
+        return;
+    }
+    w.comment("The current position less what was measured plus what is nominal: right in any units and any rotation");
+    let constant = |mm: f64| match decimal(mm / request.scale, 12).as_str() {
+        "0" => String::new(),
+        text if text.starts_with('-') => text.to_owned(),
+        text => format!("+{text}"),
+    };
+    let mut words = [String::new(), String::new(), String::new()];
+    for (i, place) in datum.place.iter().enumerate() {
+        let Some((measured, nominal)) = place else { continue };
+        let value = match (measured, &turned, i) {
+            // Not measured: it reads on as it does.
+            (Expr::Length(_), ..) => current[i].to_owned(),
+            (_, Some(turn), 0) => format!("#<away_a>*COS[{turn}]+#<away_o>*SIN[{turn}]{}", constant(*nominal)),
+            (_, Some(turn), 1) => format!("#<away_o>*COS[{turn}]-#<away_a>*SIN[{turn}]{}", constant(*nominal)),
+            _ => format!("{}-{}{}", current[i], name(measured), constant(*nominal)),
+        };
+        words[axes[i]] = format!(" {}[{value}]", AXIS_NAMES[axes[i]]);
+    }
+    w.line(&format!("G10 L20 P{n}{}", words.concat()));
+}

@@ -1,0 +1,300 @@
+//! Programs for controls. Adding a control is a file and its line in [`POSTS`].
+//!
+//! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
+//! each, and every touch runs on past its nominal contact by the overtravel.
+
+mod expr;
+mod grbl;
+mod heidenhain;
+mod linuxcnc;
+mod sinumerik;
+mod words;
+
+use crate::form::{Checker, Value};
+use crate::formula::Datum;
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::path::{Accessor, Feeds, Move, ParameterValue, Path, Setup};
+
+/// Every control, in the order of the form.
+pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
+
+/// How a program probes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Plain moves and touches, a block each.
+    Moves,
+    /// The control's own cycle.
+    Cycle,
+}
+
+impl Form {
+    /// Both.
+    pub const ALL: [Form; 2] = [Form::Moves, Form::Cycle];
+
+    /// `control.form` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Form::Moves => "moves",
+            Form::Cycle => "cycle",
+        }
+    }
+
+    /// The form of a word; plain moves where it is none.
+    pub fn named(word: &str) -> Form {
+        if word == Form::Cycle.word() { Form::Cycle } else { Form::Moves }
+    }
+
+    /// The other one.
+    pub const fn other(self) -> Form {
+        match self {
+            Form::Moves => Form::Cycle,
+            Form::Cycle => Form::Moves,
+        }
+    }
+}
+
+/// What is known of a control.
+#[derive(Debug)]
+pub struct PostDef {
+    /// `control.post` in the job.
+    pub key: &'static str,
+    /// The control's name.
+    pub title: &'static str,
+    /// The usual file extension, without the dot.
+    pub extension: &'static str,
+    /// Highest number of a work offset the control takes; 0 where a program cannot write one.
+    pub work_offsets: i32,
+    /// How a work offset is called, by its number.
+    pub work_offset_word: fn(i32) -> String,
+    /// Why no work offset can be written, where that is so.
+    pub no_work_offset: &'static str,
+    /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
+    pub first_length: bool,
+    /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
+    pub plain_arithmetic: bool,
+    /// Whether its programs say their job, and can be read back.
+    pub says_job: bool,
+    /// The name that its programs bear, from the one in the job.
+    pub name: fn(&str) -> String,
+    /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
+    pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
+    /// Whether it takes a cycle (by its key) in a form, and why not.
+    pub supports: fn(&str, Form) -> Result<(), &'static str>,
+    /// Reports what of this very program it cannot do, or what its user should know.
+    pub check: fn(&Request<'_>, &mut Checker),
+    /// Prints the program.
+    pub emit: fn(&Request<'_>) -> Program,
+}
+
+/// A program to print.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The job's name, already safe for a comment.
+    pub name: &'a str,
+    /// The cycle's title.
+    pub title: &'a str,
+    /// Whose cycle it is.
+    pub source: &'a str,
+    /// Plain moves, or the control's own cycle.
+    pub form: Form,
+    /// Millimetres in a unit of the program.
+    pub scale: f64,
+    /// The working plane.
+    pub plane: Plane,
+    /// Ball and overtravel.
+    pub setup: &'a Setup,
+    /// Feeds in mm/min; none is rapid.
+    pub feeds: &'a Feeds,
+    /// Tool number of the probe, for programs that call it; none where the probe is in the spindle.
+    pub tool: Option<i32>,
+    /// Whether positioning is to be watched by the probe, where the control can.
+    pub protected: bool,
+    /// The work offset to write, 1 = G54; none measures only.
+    pub work_offset: Option<i32>,
+    /// What to print.
+    pub path: &'a Path,
+    /// The job with every value, for controls whose programs say it.
+    pub job: Option<&'a Value>,
+}
+
+/// What begins a comment that says values of the job.
+pub const JOB_LINE: &str = "job ";
+
+/// What begins the comment that says who wrote the program.
+pub const MADE_BY: &str = "Made by Touchpath ";
+
+/// A printed program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// The text, lines ended by a line feed.
+    pub text: String,
+    /// For each move the 0-based line that makes it; none where the control makes it by itself.
+    pub move_lines: Vec<Option<usize>>,
+}
+
+/// The control with this key.
+pub fn find(key: &str) -> Option<&'static PostDef> {
+    POSTS.iter().copied().find(|p| p.key == key)
+}
+
+/// A user's text made safe for a comment on any control: printable ASCII without anything that could end a comment, start
+/// a block, or mean something to a control. Everything else becomes `_`; what is too long for a line is cut.
+pub fn comment_text(text: &str) -> String {
+    const LONGEST: usize = 60;
+    text.chars()
+        .take(LONGEST)
+        .map(|c| match c {
+            'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
+            _ => '_',
+        })
+        .collect()
+}
+
+/// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
+fn job_lines(job: &Value, width: usize) -> Vec<String> {
+    let mut words = Vec::new();
+    if let Value::Map(entries) = job {
+        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
+            push_words(key, value, &mut words);
+        }
+    }
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut().filter(|line| line.len() + 1 + word.len() <= width) {
+            Some(line) => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            None => lines.push(format!("{JOB_LINE}{word}")),
+        }
+    }
+    lines
+}
+
+fn push_words(path: &str, value: &Value, words: &mut Vec<String>) {
+    match value {
+        Value::Map(entries) if !entries.is_empty() => {
+            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, words));
+        }
+        Value::List(items) if items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_))) => {
+            items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, words));
+        }
+        value => words.push(format!("{path}={}", value_word(value))),
+    }
+}
+
+/// A value as a word: no spaces, nothing that could end a comment.
+fn value_word(value: &Value) -> String {
+    match value {
+        Value::Map(_) => "{}".to_owned(),
+        Value::List(items) => format!("[{}]", items.iter().map(value_word).collect::<Vec<_>>().join(",")),
+        Value::Null | Value::Other(_) => "null".to_owned(),
+        Value::Flag(on) => on.to_string(),
+        // In full, so that it reads back as the same number; never -0.
+        Value::Number(x) => format!("{:?}", x + 0.0).trim_end_matches(".0").to_owned(),
+        Value::Text(text) => text
+            .chars()
+            .filter(|c| *c != ' ')
+            .map(|c| match c {
+                ',' => ".".to_owned(),
+                '@' | '?' => c.to_string(),
+                c => comment_text(&c.to_string()),
+            })
+            .collect(),
+    }
+}
+
+/// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
+fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
+    if request.path.surfaces.iter().any(|s| matches!(s, crate::path::Surface::Unknown)) {
+        let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
+        checker.error("semi-automatic-unsupported", "control.post", message);
+    }
+    let reacts = request
+        .path
+        .parameters
+        .iter()
+        .any(|p| p.accessor == Accessor::Q && p.code == 309 && p.value != ParameterValue::Whole(0));
+    let toleranced = request.path.parameters.iter().any(|p| matches!(p.value, ParameterValue::Text(_)));
+    if reacts && toleranced {
+        let message = "A program of plain moves does not check tolerances: it does not stop as Q309 says";
+        if request.work_offset.is_some() {
+            let message =
+                format!("{message}, and would write the work offset even from a scrap part: set Q309 to 0 or write none");
+            checker.error("reaction-unsupported", "cycle.errorReaction", message);
+        } else {
+            checker.warning("reaction-unsupported", "cycle.errorReaction", message);
+        }
+    }
+}
+
+/// A control that could watch positioning, and is asked not to.
+fn check_watched(request: &Request<'_>, checker: &mut Checker) {
+    if !request.protected && !request.path.moves.is_empty() {
+        let message =
+            "Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks";
+        checker.warning("positioning-not-watched", "control.protection", message);
+    }
+}
+
+/// What plain moves cannot do with a rotary table, and why.
+fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
+    if request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn")) {
+        let message = format!("{why}: Q1121 = 2 and Q1126 are for the control's own cycle");
+        checker.error("rotary-unsupported", "cycle.confirmRotation", message);
+    }
+}
+
+/// A work offset that is chosen, and gets nothing.
+fn check_write(request: &Request<'_>, checker: &mut Checker) {
+    let datum = request.path.formula.datum.as_ref();
+    let something = datum.is_some_and(|d| d.measured() != [false; 3] || d.rotation.is_some());
+    if request.work_offset.is_some() && !something {
+        let message = "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
+                       position, Q1120, nor a rotation, Q1121)";
+        checker.warning("nothing-to-write", "control.workOffset", message);
+    }
+}
+
+/// What of a work offset is written, in words: "its X and Y are written once, at the very end".
+fn written(request: &Request<'_>, datum: Option<&Datum>) -> String {
+    let measured = datum.map_or([false; 3], Datum::measured);
+    let axes = request.plane.axes();
+    let mut parts: Vec<&str> =
+        (0..3).filter(|axis| (0..3).any(|i| axes[i] == *axis && measured[i])).map(|i| AXIS_NAMES[i]).collect();
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        parts.push("rotation");
+    }
+    match parts.as_slice() {
+        [] => "nothing of it is written".to_owned(),
+        [one] => format!("its {one} is written once, at the very end"),
+        [rest @ .., last] => format!("its {} and {last} are written once, at the very end", rest.join(", ")),
+    }
+}
+
+/// How a work offset is called in the RS274 family: G54 … G59, G59.1 ….
+fn work_offset_word(number: i32) -> String {
+    match number {
+        1..=6 => format!("G{}", 53 + number),
+        _ => format!("G59.{}", number - 6),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_leave_its_comment() {
+        assert_eq!(comment_text("A)\nG0 Z-100 (é;%#<x>"), "A__G0 Z-100 ______x_");
+        assert_eq!(comment_text("POCKET_80X50"), "POCKET_80X50");
+        assert_eq!(comment_text(&"x".repeat(500)).len(), 60);
+        assert!(comment_text("\u{0}\u{1b}\r\u{2028}\"\\/()[]{}~*").chars().all(|c| c == '_'));
+    }
+
+    #[test]
+    fn work_offsets_by_their_words() {
+        let words: Vec<String> = (1..=9).map(work_offset_word).collect();
+        assert_eq!(words, ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]);
+    }
+}

@@ -1,0 +1,147 @@
+//! The control's own cycle for an inside rectangle with a protection zone: CYCLE977, 29 arguments by position.
+//!
+//! Positions, fixed values and the meaning of 27 to 29 are those of working generators and their calls. Two things stay open, and the
+//! program says so: the sign of the infeed, on which sources disagree, and that a rectangle takes both coordinates of the centre.
+
+use crate::control::sinumerik::{DIALECT, begin, end, position};
+use crate::control::words::Writer;
+use crate::control::{Program, Request};
+use crate::form::Checker;
+use crate::path::{Move, ParameterValue, Purpose};
+
+/// The shortest measuring path that CYCLE977 is called with, mm.
+const SHORTEST_PATH: f64 = 0.1;
+
+/// What CYCLE977 needs of an internal rectangle, mm.
+struct Rectangle {
+    widths: [f64; 2],
+    /// Measuring path: how far before and behind the nominal contact it searches.
+    path: f64,
+    /// Protection zone along abscissa and ordinate.
+    zone: [f64; 2],
+    /// From the height of the start down to the touches.
+    infeed: f64,
+}
+
+impl Rectangle {
+    fn of(request: &Request<'_>) -> Self {
+        let length = |code: i32| {
+            let row = request.path.parameters.iter().find(|p| p.code == code);
+            match row.map(|p| &p.value) {
+                Some(ParameterValue::Length(mm)) => *mm,
+                _ => f64::NAN,
+            }
+        };
+        let widths = [length(-53), length(-54)];
+        let clearances = [length(-56), length(-57)];
+        let radius = request.setup.radius;
+        // The zone is as large as the ball leaves free where it goes down.
+        let zone = [0, 1].map(|i| widths[i] - 2.0 * (clearances[i] + radius));
+        Rectangle { widths, path: clearances[0] - radius, zone, infeed: length(-51) + length(-55) }
+    }
+}
+
+/// Reports what CYCLE977 cannot do of this job.
+pub fn check(request: &Request<'_>, checker: &mut Checker) {
+    let rectangle = Rectangle::of(request);
+    let [a, _, _] = request.plane.basis();
+    let advice = ". Use the form \"moves\"";
+    if request.path.frame.u.distance(a) > 1e-9 {
+        let message = format!("CYCLE977 measures rectangles that are parallel to the axes only{advice}");
+        checker.error("cycle-not-parallel", "cycle.rotation", message);
+    }
+    if request.path.picked {
+        let message = format!("CYCLE977 chooses its own touch points{advice}");
+        checker.error("cycle-chooses-points", "cycle.touches", message);
+    }
+    if request.plane != crate::geom::Plane::G17 {
+        let message = format!(
+            "No source at hand shows how CYCLE977 selects another plane than G17: it could probe in the wrong one{advice}"
+        );
+        checker.error("cycle-plane", "plane", message);
+    }
+    if rectangle.path < SHORTEST_PATH {
+        let message = format!(
+            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {}: it searches so far before and behind \
+             each wall, and {} are the least that make sense{advice}",
+            checker.length(rectangle.path),
+            checker.length(SHORTEST_PATH)
+        );
+        checker.error("cycle-path-short", "cycle.sideClearance1", message);
+    }
+    let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
+    if (clearances[0] - clearances[1]).abs() > 1e-9 {
+        let message =
+            format!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}");
+        checker.error("cycle-one-path", "cycle.sideClearance2", message);
+    }
+    for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
+        if rectangle.zone[i] <= 0.0 {
+            let message = format!("Between the places where the ball goes down nothing is left for a protection zone{advice}");
+            checker.error("cycle-no-zone", path, message);
+        }
+    }
+    let message = format!(
+        "The cycle moves by itself: it searches {0} before and behind each wall (side clearance less ball radius), not the job's \
+         overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {1} is written \
+         positive is not verified: sources disagree on its sign",
+        checker.length(rectangle.path),
+        checker.length(rectangle.infeed)
+    );
+    checker.warning("cycle-differs", "control.form", message);
+}
+
+/// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
+pub fn emit(request: &Request<'_>) -> Program {
+    let mut w = Writer::new(request, &DIALECT);
+    let notes = [
+        "Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed",
+        "NOT VERIFIED: argument 11, the infeed, is written positive; sources disagree on its sign. A wrong one lifts instead",
+        "NOT VERIFIED: that a rectangle takes both 28 and 29, the centre",
+    ];
+    begin(&mut w, request, "the cycle corrects it", &notes);
+    let moves = &request.path.moves;
+    let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
+    // The approach: every move before the first that leaves the start.
+    let approach = moves.iter().take_while(|m| m.step <= 1).count();
+    for (i, step) in moves.iter().enumerate().take(approach) {
+        position(&mut w, request, i, step, moves.get(i.wrapping_sub(1)).map(|m| m.to));
+    }
+    debug_assert!(moves.iter().any(touches), "a cycle touches");
+    let call = call(&w, request);
+    w.line(&call);
+    let last = moves.len() - 1;
+    for _ in approach..last {
+        w.leaves_move();
+    }
+    position(&mut w, request, last, &moves[last], Some(moves[last - 1].to));
+    end(&mut w, request);
+    w.finish()
+}
+
+/// The sign of the infeed, argument 11. Not settled: a generator for the control's own editor writes it positive, two others negative.
+const INFEED_SIGN: f64 = 1.0;
+
+/// CYCLE977 for an inside rectangle with a protection zone: 29 arguments, by position as in real calls.
+fn call(w: &Writer<'_>, request: &Request<'_>) -> String {
+    let rectangle = Rectangle::of(request);
+    let [w1, w2] = rectangle.widths.map(|x| w.number(x));
+    let [za, zo] = rectangle.zone.map(|x| w.number(x));
+    let path = w.number(rectangle.path);
+    let safe = w.number(request.setup.overtravel.min(rectangle.path));
+    let infeed = w.number(INFEED_SIGN * rectangle.infeed);
+    let [a, o, _] = request.plane.axes();
+    let [x, y] = [a, o].map(|axis| w.number(request.path.frame.origin[axis]));
+    // Thousands: with a protection zone. Hundreds: corrects the work offset. Units: rectangle inside.
+    let (variant, offset) = match request.work_offset {
+        Some(n) => (1105, (10_000 + n).to_string()),
+        None => (1005, String::new()),
+    };
+    let tolerance = w.number(1.01);
+    // 22 to 24 are empty where nothing is corrected. 27 = 11: the centre follows.
+    let correction = if request.work_offset.is_some() { format!("{},1,0", w.number(0.34)) } else { ",,".to_owned() };
+    format!(
+        "CYCLE977({variant},{offset},,1,,{w1},{w2},{path},{safe},0,{infeed},{za},{zo},,1,\"\",,0,{tolerance},{tolerance},-{tolerance},\
+         {correction},,1,11,{x},{y})"
+    )
+}

@@ -1,0 +1,409 @@
+//! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977.
+//!
+//! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
+//! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
+//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. Results stand in
+//! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
+//! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
+//! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
+//!
+//! Recalled and not verified on a control: the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
+//! system, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
+
+mod cycle977;
+mod registers;
+
+use crate::control::expr;
+use crate::control::sinumerik::registers::{RParameters, Registers};
+use crate::control::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
+use crate::control::{
+    Form, MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, job_lines, written,
+};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula};
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::num::decimal;
+use crate::path::{Move, Purpose, RAPID_RATE};
+
+pub static DEF: PostDef = PostDef {
+    key: "sinumerik",
+    title: "SINUMERIK 840D sl / 828D",
+    extension: "mpf",
+    work_offsets: 99,
+    work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
+    no_work_offset: "",
+    first_length: true,
+    plain_arithmetic: true,
+    says_job: true,
+    name: crate::control::comment_text,
+    rate,
+    supports,
+    check,
+    emit,
+};
+
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    comment: ("; ", ""),
+    comment_width: 120,
+    // Recalled: a block has at most 512 characters.
+    longest_block: 512,
+    units: ("G71", "G70"),
+    modes: "G40 G60 G90",
+    arcs: "",
+};
+
+/// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
+const LAST_REGISTER: usize = 99;
+
+/// How many more the write of the frame needs.
+const FRAME_REGISTERS: usize = 6;
+
+fn supports(cycle: &str, form: Form) -> Result<(), &'static str> {
+    match (cycle, form) {
+        (_, Form::Moves) | ("internal-rectangle-protected", _) => Ok(()),
+        ("double-wall-internal-corner", _) => Err(
+            "its corner cycle is CYCLE961, and the order of that cycle's arguments is not proven by anything we have: a wrong one \
+             would move the probe somewhere else",
+        ),
+        ("probing-two-circles", _) => Err("it has no cycle of its own for two circles"),
+        _ => Err("the arguments of its cycle for this feature are not proven by anything we have"),
+    }
+}
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    let unverified = "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
+                      it was run on a control: try it with a hand on the feed override";
+    checker.info("not-verified", "control.post", unverified);
+    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+        let message = format!(
+            "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {}/min",
+            checker.length(RAPID_RATE)
+        );
+        checker.info("rapid-at-feed", "feeds", message);
+    }
+    check_watched(request, checker);
+    if request.form == Form::Cycle {
+        return cycle977::check(request, checker);
+    }
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    check_write(request, checker);
+    let registers = Registers::allocate(&request.path.formula.plain());
+    let last = registers.last + frame_registers(request, &request.path.formula);
+    if last > LAST_REGISTER {
+        let message = format!(
+            "The program would need R1 to R{last}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
+             fewer touches"
+        );
+        checker.error("too-many-registers", "control.post", message);
+    }
+}
+
+/// How many registers the write of the frame needs: a height, and a turn alone, need none.
+fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
+    let plane =
+        formula.datum.as_ref().is_some_and(|d| d.place[0].is_some() && (d.measured() != [false; 3] || d.rotation.is_some()));
+    if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
+}
+
+/// The feed of a move, mm/min: a watched move has one, and an arc is made of straight moves at one.
+fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let stated = request.feeds.rate(step.feed);
+    let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
+    stated.or(needed.then_some(RAPID_RATE))
+}
+
+/// The same where there is one.
+fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
+    rate(request, None, step).unwrap_or(RAPID_RATE)
+}
+
+fn emit(request: &Request<'_>) -> Program {
+    if request.form == Form::Cycle { cycle977::emit(request) } else { emit_moves(request) }
+}
+
+fn emit_moves(request: &Request<'_>) -> Program {
+    let formula = request.path.formula.plain();
+    let registers = Registers::allocate(&formula);
+    let mut w = Writer::new(request, &DIALECT);
+    let lines = registers.lines(&formula, frame_registers(request, &formula), DIALECT.comment_width - 2);
+    let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
+    begin(&mut w, request, &written(request, formula.datum.as_ref()), &notes);
+    let mut at = request.path.start;
+    for (i, step) in request.path.moves.iter().enumerate() {
+        match step.purpose {
+            Purpose::Position => position(&mut w, request, i, step, at),
+            Purpose::Touch(k) => {
+                touch(&mut w, request, i, step, k);
+                latch(&mut w, request, &formula, &registers, k);
+            }
+            Purpose::Back(_) => {
+                w.makes_move();
+                w.straight("G1", step.to, false, Some(rate_of(request, step)));
+            }
+        }
+        at = Some(step.to);
+    }
+    let notation = RParameters { registers: &registers };
+    for (i, assignment) in formula.assignments.iter().enumerate() {
+        let value = expr::print(&notation, &formula, &assignment.expr, request.scale);
+        w.line(&format!("R{}={value} ; {}", registers.variables[i], assignment.name));
+    }
+    for &(copy, variable) in &registers.copies {
+        w.line(&format!("R{copy}=R{}", registers.variables[variable]));
+    }
+    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
+        write_datum(&mut w, request, &formula, &registers, n, datum);
+    }
+    end(&mut w, request);
+    w.finish()
+}
+
+/// What stands before the first move. Nothing has moved when one of the checks says no.
+fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
+    let offset = match request.work_offset {
+        Some(n) => format!("Work offset: {} is selected first; {written}", (DEF.work_offset_word)(n)),
+        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
+    };
+    w.header(&offset);
+    if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+        w.comment(&format!(
+            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+        ));
+    }
+    w.comment("Not verified on a control: run it with a hand on the feed override");
+    w.comment(match (request.protected, request.form) {
+        (true, Form::Moves) => "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round",
+        (true, Form::Cycle) => "Watched moves are MEAS=1 G1 with a check; the cycle touches by itself",
+        (false, Form::Moves) => "Touches are MEAS=1 G1 with a check. Positioning is NOT watched",
+        (false, Form::Cycle) => "The cycle touches by itself. Positioning is NOT watched",
+    });
+    for note in notes {
+        w.comment(note);
+    }
+    if let Some(job) = request.job {
+        w.comment(&format!("{MADE_BY}{} from this job, every value, defaults too:", env!("CARGO_PKG_VERSION")));
+        for line in job_lines(job, DIALECT.comment_width - 2) {
+            w.comment(&line);
+        }
+    }
+    w.line("DEF INT TP_MOVE");
+    w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
+    w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
+    w.line("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED");
+    w.modes();
+    w.line("M5 M9");
+    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    let any = |frame: &str, axes: &[&str], parts: &[(&str, u8)]| {
+        let terms: Vec<String> = parts
+            .iter()
+            .flat_map(|(part, none)| axes.iter().map(move |axis| format!("({frame}{axis},{part}]<>{none})")))
+            .collect();
+        format!("IF {} GOTOF TP_FRAME", terms.join(" OR "))
+    };
+    let all = [a, o, tool];
+    let Some(n) = request.work_offset else {
+        w.comment("A programmed shift may be active, but no turn, mirror or scale");
+        w.line(&any("$P_PFRAME[", &all, &[("RT", 0), ("MI", 0)]));
+        w.line(&any("$P_PFRAME[", &all, &[("SC", 1)]));
+        return;
+    };
+    w.line("TRANS");
+    w.line(&(DEF.work_offset_word)(n));
+    if request.form != Form::Moves {
+        return;
+    }
+    w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
+    let offset = format!("$P_UIFR[{n},");
+    w.line(&any(&offset, &[a, o], &[("RT", 0)]));
+    w.line(&any(&offset, &all, &[("MI", 0)]));
+    w.line(&any(&offset, &all, &[("SC", 1)]));
+    for frame in ["$P_TOOLFRAME[", "$P_WPFRAME["] {
+        w.line(&any(frame, &all, &[("TR", 0), ("RT", 0)]));
+    }
+}
+
+/// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
+/// watched.
+fn position(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
+    w.line(&format!("TP_MOVE={}", index + 1));
+    if comes_from_anywhere(request, index, step) {
+        return approach(w, request, step);
+    }
+    let mut from = at;
+    w.makes_move();
+    for to in pieces(request, step, at) {
+        if request.protected {
+            // On the way up an exit that lifts would push on against what was met.
+            let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
+            let words = w.place(to, false);
+            watched(w, &words, rate_of(request, step), exit);
+        } else {
+            let rate = rate(request, at, step);
+            w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
+        }
+        from = Some(to);
+    }
+}
+
+/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
+    let height = w.height_word(step.to);
+    let (axis, level) = height.split_at(1);
+    w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
+    let stated = rate(request, None, step);
+    let up = w.tool_word(step.to);
+    let feed = stated.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
+    let word = if stated.is_some() { "G1" } else { "G0" };
+    let go = |w: &mut Writer<'_>, words: &str, exit: &str| {
+        if request.protected {
+            watched(w, words, rate_of(request, step), exit);
+        } else {
+            w.line(&format!("{word}{words}{feed}"));
+        }
+    };
+    go(w, &up, "TP_BLOCKED");
+    w.line("TP_ABOVE:");
+    let across = w.plane_words(step.to);
+    go(w, &across, "TP_CONTACT");
+    w.makes_move();
+    let down = w.tool_word(step.to);
+    go(w, &down, "TP_CONTACT");
+}
+
+/// One move in which nothing may be touched, and where a contact jumps to.
+fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
+    let block = format!("MEAS=1 G1{words} F{}", w.number(rate));
+    w.line(&block);
+    w.line("STOPRE");
+    w.line(&format!("IF $AC_MEA[1]<>0 GOTOF {exit}"));
+}
+
+fn touch(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, k: usize) {
+    w.line(&format!("TP_MOVE={}", index + 1));
+    w.makes_move();
+    // MEAS takes the positions of the axes that its block names.
+    let touch = &request.path.touches[k];
+    let words = w.all_words(step.to - touch.vector * touch.search);
+    let block = format!("MEAS=1 G1{words} F{}", w.number(request.feeds.work));
+    w.line(&block);
+    w.line("STOPRE");
+    w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
+}
+
+/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, k: usize) {
+    let sample = request.path.samples(k);
+    for axis in (0..3).filter(|&axis| formula.uses(sample.index, axis)) {
+        let register = registers.trigger(sample.index, axis);
+        let name = AXIS_NAMES[axis];
+        w.line(&match (sample.first, sample.last) {
+            (true, _) => format!("R{register}=$AA_MW[{name}] ; {}", expr::trigger_name(sample.index, axis)),
+            (false, false) => format!("R{register}=R{register}+$AA_MW[{name}]"),
+            (false, true) => format!("R{register}=(R{register}+$AA_MW[{name}])/{}", sample.count),
+        });
+    }
+}
+
+/// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
+/// of the frame (about the tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is
+/// T + R(a)·measured − R(b)·nominal.
+fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, n: i32, datum: &Datum) {
+    if datum.measured() == [false; 3] && datum.rotation.is_none() {
+        return;
+    }
+    let notation = RParameters { registers };
+    let value = |e: &Expr| expr::print(&notation, formula, e, request.scale);
+    let constant = |mm: f64| decimal(mm / request.scale, 12);
+    let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
+    w.comment("One write, at the very end: the shift that brings what was measured to its nominal place");
+    if let [Some((x, nx)), Some((y, ny)), _] = &datum.place {
+        let [before, after, mx, my, nominal_x, nominal_y] = [1, 2, 3, 4, 5, 6].map(|i| registers.last + i);
+        w.line(&format!("R{before}={}", frame(tool, "RT")));
+        w.line(&match &datum.rotation {
+            Some(turn) => format!("R{after}=R{before}+{}", value(turn)),
+            None => format!("R{after}=R{before}"),
+        });
+        for (register, text) in [(mx, value(x)), (my, value(y)), (nominal_x, constant(*nx)), (nominal_y, constant(*ny))] {
+            w.line(&format!("R{register}={text}"));
+        }
+        w.line(&format!(
+            "{0}={0}+R{mx}*COS(R{before})-R{my}*SIN(R{before})-R{nominal_x}*COS(R{after})+R{nominal_y}*SIN(R{after})",
+            frame(a, "TR")
+        ));
+        w.line(&format!(
+            "{0}={0}+R{mx}*SIN(R{before})+R{my}*COS(R{before})-R{nominal_x}*SIN(R{after})-R{nominal_y}*COS(R{after})",
+            frame(o, "TR")
+        ));
+    }
+    if let Some((z, nominal)) = &datum.place[2] {
+        w.line(&format!("{0}={0}+{1}-({2})", frame(tool, "TR"), value(z), constant(*nominal)));
+    }
+    if let Some(turn) = &datum.rotation {
+        w.line(&format!("{0}={0}+{1}", frame(tool, "RT"), value(turn)));
+    }
+    w.line(&(DEF.work_offset_word)(n));
+}
+
+/// The end, and the exits behind it. Whatever went wrong, the program itself has written nothing.
+fn end(w: &mut Writer<'_>, request: &Request<'_>) {
+    w.line("M30");
+    let tool = request.plane.axes()[2];
+    let stop = |w: &mut Writer<'_>| {
+        for line in ["SETAL(65000)", "M0", "M30"] {
+            w.line(line);
+        }
+    };
+    // A cycle of the control's own may have written before the last lift.
+    let written = match (request.form, request.work_offset) {
+        (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
+        _ => "Nothing is written",
+    };
+    // Where something jumps to an exit that lifts: a watched move, or a touch.
+    let touches = request.form == Form::Moves;
+    if let Some(first) = request.path.moves.first().filter(|_| request.protected || touches) {
+        let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
+        // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
+        let (axis, height) = (AXIS_NAMES[tool], w.number(highest(request)[tool]));
+        if request.protected {
+            w.line("TP_BLOCKED:");
+            w.line(&contact);
+            w.line("GOTOF TP_STOP");
+            w.line("TP_CONTACT:");
+            w.line(&contact);
+            w.line("GOTOF TP_EXIT");
+        }
+        if touches {
+            w.line("TP_MISSED:");
+            w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
+        }
+        w.line("TP_EXIT:");
+        w.line(&format!("IF $AA_IW[{axis}]>={height} GOTOF TP_STOP"));
+        let lift = format!("G1 {axis}{height} F{}", w.number(rate_of(request, first)));
+        w.line(&lift);
+        w.line("TP_STOP:");
+        stop(w);
+    }
+    for (label, message) in [
+        ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
+        ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),
+    ] {
+        w.line(&format!("{label}:"));
+        w.line(&format!("MSG(\"{message}\")"));
+        stop(w);
+    }
+    let frame = match (request.work_offset, request.form) {
+        (None, _) => "A programmed turn, mirror or scale is active. Nothing has moved",
+        (Some(_), Form::Moves) => {
+            "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
+        }
+        _ => return,
+    };
+    w.line("TP_FRAME:");
+    w.line(&format!("MSG(\"{frame}\")"));
+    stop(w);
+}

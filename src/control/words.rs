@@ -1,0 +1,321 @@
+//! The word-address writer that posts share: blocks of G words, axis words and feeds.
+
+use crate::control::{Program, Request, comment_text};
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::num::decimal;
+use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
+
+/// How a control's blocks are written, beyond what every word-address control shares.
+#[derive(Debug)]
+pub struct Dialect {
+    /// Decimals of lengths and feeds in mm.
+    pub decimals_mm: usize,
+    /// Decimals of lengths and feeds in inch.
+    pub decimals_inch: usize,
+    /// What a comment begins and ends with.
+    pub comment: (&'static str, &'static str),
+    /// The most characters of a comment line. A longer text continues in the next one.
+    pub comment_width: usize,
+    /// The most characters of a block.
+    pub longest_block: usize,
+    /// The words for mm and inch.
+    pub units: (&'static str, &'static str),
+    /// Exact stop, and everything modal that must not leak in, but for plane and units.
+    pub modes: &'static str,
+    /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
+    pub arcs: &'static str,
+}
+
+/// Writes a program block by block and remembers which block makes which move.
+#[derive(Debug)]
+pub struct Writer<'a> {
+    request: &'a Request<'a>,
+    dialect: &'static Dialect,
+    text: String,
+    lines: usize,
+    move_lines: Vec<Option<usize>>,
+    /// The axis words of the last block.
+    last: [String; 3],
+    /// Which axes a block has named.
+    stated: [bool; 3],
+}
+
+impl<'a> Writer<'a> {
+    /// An empty program.
+    pub fn new(request: &'a Request<'a>, dialect: &'static Dialect) -> Self {
+        let move_lines = Vec::with_capacity(request.path.moves.len());
+        let mut writer = Writer {
+            request,
+            dialect,
+            text: String::with_capacity(4096),
+            lines: 0,
+            move_lines,
+            last: Default::default(),
+            stated: [false; 3],
+        };
+        if let Some(start) = request.path.start {
+            writer.last = writer.words(start);
+        }
+        writer
+    }
+
+    /// One line.
+    pub fn line(&mut self, text: &str) {
+        debug_assert!(!text.contains(['\n', '\r']), "a line is one line");
+        debug_assert!(text.starts_with(['(', ';']) || text.len() <= self.dialect.longest_block, "{text}");
+        self.text.push_str(text);
+        self.text.push('\n');
+        self.lines += 1;
+    }
+
+    /// A comment, in as many lines as it needs. Whatever is in `text`, it stays inside.
+    pub fn comment(&mut self, text: &str) {
+        debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
+        let (open, close) = self.dialect.comment;
+        for line in wrapped(text, self.dialect.comment_width - open.len() - close.len()) {
+            self.line(&format!("{open}{line}{close}"));
+        }
+    }
+
+    /// A length or feed in the program's units, with the decimals the control takes.
+    pub fn number(&self, mm: f64) -> String {
+        decimal(mm / self.request.scale, self.decimals())
+    }
+
+    /// A place by its axis words: `X0 Y0 Z30`.
+    pub fn place_words(&self, place: Vec3) -> String {
+        self.words(place).concat().trim_start().to_owned()
+    }
+
+    /// The axis word of the tool axis: `Z30`.
+    pub fn height_word(&self, place: Vec3) -> String {
+        let [_, _, tool] = self.request.plane.axes();
+        self.words(place)[tool].trim_start().to_owned()
+    }
+
+    /// The first lines: what will happen, in which units, with which stylus, and from where.
+    pub fn header(&mut self, offset: &str) {
+        let request = self.request;
+        let unit = if request.scale == 1.0 { "mm" } else { "inch" };
+        self.comment(&format!("Job: {}", comment_text(request.name)));
+        self.comment(&format!("{}: {}", request.source, request.title));
+        self.comment(&format!(
+            "Units {unit}, plane {}, stylus ball diameter {}, overtravel {}",
+            request.plane.word(),
+            self.number(2.0 * request.setup.radius),
+            self.number(request.setup.overtravel)
+        ));
+        self.comment(offset);
+        self.comment("Before the start: stylus in the spindle, its length active");
+        if let Some(start) = request.path.start {
+            let text = stated_start(request, &self.place_words(start));
+            self.comment(&format!("{text} No block moves it there"));
+        }
+        if let (Some(first), None, None) = (request.path.moves.first(), request.path.start, request.path.top) {
+            let height = self.height_word(first.to);
+            self.comment(&format!(
+                "This cycle knows no top side: it begins and ends at {height}, which must be above the part"
+            ));
+        }
+    }
+
+    /// Units and modes: stated, never inherited.
+    pub fn modes(&mut self) {
+        let request = self.request;
+        self.line(if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 });
+        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { self.dialect.arcs } else { "" };
+        self.line(&format!("{} {}{arcs} G94", request.plane.word(), self.dialect.modes));
+    }
+
+    /// A straight move as one block: `word`, axis words, and a feed where there is one. `all` names every axis whose place has been
+    /// stated, else only those that change.
+    pub fn straight(&mut self, word: &str, to: Vec3, all: bool, rate: Option<f64>) {
+        let mut block = word.to_owned();
+        block.push_str(&self.place(to, all));
+        self.finish_block(block, rate);
+    }
+
+    /// A touch as one block: it runs on past its contact by the search length, along the inverted target vector.
+    pub fn touch(&mut self, word: &str, step: &Move, touch: &Touch, all: bool, rate: f64) {
+        self.straight(word, step.to - touch.vector * touch.search, all, Some(rate));
+    }
+
+    /// A positioning move along an arc from where the ball stands, with an incremental centre.
+    pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
+        let mut block = if arc.sweep > 0.0 { "G3" } else { "G2" }.to_owned();
+        block.push_str(&self.place(step.to, false));
+        let to_center = arc.center - from;
+        let [a, o, _] = self.request.plane.axes();
+        for axis in [a.min(o), a.max(o)] {
+            block.push_str(&format!(" {}{}", ["I", "J", "K"][axis], self.number(to_center[axis])));
+        }
+        self.finish_block(block, rate);
+    }
+
+    /// All three axis words, whatever the last block said.
+    pub fn all_words(&mut self, to: Vec3) -> String {
+        self.named(to, |_| true)
+    }
+
+    /// Words of the two axes of the plane, whatever the last block said.
+    pub fn plane_words(&mut self, to: Vec3) -> String {
+        let [a, o, _] = self.request.plane.axes();
+        self.named(to, |axis| axis == a || axis == o)
+    }
+
+    /// The word of the tool axis, whatever the last block said.
+    pub fn tool_word(&mut self, to: Vec3) -> String {
+        let [_, _, tool] = self.request.plane.axes();
+        self.named(to, |axis| axis == tool)
+    }
+
+    /// The next line makes the next move.
+    pub fn makes_move(&mut self) {
+        self.move_lines.push(Some(self.lines));
+    }
+
+    /// The control makes the next move by itself.
+    pub fn leaves_move(&mut self) {
+        self.move_lines.push(None);
+    }
+
+    /// The ball stands at a place that a block named by other means than axis words.
+    pub fn stands_at(&mut self, place: Vec3) {
+        self.last = self.words(place);
+        self.stated = [true; 3];
+    }
+
+    /// The axis words of a block to `target`: those that differ from the last block, and with `all` every other one that was stated
+    /// before. The axes of the plane are first named together. A block never is empty.
+    pub fn place(&mut self, target: Vec3, all: bool) -> String {
+        let [a, o, _] = self.request.plane.axes();
+        let words = self.words(target);
+        let mut wanted = [0, 1, 2].map(|i| words[i] != self.last[i] || (all && self.stated[i]));
+        let in_plane = wanted[a] || wanted[o];
+        if in_plane && !(self.stated[a] && self.stated[o]) {
+            (wanted[a], wanted[o]) = (true, true);
+        }
+        if wanted == [false; 3] {
+            wanted = [true; 3];
+        }
+        self.named(target, |axis| wanted[axis])
+    }
+
+    /// The finished program.
+    pub fn finish(self) -> Program {
+        Program { text: self.text, move_lines: self.move_lines }
+    }
+
+    fn named(&mut self, target: Vec3, wanted: impl Fn(usize) -> bool) -> String {
+        let words = self.words(target);
+        let mut block = String::new();
+        for (i, word) in words.into_iter().enumerate().filter(|(i, _)| wanted(*i)) {
+            block.push_str(&word);
+            self.last[i] = word;
+            self.stated[i] = true;
+        }
+        block
+    }
+
+    fn finish_block(&mut self, mut block: String, rate: Option<f64>) {
+        if let Some(rate) = rate {
+            block.push_str(&format!(" F{}", self.number(rate)));
+        }
+        self.line(&block);
+    }
+
+    fn words(&self, place: Vec3) -> [String; 3] {
+        [0, 1, 2].map(|i| format!(" {}{}", AXIS_NAMES[i], self.number(place[i])))
+    }
+
+    fn decimals(&self) -> usize {
+        if self.request.scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
+    }
+}
+
+/// Where the job says the stylus is before the start, and what is done first for that reason. `place` is written as the control has it.
+pub fn stated_start(request: &Request<'_>, place: &str) -> String {
+    let first = request.path.moves.first().map_or(0, |m| upwards(request, request.path.start, m.to));
+    let first = match first {
+        1 => "below the clearance height: first straight up",
+        -1 => "over the first place: first straight down",
+        _ => "high enough: first in the plane at that height",
+    };
+    format!("The stylus is taken to be at {place} before the start, {first}.")
+}
+
+/// A text in lines of at most `width` characters, parted at spaces where there are any.
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let line = lines.last_mut().expect("there is a line");
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.len() + 1 + word.len() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    // A word longer than a line is cut: comments are ASCII.
+    lines
+        .into_iter()
+        .flat_map(|line| {
+            let pieces: Vec<String> = line.as_bytes().chunks(width).map(|c| String::from_utf8_lossy(c).into_owned()).collect();
+            if pieces.is_empty() { vec![String::new()] } else { pieces }
+        })
+        .collect()
+}
+
+/// Whether a move goes down the tool axis, up it, or neither: −1, 1, 0.
+pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
+    let Some(from) = from else { return 0 };
+    let rise = (to - from).dot(request.path.frame.w);
+    // Between touches that are level within the rounding of a dump nothing goes up; any way down is one.
+    if rise > ONE_LEVEL {
+        1
+    } else if rise < -1e-6 {
+        -1
+    } else {
+        0
+    }
+}
+
+/// As high as the path ever is.
+pub fn highest(request: &Request<'_>) -> Vec3 {
+    let w = request.path.frame.w;
+    let ends = request.path.moves.iter().map(|m| m.to).chain(request.path.start);
+    ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w))).unwrap_or(Vec3::ZERO)
+}
+
+/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
+/// ball has free before its touches.
+const CHORD_SAG: f64 = 0.02;
+
+/// The ends of the straight moves that make a positioning move.
+pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
+    let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
+    // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
+    let radius = from.distance(arc.center);
+    let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
+    let degrees = (2.0 * (1.0 - sag / radius).clamp(-1.0, 1.0).acos()).to_degrees();
+    step.pieces(from, request.path.frame.w, degrees.clamp(0.1, 30.0))
+}
+
+/// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.
+pub fn comes_from_anywhere(request: &Request<'_>, index: usize, step: &Move) -> bool {
+    index == 0 && request.path.start.is_none() && step.purpose == Purpose::Position
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn long_comments_are_parted_at_spaces_and_nothing_is_lost() {
+        assert_eq!(wrapped("aa bb cc", 5), ["aa bb", "cc"]);
+        assert_eq!(wrapped("aaaaaaa b", 3), ["aaa", "aaa", "a", "b"]);
+        assert_eq!(wrapped("", 5), [""]);
+    }
+}

@@ -1,0 +1,398 @@
+//! Corners of two walls, each touched once or more.
+//!
+//! In the frame (u, v) wall 1 runs from the corner along +v, wall 2 along (sin A, cos A), A being the angle between them: inside
+//! an internal corner, in the material of an external one. Picked touches may name the walls the other way round: then all is
+//! mirrored at the u axis, and the angle counts negative here.
+
+use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
+use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula, Role, project};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+
+/// A corner of two walls. Indices are those of the walls.
+#[derive(Clone, Debug)]
+pub struct Corner {
+    /// Whether the material lies around it.
+    pub internal: bool,
+    /// Between the walls, degrees; negative where they are named the other way round.
+    pub angle: f64,
+    /// From the wall to the ball centre where its touches begin, mm.
+    pub clearances: [f64; 2],
+    /// How many touches.
+    pub counts: [usize; 2],
+    /// From touch to touch, mm.
+    pub steps: [f64; 2],
+    /// From the corner to the first touch, mm; none where it is the foot of the start.
+    pub distances: Option<[f64; 2]>,
+}
+
+/// One wall, in the frame (u, v).
+#[derive(Clone, Copy, Debug)]
+pub struct Side {
+    /// Along the wall, away from the corner.
+    pub along: (f64, f64),
+    /// Outward normal.
+    pub normal: (f64, f64),
+    /// From the corner to its first touch.
+    pub first: f64,
+}
+
+/// The directions of the two walls, and the start: `clearances` from both. With wall 1 on the v axis that is, inside,
+/// u = c1, v = (c2 + c1·cos A) / sin A; by symmetry its foot on wall 2 is (c1 + c2·cos A) / sin A from the corner. Outside it is
+/// the same point on the other side of the corner.
+pub fn walls(internal: bool, angle: f64, clearances: [f64; 2], distances: Option<[f64; 2]>) -> ([Side; 2], (f64, f64)) {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    let [c1, c2] = clearances;
+    let side = if internal { 1.0 } else { -1.0 };
+    let hand = sin.signum();
+    let feet = [(c2 + c1 * cos) / sin, (c1 + c2 * cos) / sin];
+    let first = distances.unwrap_or(feet.map(|foot| foot * hand));
+    let sides = [
+        Side { along: (0.0, hand), normal: (side, 0.0), first: first[0] },
+        Side { along: (sin * hand, cos * hand), normal: (-cos * side, sin * side), first: first[1] },
+    ];
+    (sides, (c1 * side, feet[0] * side))
+}
+
+/// The direction along a wall, away from the corner, from its outward normal.
+fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f64, f64) {
+    // Counter-clockwise from the normal of wall 1 inside, clockwise from that of wall 2; outside, and mirrored, the other way round.
+    if (internal == (wall == 0)) != mirrored { (-normal.1, normal.0) } else { (normal.1, -normal.0) }
+}
+
+/// The corner's direction and angle from the normals of its walls: degrees; the angle is negative where wall 2 lies
+/// counter-clockwise from wall 1.
+pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, f64) {
+    let side = if internal { 1.0 } else { -1.0 };
+    let [n1, n2] = normals.map(|n| {
+        let (a, o) = flat(plane, n);
+        (a * side, o * side)
+    });
+    let rotation = n1.1.atan2(n1.0).to_degrees();
+    // n2 = (−cos A, sin A) with n1 as the first direction.
+    let (x, y) = (n2.0 * n1.0 + n2.1 * n1.1, n2.1 * n1.0 - n2.0 * n1.1);
+    (rotation, y.atan2(-x).to_degrees())
+}
+
+/// Where two walls meet, at the level of the first touch.
+pub fn meeting(plane: Plane, one: &Pick, two: &Pick) -> Option<Vec3> {
+    let [a, o, _] = plane.axes();
+    let ((a1, o1), (a2, o2)) = (flat(plane, one.vector), flat(plane, two.vector));
+    let q = |pick: &Pick, n: (f64, f64)| pick.point[a] * n.0 + pick.point[o] * n.1;
+    let (q1, q2) = (q(one, (a1, o1)), q(two, (a2, o2)));
+    let det = a1 * o2 - o1 * a2;
+    if det.abs() < 1e-6 {
+        return None;
+    }
+    let mut corner = one.point;
+    (corner[a], corner[o]) = ((q1 * o2 - q2 * o1) / det, (a1 * q2 - a2 * q1) / det);
+    Some(corner)
+}
+
+/// Reports walls that lie on the wrong side of each other: inside a corner each is in front of the other, outside behind it.
+pub fn sides_rule(internal: bool, firsts: &[(usize, Pick)], checker: &mut Checker) {
+    for (k, pick) in firsts {
+        let wrong = firsts.iter().filter(|(j, _)| j != k).any(|(_, other)| {
+            let front = (other.point - pick.point).dot(pick.vector);
+            if internal { front <= 0.0 } else { front >= 0.0 }
+        });
+        if wrong {
+            picks::turned_inwards(*k, internal, checker);
+        }
+    }
+}
+
+impl Corner {
+    fn sides(&self) -> ([Side; 2], (f64, f64)) {
+        walls(self.internal, self.angle, self.clearances, self.distances)
+    }
+
+    fn wall_of(&self, k: usize) -> usize {
+        usize::from(k >= self.counts[0])
+    }
+}
+
+impl Shape for Corner {
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        let (sides, _) = self.sides();
+        let mut touches = Vec::new();
+        for (wall, side) in sides.iter().enumerate() {
+            let direction = frame.direction(side.along.0, side.along.1);
+            let vector = frame.direction(side.normal.0, side.normal.1);
+            for i in 0..self.counts[wall] {
+                touches.push((frame.origin + direction * (side.first + i as f64 * self.steps[wall]), vector, wall));
+            }
+        }
+        touches
+    }
+
+    fn name(&self, k: usize) -> String {
+        match self.wall_of(k) {
+            0 => format!("Point {} on the first side", k + 1),
+            _ => format!("Point {} on the second side", k - self.counts[0] + 1),
+        }
+    }
+
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        clearance_rule(checker, setup, "Clearance 1", self.clearances[0], "cycle.clearance1");
+        clearance_rule(checker, setup, "Clearance 2", self.clearances[1], "cycle.clearance2");
+        if checker.sound(&["cycle.count1", "cycle.count2"]) {
+            let path = if self.counts[0] >= self.counts[1] { "cycle.count1" } else { "cycle.count2" };
+            touch_count_rule(checker, self.counts[0] + self.counts[1], path);
+        }
+        let paths = ["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"];
+        if !self.internal || !checker.sound(&paths) {
+            return;
+        }
+        // The first touch of a wall has its foot `first` from the corner, and the ball in contact there stands
+        // c_other + (c − r)·cos A from the other wall.
+        let cos = self.angle.to_radians().cos();
+        let (sides, _) = self.sides();
+        for (n, other) in [(0, 1), (1, 0)] {
+            let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
+            let angle = crate::num::decimal(self.angle, 4);
+            let (first, n1, other1) = (sides[n].first, n + 1, other + 1);
+            let message = if first <= 0.0 {
+                format!(
+                    "The first touch of wall {n1} would fall {} beyond the corner: at {angle}° clearance {other1} must be larger than {}",
+                    checker.length(-first),
+                    checker.length(-self.clearances[n] * cos)
+                )
+            } else if free <= setup.radius {
+                format!(
+                    "In the first touch of wall {n1} the ball would meet wall {other1} first: at {angle}° clearance {other1} must be \
+                     larger than {}",
+                    checker.length(setup.radius - (self.clearances[n] - setup.radius) * cos)
+                )
+            } else {
+                continue;
+            };
+            checker.error("touch-beyond-corner", format!("cycle.clearance{other1}"), message);
+        }
+    }
+
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
+        if !picks::counted(picks, self.counts[0] + self.counts[1], checker) {
+            return;
+        }
+        let all: Vec<usize> = (0..picks.len()).collect();
+        picks::levelled(picks, &all, plane, checker);
+        picks::one_level(picks, &all, plane, checker);
+        let firsts = [0, self.counts[0]];
+        for (k, pick) in picks.iter().enumerate() {
+            let first = &picks[firsts[self.wall_of(k)]];
+            let away = pick.point - first.point;
+            // A vector may be off by a thousandth: over a distance that is so much.
+            let off = away.dot(first.vector).abs();
+            let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
+            if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) < NEAR / 2.0) {
+                let message =
+                    format!("Touch {} lies on another of its wall: only touches that are apart give its direction", k + 1);
+                checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);
+            }
+            if !same {
+                let message = format!("Touch {} does not lie on the same wall as touch {}", k + 1, firsts[self.wall_of(k)] + 1);
+                checker.error("not-on-one-wall", format!("cycle.touches[{k}]"), message);
+            }
+        }
+        if !checker.sound(&["cycle.touches"]) {
+            return;
+        }
+        let [one, two] = firsts.map(|k| picks[k]);
+        if meeting(plane, &one, &two).is_none() {
+            checker.error("walls-parallel", "cycle.touches", "The two walls are parallel: they make no corner");
+            return;
+        }
+        sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
+        if self.internal && checker.sound(&["cycle.touches"]) {
+            let reading = |i: usize| (firsts[i], picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i]);
+            picks::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
+        }
+    }
+
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+        let [one, two] = [picks[0], picks[self.counts[0].min(picks.len() - 1)]];
+        let origin = meeting(plane, &one, &two).unwrap_or(one.point);
+        let (rotation, angle) = from_normals(self.internal, plane, [one.vector, two.vector]);
+        let mut sizes = vec![("angle", angle)];
+        if self.distances.is_some() {
+            sizes.push(("distance1", (one.point - origin).length()));
+            let level = plane.basis()[2];
+            let away = two.point - origin;
+            sizes.push(("distance2", (away - level * away.dot(level)).length()));
+        }
+        for (key, first, count) in [("step1", 0, self.counts[0]), ("step2", self.counts[0], self.counts[1])] {
+            if let [a, b, ..] = &picks[first..(first + count).min(picks.len())] {
+                sizes.push((key, a.point.distance(b.point)));
+            }
+        }
+        Placement { origin, rotation, sizes }
+    }
+
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+        let (_, (u, v)) = self.sides();
+        let start = on.frame.point(u, v, 0.0);
+        begin(tracer, &on.frame, start, feed_distance, 1);
+        // Step numbers of each side: first touch, further touches, back to the start.
+        for (wall, [first, further, back]) in [[2, 3, 5], [6, 7, 9]].into_iter().enumerate() {
+            let touches = on.touches.iter().enumerate().filter(|(_, t)| t.group == wall);
+            for (i, (k, touch)) in touches.enumerate() {
+                let step = if i == 0 { first } else { further };
+                if i > 0 || !self.internal {
+                    tracer.position(touch.point + touch.vector * self.clearances[wall], Feed::LongLink, step);
+                }
+                tracer.touch(k, touch, Feed::LongLink, step);
+            }
+            tracer.position(start, Feed::LongLink, back);
+        }
+        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 10);
+    }
+
+    /// Each wall is a line: through the mean of the ball centres, along their total-least-squares direction where there are two or
+    /// more, else along the nominal one; then offset by the ball radius along its own normal. The corner is where they meet.
+    fn formula(&self, on: &Seated<'_>) -> Formula {
+        let plane = on.setup.plane;
+        let [a, o, _] = plane.axes();
+        let origin = on.frame.origin;
+        let mut formula = Formula::default();
+        let firsts = [0, self.counts[0]];
+        let [one, two] = [0, 1].map(|i| {
+            let normal = flat(plane, on.touches[firsts[i]].vector);
+            let line = Line {
+                number: i + 1,
+                first: firsts[i],
+                count: self.counts[i],
+                along: along(self.internal, self.angle < 0.0, i, normal),
+                normal,
+            };
+            line.fit(&mut formula, (a, o), on.setup.radius)
+        });
+        // Cramer's rule on n1·p = q1, n2·p = q2.
+        let det = formula.set("det", one.normal.0.clone() * two.normal.1.clone() - one.normal.1.clone() * two.normal.0.clone());
+        let x = (one.offset.clone() * two.normal.1.clone() - two.offset.clone() * one.normal.1.clone()) / det.clone();
+        let y = (two.offset * one.normal.0.clone() - one.offset * two.normal.0) / det;
+        let x = formula.set("corner_x", x);
+        let y = formula.set("corner_y", y);
+        // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
+        // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
+        let tilts = one.tilt.clone().zip(two.tilt);
+        let clockwise = self.internal != (self.angle < 0.0);
+        let rotation = one.tilt.map(|tilt| formula.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt }));
+        let nominal = self.angle.abs();
+        let angle = tilts.map(|(t1, t2)| {
+            let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
+            formula.set("angle", sum)
+        });
+        formula.result("corner.x", Role::Abscissa, "Corner, abscissa", origin[a], Some(&x));
+        formula.result("corner.y", Role::Ordinate, "Corner, ordinate", origin[o], Some(&y));
+        formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
+        formula.result("angle", Role::Angle, "Angle between the walls", nominal, angle.as_ref());
+        formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation.as_ref());
+        formula
+    }
+
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+        let margin = 3.0 * on.setup.radius.max(2.0);
+        let (sides, _) = self.sides();
+        sides
+            .iter()
+            .enumerate()
+            .map(|(wall, side)| {
+                let last = side.first.max(0.0) + (self.counts[wall].max(1) - 1) as f64 * self.steps[wall];
+                Surface::Flat(Wall {
+                    point: on.frame.origin,
+                    normal: on.frame.direction(side.normal.0, side.normal.1),
+                    along: on.frame.direction(side.along.0, side.along.1),
+                    extent: (0.0, last + margin),
+                    drawn_depth: 2.0 * on.setup.radius.max(1.0),
+                    has_top: false,
+                    body: if self.internal { wall } else { 0 },
+                })
+            })
+            .collect()
+    }
+
+    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+        None
+    }
+
+    fn turned_error(&self, code: &str) -> Option<&'static str> {
+        (self.counts.contains(&1) && code.starts_with("corner.")).then_some(
+            "a wall with one touch is taken to have its nominal direction, which a turned part has not: give it a second touch",
+        )
+    }
+}
+
+/// A wall's touches and its nominal directions in the plane.
+struct Line {
+    number: usize,
+    first: usize,
+    count: usize,
+    along: (f64, f64),
+    normal: (f64, f64),
+}
+
+/// The fitted wall: normal · p = offset, both in the plane.
+struct Fitted {
+    normal: (Expr, Expr),
+    offset: Expr,
+    /// Its direction against the nominal one in (along, normal), degrees.
+    tilt: Option<Expr>,
+}
+
+impl Line {
+    fn fit(&self, formula: &mut Formula, (a, o): (usize, usize), radius: f64) -> Fitted {
+        let n = self.number;
+        let touches = self.first..self.first + self.count;
+        let place = |touch: usize, direction| project(Expr::trigger(touch, a), Expr::trigger(touch, o), direction);
+        if self.count == 1 {
+            let height = place(self.first, self.normal) - Expr::Length(radius);
+            let offset = formula.set(format!("q{n}"), height);
+            let normal = (constant(self.normal.0), constant(self.normal.1));
+            return Fitted { normal, offset, tilt: None };
+        }
+        let places: Vec<(Expr, Expr)> = touches
+            .map(|touch| {
+                let s = formula.set(format!("s{}", touch + 1), place(touch, self.along));
+                let h = formula.set(format!("h{}", touch + 1), place(touch, self.normal));
+                (s, h)
+            })
+            .collect();
+        let count = Expr::Number(self.count as f64);
+        let sum = |parts: Vec<Expr>| parts.into_iter().reduce(|sum, part| sum + part).expect("two touches or more");
+        let mean_s = formula.set(format!("mean_s{n}"), sum(places.iter().map(|p| p.0.clone()).collect()) / count.clone());
+        let mean_h = formula.set(format!("mean_h{n}"), sum(places.iter().map(|p| p.1.clone()).collect()) / count);
+        let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
+            ((h2.clone() - h1.clone()) / (s2.clone() - s1.clone())).atan2(Expr::Number(1.0))
+        } else {
+            self.least_squares(formula, places, &mean_s, &mean_h)
+        };
+        let tilt = formula.set(format!("tilt{n}"), tilt);
+        let sin = formula.set(format!("sin{n}"), tilt.clone().sin());
+        let cos = formula.set(format!("cos{n}"), tilt.clone().cos());
+        let offset = mean_h * cos.clone() - mean_s * sin.clone() - Expr::Length(radius);
+        let offset = formula.set(format!("q{n}"), offset);
+        let mut turned = |name: &str, along: f64, normal: f64| {
+            formula.set(format!("{name}{n}"), project(cos.clone(), sin.clone(), (normal, -along)))
+        };
+        let normal = (turned("na", self.along.0, self.normal.0), turned("no", self.along.1, self.normal.1));
+        Fitted { normal, offset, tilt: Some(tilt) }
+    }
+
+    /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
+    fn least_squares(&self, formula: &mut Formula, places: Vec<(Expr, Expr)>, mean_s: &Expr, mean_h: &Expr) -> Expr {
+        let n = self.number;
+        let (mut ss, mut hh, mut sh) = (Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0));
+        for (i, (s, h)) in places.into_iter().enumerate() {
+            let touch = self.first + i + 1;
+            let ds = formula.set(format!("ds{touch}"), s - mean_s.clone());
+            let dh = formula.set(format!("dh{touch}"), h - mean_h.clone());
+            ss = formula.set(format!("ss{n}_{}", i + 1), ss + ds.clone() * ds.clone());
+            hh = formula.set(format!("hh{n}_{}", i + 1), hh + dh.clone() * dh.clone());
+            sh = formula.set(format!("sh{n}_{}", i + 1), sh + ds * dh);
+        }
+        (Expr::Number(2.0) * sh).atan2(ss - hh) / Expr::Number(2.0)
+    }
+}

@@ -1,0 +1,174 @@
+//! What dimensions make: opposite walls, a circle, a corner of two walls or three, a point; and the steps and rules that these share.
+
+mod corner;
+mod pairs;
+mod point;
+mod round;
+mod still;
+mod triple;
+
+pub use corner::Corner;
+pub use pairs::{Pairs, Side};
+pub use point::Point;
+pub use round::{Circle, Variant};
+pub use still::Still;
+pub use triple::{Outside, Triple};
+
+use std::fmt::Debug;
+
+use crate::cycle::ency::{Pick, Placement};
+use crate::form::Checker;
+use crate::formula::{Expr, Formula};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
+
+/// A feature with its dimensions, and how it is probed.
+pub trait Shape: Debug {
+    /// The touches that the dimensions give: point, target vector, group.
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
+
+    /// What a touch is called in the parameter table.
+    fn name(&self, k: usize) -> String;
+
+    /// Reports dimensions that do not go together.
+    fn rules(&self, setup: &Setup, checker: &mut Checker);
+
+    /// Reports what is wrong with picked touches.
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker);
+
+    /// Where sound picks put the feature, and the sizes they give it.
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement;
+
+    /// Walks the documented steps.
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer);
+
+    /// What the control computes.
+    fn formula(&self, on: &Seated<'_>) -> Formula;
+
+    /// The surfaces, one a group.
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
+
+    /// Height of the top side along the tool axis, mm, where the source has one.
+    fn top(&self, on: &Seated<'_>) -> Option<f64>;
+
+    /// Why the control's value of this result is off on a turned part, where it is.
+    fn turned_error(&self, code: &str) -> Option<&'static str>;
+}
+
+/// A shape in its place.
+#[derive(Debug)]
+pub struct Seated<'a> {
+    /// The frame of its dimensions.
+    pub frame: Frame,
+    /// Its touches.
+    pub touches: &'a [Touch],
+    /// The job around it.
+    pub setup: &'a Setup,
+}
+
+/// To the feed distance above the start, and down to it.
+pub fn begin(tracer: &mut Tracer, frame: &Frame, start: Vec3, feed_distance: f64, step: u8) {
+    tracer.position(start + frame.w * feed_distance, Feed::Approach, step);
+    tracer.position(start, Feed::Approach, step);
+}
+
+/// The documented steps 2 to 6 of a protected cycle: over the place in front of the touch at the height of the start, down, touch
+/// and back, up, back to the start.
+pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, clearance: f64) {
+    let touch = &on.touches[k];
+    let approach = touch.point + touch.vector * clearance;
+    let over = approach + on.frame.w * (start - approach).dot(on.frame.w);
+    tracer.position(over, Feed::LongLink, 2);
+    tracer.position(approach, Feed::LongLink, 3);
+    tracer.touch(k, touch, Feed::LongLink, 4);
+    tracer.position(over, Feed::LongLink, 5);
+    tracer.position(start, Feed::LongLink, 6);
+}
+
+/// The documented steps of a cycle that touches from the middle: in from above where the top clearance is checked, all touches
+/// from there, and out.
+pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>, feed_distance: f64) {
+    let start = on.frame.point(0.0, 0.0, -depth);
+    match top {
+        Some(top) => {
+            begin(tracer, &on.frame, on.frame.point(0.0, 0.0, top), feed_distance, 1);
+            tracer.position(start, Feed::LongLink, 1);
+        }
+        None => begin(tracer, &on.frame, start, feed_distance, 2),
+    }
+    for (k, touch) in on.touches.iter().enumerate() {
+        tracer.touch(k, touch, Feed::LongLink, 3);
+    }
+    let out = top.map_or(start, |top| on.frame.point(0.0, 0.0, top));
+    tracer.position(out, Feed::LongLink, 4);
+    tracer.position(out + on.frame.w * feed_distance, Feed::Return, 5);
+}
+
+/// A component of a direction in the plane, as a formula multiplies with it.
+pub fn constant(x: f64) -> Expr {
+    Expr::Number(crate::num::tidy(x))
+}
+
+/// Abscissa and ordinate of a vector.
+pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
+    let [a, o, _] = plane.axes();
+    (v[a], v[o])
+}
+
+/// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
+/// to the ball centre.
+pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &str, clearance: f64, path: &str) {
+    if checker.sound(&[path, "stylus.diameter"]) && clearance < setup.radius + SHORTEST_TOUCH - 1e-6 {
+        let message = format!(
+            "{label} ({}) must be larger than the ball radius ({}) by at least {}: it is measured from the wall to the ball centre, \
+             and the ball would touch before the touch begins",
+            checker.length(clearance),
+            checker.length(setup.radius),
+            checker.length(SHORTEST_TOUCH)
+        );
+        checker.error("clearance-too-small", path, message);
+    }
+}
+
+/// No more touches than the parameter table can hold.
+pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
+    if count > MAX_TOUCHES {
+        let message = format!(
+            "{count} touches are more than the {MAX_TOUCHES} that the parameter table holds: touch {} would start at code {} \
+             and run into the -200 block of original points",
+            MAX_TOUCHES + 1,
+            -100 - 6 * MAX_TOUCHES as i32
+        );
+        checker.error("too-many-touches", path, message);
+    }
+}
+
+/// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself stands in the way.
+pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: Option<f64>, outside: bool) {
+    if checker.sound(&["cycle.depth", "stylus.diameter"]) && depth < setup.radius {
+        let message = format!(
+            "At a depth of {} the ball (radius {}) stands out above the top side: an edge break or burr there is part of the touch",
+            checker.length(depth),
+            checker.length(setup.radius)
+        );
+        checker.warning("touch-near-edge", "cycle.depth", message);
+    }
+    let Some(top) = crossing else { return };
+    if !checker.sound(&["cycle.topClearance", "stylus.diameter"]) || top > setup.radius {
+        return;
+    }
+    let (clearance, radius) = (checker.length(top), checker.length(setup.radius));
+    if outside {
+        let message = format!(
+            "With a top clearance of {clearance} the ball (radius {radius}) would meet the top side when it crosses, since heights \
+             are of the ball centre: it must be larger than the radius"
+        );
+        checker.error("crossing-too-low", "cycle.topClearance", message);
+    } else {
+        let message = format!(
+            "With a top clearance of {clearance} the ball (radius {radius}) crosses below the top side, since heights are of the \
+             ball centre: an island as high as the top side would be hit"
+        );
+        checker.warning("low-crossing", "cycle.topClearance", message);
+    }
+}

@@ -1,0 +1,303 @@
+//! Opposite walls: rectangles, webs, grooves.
+
+use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
+use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula, Role, project};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
+
+/// One pair of walls.
+#[derive(Clone, Copy, Debug)]
+pub struct Side {
+    /// Key of the width in the form, and its label.
+    pub width_key: (&'static str, &'static str),
+    /// From wall to wall, mm.
+    pub width: f64,
+    /// Key and label of the clearance, and the clearance itself; none where touches begin in the middle.
+    pub clearance: Option<(&'static str, &'static str, f64)>,
+}
+
+/// One or two pairs of walls, the first along the first direction of the frame.
+#[derive(Clone, Debug)]
+pub struct Pairs {
+    /// Whether the material lies around it.
+    pub internal: bool,
+    /// The pairs.
+    pub sides: Vec<Side>,
+    /// From the top side down to the touches, mm.
+    pub depth: f64,
+    /// How far above the top side the ball crosses, or goes in; none is not checked.
+    pub top: Option<f64>,
+    /// A third touch on the middle of the top, from this clearance: a web with three points.
+    pub middle: Option<f64>,
+}
+
+const ORDINALS: [&str; 4] = ["First", "Second", "Third", "Fourth"];
+const THREE: [&str; 3] = ["Left", "Right", "Middle"];
+
+impl Pairs {
+    fn protected(&self) -> bool {
+        self.sides[0].clearance.is_some()
+    }
+
+    /// 1 where walls face outwards, −1 where they face the middle.
+    fn sign(&self) -> f64 {
+        if self.internal { -1.0 } else { 1.0 }
+    }
+
+    /// Outward directions of the walls. The left touch of a web with three points is the one against the first direction.
+    fn directions(&self) -> [(f64, f64); 4] {
+        if self.middle.is_some() {
+            [(-1.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
+        } else {
+            [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
+        }
+    }
+
+    fn walls(&self) -> usize {
+        2 * self.sides.len()
+    }
+}
+
+impl Shape for Pairs {
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        let mut touches = Vec::new();
+        for (k, (u, v)) in self.directions().into_iter().take(self.walls()).enumerate() {
+            let outwards = frame.direction(u, v);
+            let point = frame.origin + outwards * (self.sides[k / 2].width / 2.0) - frame.w * self.depth;
+            touches.push((point, outwards * self.sign(), k));
+        }
+        if self.middle.is_some() {
+            touches.push((frame.origin, frame.w, 2));
+        }
+        touches
+    }
+
+    fn name(&self, k: usize) -> String {
+        if self.middle.is_some() { THREE[k] } else { ORDINALS[k] }.to_owned()
+    }
+
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        for side in &self.sides {
+            let (width_key, label) = side.width_key;
+            let width_path = format!("cycle.{width_key}");
+            if let Some((key, label, clearance)) = side.clearance {
+                clearance_rule(checker, setup, label, clearance, &format!("cycle.{key}"));
+            }
+            if !self.internal {
+                continue;
+            }
+            if checker.sound(&[&width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
+                let message = format!(
+                    "{label} ({}) must be larger than the ball ({}): the ball does not go in",
+                    checker.length(side.width),
+                    checker.length(2.0 * setup.radius)
+                );
+                checker.error("ball-too-wide", width_path, message);
+            } else if let Some((key, clearance_label, clearance)) = side.clearance
+                && checker.sound(&[&width_path, &format!("cycle.{key}"), "stylus.diameter"])
+                && clearance + setup.radius >= side.width
+            {
+                let message = format!(
+                    "{clearance_label} ({}) puts the ball into the opposite wall: with {} of {} it must be less than {}",
+                    checker.length(clearance),
+                    crate::num::lowered(label),
+                    checker.length(side.width),
+                    checker.length(side.width - setup.radius)
+                );
+                checker.error("approach-beyond-wall", format!("cycle.{key}"), message);
+            }
+        }
+        // Where the middle is touched, the ball crosses at its clearance, which has a rule of its own.
+        let crossing = self.top.filter(|_| self.protected() && self.middle.is_none());
+        level_rules(checker, setup, self.depth, crossing, !self.internal);
+        if let Some(middle) = self.middle {
+            clearance_rule(checker, setup, "Middle clearance", middle, "cycle.middleClearance");
+        }
+    }
+
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
+        let walls = self.walls();
+        if !picks::counted(picks, walls + usize::from(self.middle.is_some()), checker) {
+            return;
+        }
+        let sides: Vec<usize> = (0..walls).collect();
+        picks::levelled(picks, &sides, plane, checker);
+        picks::one_level(picks, &sides, plane, checker);
+        if self.middle.is_some() {
+            picks::below_top(picks, &sides, walls, plane, checker);
+        }
+        for (i, pair) in picks[..walls].chunks(2).enumerate() {
+            let (first, second) = (2 * i, 2 * i + 1);
+            if (pair[0].vector + pair[1].vector).length() > NEAR {
+                let message =
+                    format!("Touches {} and {} must be opposite: their target vectors are not", first + 1, second + 1);
+                checker.error("vectors-not-opposite", format!("cycle.touches[{second}].vector"), message);
+                continue;
+            }
+            if (pair[0].point - pair[1].point).dot(pair[0].vector) * self.sign() <= 0.0 {
+                picks::turned_inwards(first, self.internal, checker);
+                picks::turned_inwards(second, self.internal, checker);
+            }
+        }
+        if walls == 4 && picks[0].vector.dot(picks[2].vector).abs() > NEAR {
+            let message =
+                "The two pairs of a rectangle must be square to each other: the target vectors of touches 1 and 3 are not";
+            checker.error("pairs-not-square", "cycle.touches[2].vector", message);
+        }
+        if !self.protected() && checker.sound(&["cycle.touches"]) {
+            let origin = self.place(picks, plane).origin;
+            picks::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
+        }
+        if self.middle.is_some() && (picks[2].vector - plane.basis()[2]).length() > NEAR {
+            let message = "The middle touch is on the top side: its target vector must be along the tool axis";
+            checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
+        }
+    }
+
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+        let up = plane.basis()[2];
+        let outwards = picks[0].vector * self.sign();
+        let mut origin = (picks[0].point + picks[1].point) / 2.0;
+        if self.sides.len() == 2 {
+            let across = picks[2].vector;
+            let other = (picks[2].point + picks[3].point) / 2.0;
+            origin += across * (other - origin).dot(across);
+        }
+        // The top side: above the first touch by the depth, or where it is touched itself.
+        let level = if self.middle.is_some() { picks[2].point.dot(up) } else { picks[0].point.dot(up) + self.depth };
+        origin += up * (level - origin.dot(up));
+        let widths = picks[..self.walls()].chunks(2).map(|p| (p[0].point - p[1].point).dot(p[0].vector).abs());
+        Placement {
+            origin,
+            rotation: picks::heading(plane, outwards * self.directions()[0].0),
+            sizes: self.sides.iter().map(|s| s.width_key.0).zip(widths).collect(),
+        }
+    }
+
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+        if !self.protected() {
+            return from_middle(on, tracer, self.depth, self.top, feed_distance);
+        }
+        let start = match self.middle {
+            Some(clearance) => on.touches[2].point + on.touches[2].vector * clearance,
+            None => on.frame.point(0.0, 0.0, self.top.unwrap_or(0.0)),
+        };
+        begin(tracer, &on.frame, start, feed_distance, 1);
+        for k in 0..self.walls() {
+            protected(on, tracer, k, start, self.sides[k / 2].clearance.map_or(0.0, |c| c.2));
+        }
+        let mut last = 8;
+        if self.middle.is_some() {
+            tracer.touch(2, &on.touches[2], Feed::LongLink, 8);
+            last = 9;
+        }
+        tracer.position(start + on.frame.w * feed_distance, Feed::Return, last);
+    }
+
+    /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A
+    /// single pair says nothing of the place along its walls: there the nominal one stands.
+    fn formula(&self, on: &Seated<'_>) -> Formula {
+        let plane = on.setup.plane;
+        let [a, o, w] = plane.axes();
+        let origin = on.frame.origin;
+        let mut formula = Formula::default();
+        let mut pair = |first: usize, names: [&str; 2]| {
+            let along = flat(plane, on.touches[first].vector * self.sign());
+            let mut wall = |touch: usize, side: f64| {
+                let place = project(Expr::trigger(touch, a), Expr::trigger(touch, o), along);
+                let radius = Expr::Length(-side * self.sign() * on.setup.radius);
+                formula.set(format!("wall{}", touch + 1), place + radius)
+            };
+            let (plus, minus) = (wall(first, 1.0), wall(first + 1, -1.0));
+            let width = formula.set(names[0], plus.clone() - minus.clone());
+            let middle = formula.set(names[1], (plus + minus) / Expr::Number(2.0));
+            (along, width, middle)
+        };
+        if self.sides.len() == 2 {
+            let (along, width1, u) = pair(0, ["width1", "middle_u"]);
+            let (across, width2, v) = pair(2, ["width2", "middle_v"]);
+            let x = formula.set("center_x", project(u.clone(), v.clone(), (along.0, across.0)));
+            let y = formula.set("center_y", project(u, v, (along.1, across.1)));
+            formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], Some(&x));
+            formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], Some(&y));
+            formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
+            formula.result("width1", Role::Size, "Width 1", self.sides[0].width, Some(&width1));
+            formula.result("width2", Role::Size, "Width 2", self.sides[1].width, Some(&width2));
+            formula.result("rotation", Role::Direction, "Rotation: one touch a wall gives no angle", 0.0, None);
+            return formula;
+        }
+        let (along, width, u) = pair(0, ["width", "middle"]);
+        // Along the walls the middle stands where it nominally is.
+        let across = (-along.1, along.0);
+        let rest = origin[a] * across.0 + origin[o] * across.1;
+        let mut place = |name: &str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
+            if crate::num::tidy(c) == 0.0 {
+                return Expr::Length(nominal);
+            }
+            let along = project(u.clone(), Expr::Number(0.0), (c, 0.0));
+            let value = formula.set(name, along + Expr::Length(s * rest));
+            formula.result(code, Role::Reading, meaning, nominal, Some(&value));
+            value
+        };
+        let x = place("center_x", "center.x", "Middle, abscissa", origin[a], along.0, across.0);
+        let y = place("center_y", "center.y", "Middle, ordinate", origin[o], along.1, across.1);
+        formula.result("width", Role::Size, "Width", self.sides[0].width, Some(&width));
+        let mut datum = Datum::point((x, origin[a]), (y, origin[o]));
+        if self.middle.is_some() {
+            let top = formula.set("top", Expr::trigger(2, w) - Expr::Length(on.setup.radius));
+            formula.result("height", Role::Level, "Height of the top side", on.touches[2].point[w], Some(&top));
+            datum.place[2] = Some((top, on.touches[2].point[w]));
+        }
+        formula.datum = Some(datum);
+        formula
+    }
+
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+        let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
+        // A wall of a rectangle is as long as the other pair is wide; a single pair is drawn long enough to be seen.
+        let half = |k: usize| if widths.len() == 2 { widths[1 - k / 2] / 2.0 } else { (widths[0] / 2.0).clamp(10.0, 40.0) };
+        let top = on.frame.origin.dot(on.frame.w);
+        on.touches
+            .iter()
+            .enumerate()
+            .map(|(k, touch)| {
+                let is_top = k == 2 && self.middle.is_some();
+                let along = if is_top { on.frame.u } else { on.frame.w.cross(touch.vector) };
+                let extent = if is_top { widths[0] / 2.0 } else { half(k) };
+                Surface::Flat(Wall {
+                    point: touch.point + on.frame.w * (top - touch.point.dot(on.frame.w)),
+                    normal: touch.vector,
+                    along,
+                    extent: (-extent, extent),
+                    drawn_depth: if is_top { half(0) } else { self.depth + on.setup.radius },
+                    has_top: !is_top,
+                    body: if self.internal { k } else { 0 },
+                })
+            })
+            .collect()
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        Some(on.frame.origin.dot(on.frame.w))
+    }
+
+    fn turned_error(&self, code: &str) -> Option<&'static str> {
+        match code {
+            "width1" | "width2" | "width" if self.internal => Some(
+                "cosine error: the walls are turned against the probing direction, so the width reads (W - d)(1/cos - 1) too \
+                 wide, d being the ball diameter",
+            ),
+            "width1" | "width2" | "width" => Some(
+                "cosine error: the walls are turned against the probing direction, so the width reads (W + d)(1/cos - 1) too \
+                 wide, d being the ball diameter",
+            ),
+            "center.x" | "center.y" => Some(
+                "the walls are turned against the probing lines, which miss the shifted centre: the middle is found where a \
+                 line crosses the turned middle",
+            ),
+            _ => None,
+        }
+    }
+}

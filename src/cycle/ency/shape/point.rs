@@ -1,0 +1,114 @@
+//! A single point on a surface.
+
+use crate::cycle::ency::picks::{self, Pick, Placement};
+use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula, Role};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+
+/// A surface, touched once.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// From the surface to the ball centre where the touch begins, mm.
+    pub clearance: f64,
+    /// How steeply the target vector points up from the plane, degrees: 90 is a top side, 0 a wall.
+    pub elevation: f64,
+}
+
+impl Shape for Point {
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        let (sin, cos) = match self.elevation {
+            90.0 => (1.0, 0.0),
+            angle => angle.to_radians().sin_cos(),
+        };
+        vec![(frame.origin, (frame.u * cos + frame.w * sin).normalize(), 0)]
+    }
+
+    fn name(&self, _k: usize) -> String {
+        "Point".to_owned()
+    }
+
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        clearance_rule(checker, setup, "Clearance", self.clearance, "cycle.clearance");
+    }
+
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
+        if picks::counted(picks, 1, checker) && picks[0].vector.dot(plane.basis()[2]) < -picks::NEAR {
+            let message = "The target vector must not point down: the ball cannot come from below and be lifted afterwards";
+            checker.error("vector-wrong-way", "cycle.touches[0].vector", message);
+        }
+    }
+
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+        let vector = picks[0].vector;
+        let elevation = vector.dot(plane.basis()[2]).clamp(-1.0, 1.0).asin().to_degrees();
+        let rotation = if elevation > 89.999_999 { 0.0 } else { picks::heading(plane, vector) };
+        Placement { origin: picks[0].point, rotation, sizes: vec![("elevation", elevation.max(0.0))] }
+    }
+
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+        let touch = &on.touches[0];
+        let start = touch.point + touch.vector * self.clearance;
+        begin(tracer, &on.frame, start, feed_distance, 1);
+        tracer.touch_in_steps(0, touch, Feed::Retract, [2, 3]);
+        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 4);
+    }
+
+    /// The nominal point, moved along the target vector by its displacement. Across it nothing is measured.
+    fn formula(&self, on: &Seated<'_>) -> Formula {
+        let axes = on.setup.plane.axes();
+        let touch = &on.touches[0];
+        let (n, nominal) = (touch.vector, touch.contact(on.setup.radius));
+        let mut formula = Formula::default();
+        let reach = axes.iter().map(|&axis| constant(n[axis]) * Expr::trigger(0, axis)).reduce(|sum, term| sum + term);
+        let reach = reach.unwrap_or(Expr::Number(0.0)) - Expr::Length(n.dot(nominal));
+        let off = formula.set("off", reach);
+        let codes = [
+            ("point.x", "point_x", "Point on the surface, abscissa"),
+            ("point.y", "point_y", "Point on the surface, ordinate"),
+            ("point.z", "point_z", "Point on the surface, along the tool axis"),
+        ];
+        let mut place = [None, None, None];
+        for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
+            let (axis, at) = (axes[i], touch.point[axes[i]]);
+            let measured = crate::num::tidy(n[axis]) != 0.0;
+            let value = formula.set(name, constant(n[axis]) * off.clone() + Expr::Length(at));
+            formula.result(code, Role::Reading, meaning, at, Some(&value));
+            place[i] = Some((if measured { value } else { Expr::Length(at) }, at));
+        }
+        if place[2].as_ref().is_some_and(|(e, _)| matches!(e, Expr::Length(_))) {
+            place[2] = None;
+        }
+        if place[..2].iter().flatten().all(|(e, _)| matches!(e, Expr::Length(_))) {
+            (place[0], place[1]) = (None, None);
+        }
+        formula.result("deviation", Role::Shift, "How far the surface is displaced along the target vector", 0.0, Some(&off));
+        formula.datum = Some(Datum { place, rotation: None, told: false });
+        formula
+    }
+
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+        let (n, up) = (on.touches[0].vector, on.frame.w);
+        let along = up.cross(n).normalize_or(on.frame.u);
+        vec![Surface::Flat(Wall {
+            point: on.touches[0].point,
+            normal: n,
+            along,
+            extent: (-15.0, 15.0),
+            drawn_depth: 10.0,
+            has_top: false,
+            body: 0,
+        })]
+    }
+
+    /// A top side is its own top; of a wall or a slope the source knows none.
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        let touch = &on.touches[0];
+        (touch.vector.dot(on.frame.w) > 1.0 - 1e-6).then(|| touch.point.dot(on.frame.w))
+    }
+
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
+}

@@ -1,0 +1,255 @@
+//! Holes and bosses.
+
+use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
+use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
+use crate::form::Checker;
+use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+
+/// How the touches are spread.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Variant {
+    /// Four, each pair opposite, the second a quarter turn counter-clockwise from the first.
+    Rectangular,
+    /// From an angle on, step by step (degrees, counter-clockwise), so many.
+    Angular {
+        /// Of the first touch.
+        start: f64,
+        /// To the next.
+        step: f64,
+        /// How many.
+        count: usize,
+    },
+}
+
+/// A circle about the tool axis.
+#[derive(Clone, Debug)]
+pub struct Circle {
+    /// Whether it is a hole.
+    pub internal: bool,
+    /// mm.
+    pub diameter: f64,
+    /// How the touches are spread.
+    pub variant: Variant,
+    /// From the top side down to the touches, mm.
+    pub depth: f64,
+    /// How far above the top side the ball crosses, or goes in; none is not checked.
+    pub top: Option<f64>,
+    /// From the surface to the ball centre where a touch begins; none where touches begin in the middle.
+    pub clearance: Option<f64>,
+}
+
+impl Circle {
+    fn angles(&self) -> Vec<f64> {
+        match self.variant {
+            Variant::Rectangular => vec![0.0, 180.0, 90.0, 270.0],
+            Variant::Angular { start, step, count } => (0..count).map(|k| start + k as f64 * step).collect(),
+        }
+    }
+
+    fn sign(&self) -> f64 {
+        if self.internal { -1.0 } else { 1.0 }
+    }
+}
+
+/// Whether these outward directions are those of three touches or more that stand apart: fewer give no circle.
+fn gives_circle(directions: impl Iterator<Item = Vec3>) -> bool {
+    let mut apart: Vec<Vec3> = Vec::new();
+    for direction in directions {
+        // Half a degree.
+        if apart.iter().all(|d| d.distance(direction) > 0.0087) {
+            apart.push(direction);
+        }
+    }
+    apart.len() >= 3
+}
+
+impl Shape for Circle {
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        let touch = |degrees: f64| {
+            // Quarter turns are exact.
+            let (sin, cos) = match degrees.rem_euclid(360.0) {
+                0.0 => (0.0, 1.0),
+                90.0 => (1.0, 0.0),
+                180.0 => (0.0, -1.0),
+                270.0 => (-1.0, 0.0),
+                angle => angle.to_radians().sin_cos(),
+            };
+            let outwards = frame.direction(cos, sin);
+            (frame.origin + outwards * (self.diameter / 2.0) - frame.w * self.depth, outwards * self.sign(), 0)
+        };
+        self.angles().into_iter().map(touch).collect()
+    }
+
+    fn name(&self, k: usize) -> String {
+        format!("Point {}", k + 1)
+    }
+
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        if let Some(clearance) = self.clearance {
+            clearance_rule(checker, setup, "Side clearance", clearance, "cycle.sideClearance");
+        }
+        if self.internal && checker.sound(&["cycle.diameter", "stylus.diameter"]) {
+            let ball = 2.0 * setup.radius;
+            if self.diameter < ball + 2.0 * SHORTEST_TOUCH - 1e-6 {
+                let message = format!(
+                    "Diameter ({}) must be larger than the ball ({}): the ball does not go in",
+                    checker.length(self.diameter),
+                    checker.length(ball)
+                );
+                checker.error("ball-too-wide", "cycle.diameter", message);
+            } else if let Some(clearance) = self.clearance
+                && checker.sound(&["cycle.sideClearance"])
+                && clearance + setup.radius >= self.diameter
+            {
+                let message = format!(
+                    "Side clearance ({}) puts the ball into the opposite wall: with a diameter of {} it must be less than {}",
+                    checker.length(clearance),
+                    checker.length(self.diameter),
+                    checker.length(self.diameter - setup.radius)
+                );
+                checker.error("approach-beyond-wall", "cycle.sideClearance", message);
+            }
+        }
+        level_rules(checker, setup, self.depth, self.top.filter(|_| self.clearance.is_some()), !self.internal);
+        let apart = |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+        if checker.sound(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
+            let message = "Fewer than three touches stand apart: they give no circle, and centre and diameter are not known";
+            checker.warning("no-circle", "cycle.stepCount", message);
+        }
+    }
+
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
+        if !picks::counted(picks, self.angles().len(), checker) {
+            return;
+        }
+        let all: Vec<usize> = (0..picks.len()).collect();
+        picks::levelled(picks, &all, plane, checker);
+        picks::one_level(picks, &all, plane, checker);
+        if !checker.sound(&["cycle.touches"]) {
+            return;
+        }
+        if self.variant == Variant::Rectangular {
+            let up = plane.basis()[2];
+            let (first, third) = (picks[0].vector, up.cross(picks[0].vector));
+            let wanted = [first, -first, third, -third];
+            if let Some(k) = (0..4).find(|&k| (picks[k].vector - wanted[k]).length() > 2.0 * NEAR) {
+                let message = format!(
+                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 \
+                     opposite touch 3: touch {} is not there. The angular variant takes any",
+                    k + 1
+                );
+                checker.error("not-rectangular", format!("cycle.touches[{k}].vector"), message);
+                return;
+            }
+        }
+        // Wrong signs first: the centre is a guess of the points alone where there are three or more.
+        let center = self.center(picks, plane);
+        for (k, pick) in picks.iter().enumerate() {
+            let mut out = pick.point - center;
+            out -= plane.basis()[2] * out.dot(plane.basis()[2]);
+            if out.dot(pick.vector) * self.sign() <= 0.0 {
+                picks::turned_inwards(k, self.internal, checker);
+                continue;
+            }
+            let radius = self.radius(picks, center, plane);
+            let aside = (out.normalize_or_zero() * self.sign() - pick.vector).length();
+            if (out.length() - radius).abs() > NEAR || aside > NEAR * 10.0 {
+                let message = format!("Touch {} does not lie on one circle with the others, square to it", k + 1);
+                checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
+            }
+        }
+        if self.clearance.is_none() && checker.sound(&["cycle.touches"]) {
+            let up = plane.basis()[2];
+            picks::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
+        }
+    }
+
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+        let up = plane.basis()[2];
+        let center = self.center(picks, plane);
+        let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
+        let start = if let Variant::Angular { start, .. } = self.variant { start } else { 0.0 };
+        let rotation = crate::num::wrap_degrees(picks::heading(plane, picks[0].vector * self.sign()) - start);
+        let mut sizes = vec![("diameter", 2.0 * self.radius(picks, center, plane))];
+        if let (Variant::Angular { step, .. }, [first, second, ..]) = (self.variant, picks) {
+            // Of the angles that mean the same direction, the one the form means.
+            let turn = picks::heading(plane, second.vector) - picks::heading(plane, first.vector);
+            sizes.push(("angularStep", step + crate::num::wrap_degrees(turn - step)));
+        }
+        Placement { origin, rotation, sizes }
+    }
+
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+        let Some(clearance) = self.clearance else {
+            return from_middle(on, tracer, self.depth, self.top, feed_distance);
+        };
+        let start = on.frame.point(0.0, 0.0, self.top.unwrap_or(0.0));
+        begin(tracer, &on.frame, start, feed_distance, 1);
+        for k in 0..on.touches.len() {
+            protected(on, tracer, k, start, clearance);
+        }
+        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 8);
+    }
+
+    /// A circle of least squares through the ball centres, larger (in a hole) or smaller (at a boss) by the ball radius.
+    fn formula(&self, on: &Seated<'_>) -> Formula {
+        let [a, o, _] = on.setup.plane.axes();
+        let origin = on.frame.origin;
+        let mut formula = Formula::default();
+        let known = gives_circle(on.touches.iter().map(|t| t.vector));
+        let part = |part| Expr::Circle { first: 0, count: on.touches.len(), axes: (a, o), part };
+        let mut value = |name: &str, expr: Expr| known.then(|| formula.set(name, expr));
+        let x = value("center_x", part(CirclePart::Abscissa));
+        let y = value("center_y", part(CirclePart::Ordinate));
+        let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);
+        let diameter = value("diameter", Expr::Number(2.0) * wall);
+        formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], x.as_ref());
+        formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], y.as_ref());
+        formula.result("diameter", Role::Size, "Diameter", self.diameter, diameter.as_ref());
+        formula.datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
+        formula
+    }
+
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+        let drawn_depth = self.depth + on.setup.radius;
+        vec![Surface::Round(Round {
+            center: on.frame.origin,
+            radius: self.diameter / 2.0,
+            hole: self.internal,
+            drawn_depth,
+            plate: self.internal.then_some(f64::INFINITY),
+        })]
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        Some(on.frame.origin.dot(on.frame.w))
+    }
+
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
+}
+
+impl Circle {
+    /// The centre, at the level of the first touch: of opposite touches their middle, of three or more the fitted one, else by the
+    /// diameter along the first vector.
+    fn center(&self, picks: &[Pick], plane: Plane) -> Vec3 {
+        let [a, o, _] = plane.axes();
+        let mut center = picks[0].point - picks[0].vector * (self.sign() * self.diameter / 2.0);
+        let places: Vec<(f64, f64)> = picks.iter().map(|p| (p.point[a], p.point[o])).collect();
+        if self.variant == Variant::Rectangular {
+            center = (picks[0].point + picks[1].point) / 2.0;
+        } else if let Some(fit) = fit_circle(&places).filter(|_| gives_circle(picks.iter().map(|p| p.vector))) {
+            (center[a], center[o]) = fit.center;
+        }
+        center
+    }
+
+    fn radius(&self, picks: &[Pick], center: Vec3, plane: Plane) -> f64 {
+        let up = plane.basis()[2];
+        let out = picks[0].point - center;
+        (out - up * out.dot(up)).length()
+    }
+}

@@ -1,0 +1,47 @@
+//! Rows of the table without any motion.
+
+use crate::cycle::ency::{Pick, Placement, Seated, Shape};
+use crate::form::Checker;
+use crate::formula::Formula;
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Setup, Surface, Tracer};
+
+/// Nothing is touched, nothing moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Still;
+
+impl Shape for Still {
+    fn touches(&self, _frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        Vec::new()
+    }
+
+    fn name(&self, _k: usize) -> String {
+        String::new()
+    }
+
+    fn rules(&self, _setup: &Setup, _checker: &mut Checker) {}
+
+    fn check(&self, _picks: &[Pick], _plane: Plane, _checker: &mut Checker) {}
+
+    fn place(&self, _picks: &[Pick], _plane: Plane) -> Placement {
+        Placement { origin: Vec3::ZERO, rotation: 0.0, sizes: Vec::new() }
+    }
+
+    fn walk(&self, _on: &Seated<'_>, _feed_distance: f64, _tracer: &mut Tracer) {}
+
+    fn formula(&self, _on: &Seated<'_>) -> Formula {
+        Formula::default()
+    }
+
+    fn surfaces(&self, _on: &Seated<'_>) -> Vec<Surface> {
+        Vec::new()
+    }
+
+    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+        None
+    }
+
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
+}

@@ -1,0 +1,270 @@
+//! Corners of three walls, each touched once: a plane each, in any direction of space.
+
+use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
+use crate::cycle::ency::shape::corner::{self, sides_rule};
+use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula, Role};
+use crate::geom::{Frame, Plane, Vec3};
+use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+
+/// A corner of two walls and a floor, or of two walls and a top side.
+#[derive(Clone, Debug)]
+pub struct Triple {
+    /// Between the walls, degrees: inside an internal corner, in the material of an external one.
+    pub angle: f64,
+    /// From each surface to the ball centre where its touch begins, mm.
+    pub clearances: [f64; 3],
+    /// What an external corner has besides; none is an internal one.
+    pub outside: Option<Outside>,
+}
+
+/// Where an external corner is touched.
+#[derive(Clone, Copy, Debug)]
+pub struct Outside {
+    /// From the top side down to the touches of the walls, mm.
+    pub depth: f64,
+    /// From the corner along each wall to its touch, mm.
+    pub distances: [f64; 2],
+    /// From each wall inwards to the touch on the top side, mm.
+    pub inwards: [f64; 2],
+}
+
+impl Triple {
+    fn internal(&self) -> bool {
+        self.outside.is_none()
+    }
+
+    /// The start in the plane, and the two walls.
+    fn walls(&self) -> ([corner::Side; 2], (f64, f64)) {
+        corner::walls(self.internal(), self.angle, [self.clearances[0], self.clearances[1]], self.outside.map(|o| o.distances))
+    }
+
+    /// Where the planes of three touches meet.
+    fn meeting(picks: &[Pick]) -> Option<Vec3> {
+        let n = [0, 1, 2].map(|k| picks[k].vector);
+        let det = n[0].dot(n[1].cross(n[2]));
+        if det.abs() < 1e-6 {
+            return None;
+        }
+        let q = [0, 1, 2].map(|k| picks[k].vector.dot(picks[k].point));
+        Some((n[1].cross(n[2]) * q[0] + n[2].cross(n[0]) * q[1] + n[0].cross(n[1]) * q[2]) / det)
+    }
+}
+
+impl Shape for Triple {
+    fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
+        let (sides, (u, v)) = self.walls();
+        let normals = sides.map(|s| frame.direction(s.normal.0, s.normal.1));
+        match self.outside {
+            None => {
+                // From the start straight to each surface.
+                let start = frame.point(u, v, self.clearances[2]);
+                let surfaces = [normals[0], normals[1], frame.w];
+                (0..3).map(|k| (start - surfaces[k] * self.clearances[k], surfaces[k], k)).collect()
+            }
+            Some(outside) => {
+                let mut touches: Vec<(Vec3, Vec3, usize)> = (0..2)
+                    .map(|k| {
+                        let along = frame.direction(sides[k].along.0, sides[k].along.1);
+                        let point = frame.origin + along * outside.distances[k] - frame.w * outside.depth;
+                        (point, normals[k], k)
+                    })
+                    .collect();
+                // So far behind both walls: the start of an internal corner with these clearances.
+                let (_, (u, v)) = corner::walls(true, self.angle, outside.inwards, None);
+                touches.push((frame.point(u, v, 0.0), frame.w, 2));
+                touches
+            }
+        }
+    }
+
+    fn name(&self, k: usize) -> String {
+        match (k, self.internal()) {
+            (0, _) => "First wall",
+            (1, _) => "Second wall",
+            (_, true) => "Third wall",
+            (_, false) => "Top side",
+        }
+        .to_owned()
+    }
+
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        let third = if self.internal() { ("Clearance 3", "cycle.clearance3") } else { ("Top clearance", "cycle.topClearance") };
+        let names = [("Clearance 1", "cycle.clearance1"), ("Clearance 2", "cycle.clearance2"), third];
+        for ((label, path), clearance) in names.into_iter().zip(self.clearances) {
+            clearance_rule(checker, setup, label, clearance, path);
+        }
+        if let Some(outside) = self.outside {
+            level_rules(checker, setup, outside.depth, None, true);
+            return;
+        }
+        if !checker.sound(&["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"]) {
+            return;
+        }
+        let cos = self.angle.to_radians().cos();
+        for (n, other) in [(0, 1), (1, 0)] {
+            let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
+            if free <= setup.radius {
+                let message = format!(
+                    "In the touch of wall {} the ball would meet wall {} first: at {}° clearance {} must be larger than {}",
+                    n + 1,
+                    other + 1,
+                    crate::num::decimal(self.angle, 4),
+                    other + 1,
+                    checker.length(setup.radius - (self.clearances[n] - setup.radius) * cos)
+                );
+                checker.error("touch-beyond-corner", format!("cycle.clearance{}", other + 1), message);
+            }
+        }
+    }
+
+    fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
+        if !picks::counted(picks, 3, checker) {
+            return;
+        }
+        if Self::meeting(picks).is_none() {
+            checker.error(
+                "walls-parallel",
+                "cycle.touches",
+                "The three surfaces do not meet in one point: they make no corner",
+            );
+            return;
+        }
+        let firsts: Vec<(usize, Pick)> = picks.iter().copied().enumerate().collect();
+        sides_rule(self.internal(), &firsts, checker);
+        if !checker.sound(&["cycle.touches"]) {
+            return;
+        }
+        let up = plane.basis()[2];
+        if self.internal() {
+            let readings: Vec<(usize, Vec3)> =
+                (0..3).map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k])).collect();
+            picks::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
+        } else {
+            picks::levelled(picks, &[0, 1], plane, checker);
+            picks::one_level(picks, &[0, 1], plane, checker);
+            picks::below_top(picks, &[0, 1], 2, plane, checker);
+            if (picks[2].vector - up).length() > NEAR {
+                let message = "The third touch is on the top side: its target vector must be along the tool axis";
+                checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
+            }
+        }
+    }
+
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+        let origin = Self::meeting(picks).unwrap_or(picks[0].point);
+        let (rotation, angle) = corner::from_normals(self.internal(), plane, [picks[0].vector, picks[1].vector]);
+        let mut sizes = vec![("angle", angle)];
+        if self.outside.is_some() {
+            let up = plane.basis()[2];
+            let in_plane = |p: Vec3| {
+                let away = p - origin;
+                (away - up * away.dot(up)).length()
+            };
+            sizes.push(("distance1", in_plane(picks[0].point)));
+            sizes.push(("distance2", in_plane(picks[1].point)));
+            sizes.push(("topDistance1", -(picks[2].point - origin).dot(picks[0].vector)));
+            sizes.push(("topDistance2", -(picks[2].point - origin).dot(picks[1].vector)));
+        }
+        Placement { origin, rotation, sizes }
+    }
+
+    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+        let (_, (u, v)) = self.walls();
+        let start = if self.internal() {
+            on.touches[0].point + on.touches[0].vector * self.clearances[0]
+        } else {
+            on.frame.point(u, v, self.clearances[2])
+        };
+        begin(tracer, &on.frame, start, feed_distance, 1);
+        for (k, touch) in on.touches.iter().enumerate() {
+            if self.internal() {
+                tracer.touch(k, touch, Feed::LongLink, k as u8 + 2);
+                continue;
+            }
+            let step = 2 * k as u8 + 2;
+            tracer.position(touch.point + touch.vector * self.clearances[k], Feed::LongLink, step);
+            tracer.touch(k, touch, Feed::LongLink, step);
+            tracer.position(start, Feed::LongLink, step + 1);
+        }
+        let last = if self.internal() { 5 } else { 8 };
+        tracer.position(start + on.frame.w * feed_distance, Feed::Return, last);
+    }
+
+    /// Each surface keeps its nominal direction n and is put a ball radius behind its trigger: n·p = q. The corner is where the
+    /// three planes meet: Σ q·(the cross product of the other two normals) over their triple product.
+    fn formula(&self, on: &Seated<'_>) -> Formula {
+        let axes = on.setup.plane.axes();
+        let n = [0, 1, 2].map(|k| on.touches[k].vector);
+        let det = n[0].dot(n[1].cross(n[2]));
+        let mut formula = Formula::default();
+        let q: Vec<Expr> = (0..3)
+            .map(|k| {
+                let sum = axes.iter().map(|&axis| Expr::trigger(k, axis) * constant(n[k][axis])).reduce(|s, t| s + t);
+                formula.set(format!("q{}", k + 1), sum.unwrap_or(Expr::Number(0.0)) - Expr::Length(on.setup.radius))
+            })
+            .collect();
+        let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];
+        let nominal: Vec3 = (0..3).map(|k| weights[k] * n[k].dot(on.touches[k].point)).sum();
+        let codes = [
+            ("corner.x", "corner_x", "Corner, abscissa", Role::Abscissa),
+            ("corner.y", "corner_y", "Corner, ordinate", Role::Ordinate),
+            ("corner.z", "corner_z", "Corner, along the tool axis", Role::Level),
+        ];
+        let mut place = [None, None, None];
+        for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
+            let axis = axes[i];
+            let sum = (0..3).map(|k| q[k].clone() * constant(weights[k][axis])).reduce(|s, t| s + t);
+            let value = formula.set(name, sum.unwrap_or(Expr::Number(0.0)));
+            formula.result(code, role, meaning, nominal[axis], Some(&value));
+            place[i] = Some((value, crate::num::tidy(nominal[axis])));
+        }
+        formula.datum = Some(Datum { place, rotation: None, told: false });
+        formula
+    }
+
+    fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
+        let margin = 3.0 * on.setup.radius.max(2.0);
+        let (sides, _) = self.walls();
+        on.touches
+            .iter()
+            .enumerate()
+            .map(|(k, touch)| {
+                let length = touch.point.distance(on.frame.origin) + margin;
+                let level = k == 2;
+                let [one, two] = sides.map(|s| on.frame.direction(s.along.0, s.along.1));
+                let along = if k == 0 { one } else { two };
+                // Drawn through the corner, but met where the touch says.
+                let origin = on.frame.origin;
+                let mut point = origin + touch.vector * (touch.point - origin).dot(touch.vector);
+                if level {
+                    // From the corner along both walls: a level surface is drawn to both sides of its point.
+                    point += (one - touch.vector * one.dot(touch.vector)) * (length / 2.0);
+                }
+                Surface::Flat(Wall {
+                    point,
+                    normal: touch.vector,
+                    along,
+                    extent: (0.0, length),
+                    drawn_depth: if level {
+                        length / 2.0
+                    } else {
+                        self.outside.map_or(self.clearances[2], |o| o.depth) + margin
+                    },
+                    has_top: !self.internal() && !level,
+                    body: if self.internal() { k } else { 0 },
+                })
+            })
+            .collect()
+    }
+
+    fn top(&self, on: &Seated<'_>) -> Option<f64> {
+        self.outside.map(|_| on.frame.origin.dot(on.frame.w))
+    }
+
+    fn turned_error(&self, code: &str) -> Option<&'static str> {
+        code.starts_with("corner.")
+            .then_some("each surface is touched once and is taken to have its nominal direction, which a turned part has not")
+    }
+}

@@ -1,0 +1,77 @@
+//! Double wall internal corner: ENCY / SprutCAM type 13.
+//!
+//! Both walls of an inside corner, each touched once or more, from one start point inside. Everything stays at the level
+//! of the touches between the first and the last move.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Corner, Shape, field, words};
+use crate::form::{Field, form};
+use crate::geom::Vec3;
+use crate::path::MAX_TOUCHES;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "double-wall-internal-corner",
+    title: "Double wall internal corner",
+    source: "ENCY/SprutCAM type 13",
+    number: Some(13),
+    most_touches: MAX_TOUCHES,
+    doc: "docs/cycles/double-wall-internal-corner.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
+        "Touch the first point of wall 1, and back",
+        "Where wall 1 has more points: to clearance 1 before the next one, touch, and back",
+        "Step 3 until every point of wall 1 is touched",
+        "Back to the start",
+        "Touch the first point of wall 2, and back",
+        "Where wall 2 has more points: to clearance 2 before the next one, touch, and back",
+        "Step 7 until every point of wall 2 is touched",
+        "Back to the start",
+        "Up by the feed distance",
+    ],
+    readings: &[words::HEIGHTS, words::NORMAL, words::LAST_LIFT, words::WALLS, words::LINES, words::TURN],
+    read: |section| {
+        let form = Form::read(section);
+        ency::read(section, (13, "double wall internal corner probing"), form, shape)
+    },
+};
+
+form! {
+    /// The form of type 13.
+    pub struct Form {
+        /// The corner, at the level of the touches.
+        origin: Vec3 = Field::point("origin", "Corner at touch level").group("Place"),
+        /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
+        rotation: f64 = field::rotation(),
+        /// Between the walls, inside the corner.
+        angle: f64 = field::angle(),
+        /// From wall 1 to the ball centre where its touches begin.
+        clearance1: f64 = field::clearance("clearance1", "Clearance 1", 15.0, "CmdPrm.Flt[-56]"),
+        /// From wall 2 to the ball centre where its touches begin.
+        clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
+        /// How many touches wall 1 has.
+        count1: i32 = field::count("count1", "First wall measure count", 2, "CmdPrm.Int[-63]"),
+        /// How many touches wall 2 has.
+        count2: i32 = field::count("count2", "Second wall measure count", 2, "CmdPrm.Int[-64]"),
+        /// Between the touches of wall 1, along it, away from the corner.
+        step1: f64 = field::distance("step1", "Step 1", 20.0).code("CmdPrm.Flt[-65]"),
+        /// Between the touches of wall 2, along it, away from the corner.
+        step2: f64 = field::distance("step2", "Step 2", 20.0).code("CmdPrm.Flt[-67]"),
+        feed_distance: f64 = field::feed_distance(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Corner {
+        internal: true,
+        angle: form.angle,
+        clearances: [form.clearance1, form.clearance2],
+        counts: [form.count1.max(1) as usize, form.count2.max(1) as usize],
+        steps: [form.step1, form.step2],
+        distances: None,
+    })
+}

@@ -1,0 +1,65 @@
+//! Groove: ENCY / SprutCAM type 11.
+//!
+//! Both walls of a groove, from its middle.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
+use crate::form::form;
+use crate::geom::Vec3;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "groove",
+    title: "Groove",
+    source: "ENCY/SprutCAM type 11",
+    number: Some(11),
+    most_touches: 2,
+    doc: "docs/cycles/groove.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    steps: &[
+        "With the top clearance checked: to the feed distance above it, down to it over the middle, then down to the middle at the depth",
+        "With the top clearance not checked: to the feed distance above the middle at the depth, then down to it",
+        "Touch, and back to the middle, once for each touch point",
+        "With the top clearance checked: up by top clearance and depth",
+        "Up to the feed distance",
+    ],
+    readings: &[
+        words::HEIGHTS,
+        words::NORMAL,
+        words::WAY_BACK,
+        words::PAIR,
+        words::COSINE_INSIDE,
+        words::SINGLE,
+        words::UNCHECKED,
+    ],
+    read: |section| {
+        let form = Form::read(section);
+        ency::read(section, (11, "groove probing"), form, shape)
+    },
+};
+
+form! {
+    /// The form of type 11.
+    pub struct Form {
+        origin: Vec3 = field::top_centre(),
+        rotation: f64 = field::rotation(),
+        /// From touch point 1 to touch point 2.
+        width: f64 = field::width("width", "Width", 30.0, "CmdPrm.Flt[-53]"),
+        depth: f64 = field::depth(),
+        top_clearance: Option<f64> = field::entry_clearance(),
+        feed_distance: f64 = field::feed_distance(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Pairs {
+        internal: true,
+        sides: vec![Side { width_key: ("width", "Width"), width: form.width, clearance: None }],
+        depth: form.depth,
+        top: form.top_clearance,
+        middle: None,
+    })
+}

@@ -1,0 +1,35 @@
+//! Probe on/off: ENCY / SprutCAM type 0. Rows of the table, no motion.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Still};
+use crate::form::{Field, form};
+
+pub static DEF: CycleDef = CycleDef {
+    key: "probe-on-off",
+    title: "Probe on/off",
+    source: "ENCY/SprutCAM type 0",
+    number: Some(0),
+    most_touches: 0,
+    doc: "docs/cycles/probe-on-off.md",
+    fields: Form::FIELDS,
+    sections: &[],
+    home: ("linuxcnc", "moves"),
+    place: None,
+    steps: &[],
+    readings: &[
+        "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is its \
+                 builder's word, and is not guessed.",
+    ],
+    read: |section| {
+        let form = Form::read(section);
+        ency::read(section, (0, "probe on/off"), form, |_| Box::new(Still))
+    },
+};
+
+form! {
+    /// The form of type 0.
+    pub struct Form {
+        /// Whether the probe is switched on; else off.
+        on: bool = Field::flag("on", "On", true).code("CmdPrm.Bol[-3]").group("Postprocessor"),
+    }
+}

@@ -1,0 +1,59 @@
+//! Surface: ENCY / SprutCAM type 2.
+//!
+//! One touch along the target vector, on a wall, a top side or anything between.
+
+use crate::cycle::CycleDef;
+use crate::cycle::ency::{self, Point, Shape, field, words};
+use crate::form::{Field, form};
+use crate::geom::Vec3;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "surface",
+    title: "Surface",
+    source: "ENCY/SprutCAM type 2",
+    number: Some(2),
+    most_touches: 1,
+    doc: "docs/cycles/surface.md",
+    fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    steps: &[
+        "To the feed distance above the start, then down to the start: the clearance in front of the touch point along its target vector",
+        "Touch",
+        "Back to the start",
+        "Up by the feed distance",
+    ],
+    readings: &[
+        "The clearance is measured from the surface to the ball centre; the feed distance is along the tool axis.",
+        words::NORMAL_OF_SURFACE,
+        words::COMPENSATION,
+        "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
+        "Rotation and elevation are ours: the source has the target vector only.",
+    ],
+    read: |section| {
+        let form = Form::read(section);
+        ency::read(section, (2, "surface probing"), form, shape)
+    },
+};
+
+form! {
+    /// The form of type 2.
+    pub struct Form {
+        /// The touch point, on the surface.
+        origin: Vec3 = Field::point("origin", "Touch point").group("Place"),
+        /// Where the target vector points in the plane; counter-clockwise positive.
+        rotation: f64 = Field::angle("rotation", "Rotation", 0.0).group("Place"),
+        /// How steeply the target vector points up from the plane: 90 is a top side, 0 a wall.
+        elevation: f64 = Field::angle("elevation", "Elevation", 90.0).range(0.0, 90.0).group("Place"),
+        /// From the surface to the ball centre where the touch begins.
+        clearance: f64 = field::clearance("clearance", "Clearance", 10.0, "CmdPrm.Flt[-56]"),
+        feed_distance: f64 = field::feed_distance(),
+        compensate_dimensions: bool = field::compensate(),
+        sub_code: i32 = field::sub_code(),
+    }
+}
+
+fn shape(form: &Form) -> Box<dyn Shape> {
+    Box::new(Point { clearance: form.clearance, elevation: form.elevation })
+}

@@ -1,0 +1,3 @@
+//! Cycles of HEIDENHAIN controls.
+
+pub mod two_circles;

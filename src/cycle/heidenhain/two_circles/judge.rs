@@ -1,0 +1,146 @@
+//! Verdicts of 1411, the rows that single touches give, and the form error.
+
+use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
+use crate::formula::{CircleFit, ResultRow, Unit, fit_circle};
+use crate::geom::Vec3;
+use crate::path::{Path, Setup};
+use crate::tolerance::Nominal;
+
+/// Adds verdicts, Q183, the extrusion's deviations, and the form error of each circle (ours).
+pub fn judge(cycle: &TwoCircles, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+    let objects = cycle.objects();
+    let mut worst: Option<i32> = None;
+    // Whether everything that has a tolerance was measured.
+    let mut whole = true;
+    for object in &objects {
+        let codes = [["Q950", "Q951", "Q952"], ["Q953", "Q954", "Q955"]][object.number - 1];
+        for (_, (code, value)) in codes.iter().zip(&object.point).enumerate().filter(|(axis, _)| object.measures(*axis)) {
+            whole &= give(rows, code, value, false, object.hole, &mut worst);
+        }
+        if object.state != State::Given {
+            whole &= give(rows, ["Q966", "Q967"][object.number - 1], &object.diameter, true, object.hole, &mut worst);
+        }
+    }
+    rows.push(if whole { workpiece(worst, cycle.form.error_reaction) } else { unknown() });
+    for object in objects.iter().filter(|o| o.state == State::Probed) {
+        single_rows(cycle, object, setup, path, triggers, rows);
+    }
+}
+
+/// The verdict of one value: 0 good, 1 rework, 2 scrap. Limits are good. Gives whether nothing is missing for it.
+fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: bool, worst: &mut Option<i32>) -> bool {
+    const LIMIT: f64 = 1e-9;
+    let Some((low, high)) = value.limits else { return true };
+    let Some(row) = rows.iter_mut().find(|r| r.code == code) else { return true };
+    let Some(measured) = row.value else { return false };
+    let verdict = if measured < low - LIMIT {
+        if size && hole { 1 } else { 2 }
+    } else if measured > high + LIMIT {
+        if size && !hole { 1 } else { 2 }
+    } else {
+        0
+    };
+    row.verdict = Some(["good", "rework", "scrap"][verdict as usize].to_owned());
+    *worst = Some(worst.map_or(verdict, |w| w.max(verdict)));
+    true
+}
+
+/// Q183 where a value with a tolerance was not measured.
+fn unknown() -> ResultRow {
+    let mut row = row("Q183", "Workpiece status", Unit::None, 0.0);
+    row.value = None;
+    row.with_verdict("not known: a value with a tolerance was not measured".to_owned())
+}
+
+/// Q183, and what Q309 makes of it.
+fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
+    let status = worst.unwrap_or(-1);
+    let word = match status {
+        0 => "good",
+        1 => "rework",
+        2 => "scrap",
+        _ => "undefined",
+    };
+    let stops = match reaction {
+        1 => status > 0,
+        2 => status == 2,
+        _ => false,
+    };
+    let deed = if stops { "the control stops and shows the results" } else { "the program continues" };
+    row("Q183", "Workpiece status", Unit::None, f64::from(status)).with_verdict(format!("{word}: {deed}"))
+}
+
+/// The form error of one circle, and with an extrusion the largest deviations of its single circles.
+fn single_rows(
+    cycle: &TwoCircles,
+    object: &Object,
+    setup: &Setup,
+    path: &Path,
+    triggers: &[Option<Vec3>],
+    rows: &mut Vec<ResultRow>,
+) {
+    let i = object.number - 1;
+    let [a, o, _] = setup.plane.axes();
+    let repeats = cycle.repeats().len();
+    let own: Vec<Option<Vec3>> =
+        path.touches.iter().zip(triggers).filter(|(t, _)| t.group == i).map(|(_, trigger)| *trigger).collect();
+    // Circle j goes through the j-th touch of every sample.
+    let circle = |j: usize| -> Option<(Vec<(f64, f64)>, CircleFit)> {
+        let points: Option<Vec<(f64, f64)>> = own.iter().skip(j).step_by(repeats).map(|t| t.map(|p| (p[a], p[o]))).collect();
+        let points = points?;
+        let fit = fit_circle(&points)?;
+        Some((points, fit))
+    };
+    let circles: Option<Vec<_>> = (0..repeats).map(circle).collect();
+    let form_error = circles.as_ref().map(|circles| {
+        let spread = |(points, fit): &(Vec<(f64, f64)>, CircleFit)| {
+            let far: Vec<f64> = points.iter().map(|p| (p.0 - fit.center.0).hypot(p.1 - fit.center.1)).collect();
+            far.iter().copied().fold(f64::MIN, f64::max) - far.iter().copied().fold(f64::MAX, f64::min)
+        };
+        circles.iter().map(spread).fold(0.0, f64::max)
+    });
+    if cycle.extrusion.is_some() {
+        let shifts = cycle.repeats();
+        let place = object.place().unwrap_or_default();
+        let largest = |f: &dyn Fn(usize, &CircleFit) -> f64| {
+            circles.as_ref().map(|circles| circles.iter().enumerate().map(|(j, (_, fit))| f(j, fit)).fold(0.0, f64::max))
+        };
+        let off = largest(&|j, fit| (fit.center.0 - place[0] - shifts[j][0]).hypot(fit.center.1 - place[1] - shifts[j][1]));
+        let wide = largest(&|_, fit| (2.0 * (fit.radius + object.outward() * setup.radius) - object.nominal_diameter()).abs());
+        let centre = ["Largest deviation from centre 1", "Largest deviation from centre 2"][i];
+        let diameter = ["Largest deviation from diameter 1", "Largest deviation from diameter 2"][i];
+        rows.push(maybe(["Q970", "Q971"][i], centre, off));
+        rows.push(maybe(["Q973", "Q974"][i], diameter, wide));
+    }
+    let meaning = ["Form error of circle 1 (Touchpath's own)", "Form error of circle 2 (Touchpath's own)"][i];
+    rows.push(maybe(["form1", "form2"][i], meaning, form_error));
+}
+
+fn maybe(code: &str, meaning: &str, value: Option<f64>) -> ResultRow {
+    let mut row = row(code, meaning, Unit::Length, 0.0);
+    row.nominal = Some(0.0);
+    row.value = value.map(crate::num::tidy);
+    row.deviation = row.value;
+    row
+}
+
+fn row(code: &str, meaning: &str, unit: Unit, value: f64) -> ResultRow {
+    ResultRow {
+        code: code.to_owned(),
+        meaning: meaning.to_owned(),
+        unit,
+        nominal: None,
+        value: Some(value),
+        deviation: None,
+        uncertainty: None,
+        verdict: None,
+        truth: None,
+    }
+}
+
+impl ResultRow {
+    fn with_verdict(mut self, verdict: String) -> Self {
+        self.verdict = Some(verdict);
+        self
+    }
+}

@@ -1,0 +1,486 @@
+//! Probing two circles: HEIDENHAIN cycle 1411, with 1493 extrusion probing in front of it.
+//!
+//! Parameters, meanings and results are those of the control's manual. What the manual does not say, and we chose, is in one
+//! place each: [`Object::points`] (where the touches lie), [`Planner`] (how the ball gets from touch to touch) and
+//! [`judge`] (which value is good, rework or scrap).
+
+mod formula;
+mod judge;
+mod planner;
+mod rules;
+
+use crate::cycle::{Cycle, CycleDef};
+use crate::form::{Checker, Code, Field, SubForm, form};
+use crate::formula::ResultRow;
+use crate::geom::{Frame, Vec3};
+use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setup, Spread, Surface};
+use crate::tolerance::Nominal;
+
+pub static DEF: CycleDef = CycleDef {
+    key: "probing-two-circles",
+    title: "Probing two circles",
+    source: "HEIDENHAIN cycle 1411",
+    number: None,
+    most_touches: 2 * 8 * 99,
+    place: None,
+    doc: "docs/cycles/probing-two-circles.md",
+    fields: Form::FIELDS,
+    sections: &[PROBE, EXTRUSION],
+    home: ("heidenhain", "cycle"),
+    steps: &[
+        "At rapid, with positioning logic, to centre 1",
+        "Positioning logic: from below the clearance height first up to it, then in the plane; from above in the plane, then down",
+        "At rapid to the set-up clearance before the first touch: Q320, SET_UP and the ball radius together",
+        "At the probing feed down to the measuring height, and touch the first hole or stud",
+        "Where the clearance height mode says so, back to the clearance height",
+        "To centre 2",
+        "At the probing feed down to the measuring height, and touch the second hole or stud",
+        "Where the clearance height mode says so, back to the clearance height; the results are stored",
+    ],
+    readings: &[
+        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3 and the parameters of 1493 are recalled from \
+         the control's manuals and not seen in print; they are not verified on a control.",
+        "Heights are of the ball centre. Touch points lie at Q325 + k·Q1119/Q423 for a full circle, else at Q325 + \
+         k·Q1119/(Q423 - 1); a negative Q1119 runs clockwise.",
+        "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
+         stand-off radius at measuring height. Between the objects it goes over the clearance height with Q1125 of 1 or 2, else \
+         straight at measuring height to the second object's first touch, without going to its centre.",
+        "With Q1125 = -1 the ball never goes to the clearance height: it crosses at the height where the stylus stands straight to \
+         before the first touch, goes down at the probing feed, and the cycle ends where its last touch began.",
+        "DIST is the longest way of a touch, counted from where it begins.",
+        "A hole too small for the set-up clearance is touched from its centre; the reachable clearance is D/2 less the ball radius.",
+        "How high the material reaches is not known. For the check against collisions it is taken to reach half-way from the highest touch \
+         to a ball radius below the clearance height, or below the stylus before the cycle where that is lower. Around a hole there is \
+         material as far as the other object.",
+        "The stylus is taken to be at `start` before the cycle: no block moves it there.",
+        "With 1493 the ball goes deeper along the extrusion at the probing feed, and up at rapid.",
+        "An extrusion along the main or minor axis is refused: repeated touches would run off a round object.",
+        "Three points give the exact circle, more the one of geometric least squares.",
+        "Deviations are measured from the middle of the tolerance zone. Q183: in the zone, limits included, is good; a hole too \
+         small or a stud too big is rework; a hole too big, a stud too small or a position out of its zone is scrap; the worst \
+         counts.",
+        "No basic rotation is taken to be active, so Q994 = Q964; the table has to turn the other way, so Q965 = -Q964.",
+        "With 1493 each touch is repeated along the extrusion and the mean goes into the fit; Q970, Q971, Q973, Q974 are the \
+         largest deviations of the circles fitted at the single places.",
+    ],
+    read: |section| {
+        let form = Form::read(section);
+        let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
+        let extrusion = section.sub(&EXTRUSION, Extrusion::read);
+        Box::new(TwoCircles { form, probe, extrusion }.with_stand_ins())
+    },
+};
+
+const GEOMETRY: &[Code] = &[
+    Code { value: 0, label: "hole and hole" },
+    Code { value: 1, label: "stud and stud" },
+    Code { value: 2, label: "hole and stud" },
+    Code { value: 3, label: "stud and hole" },
+];
+const HEIGHT_MODE: &[Code] = &[
+    Code { value: -1, label: "never to the clearance height" },
+    Code { value: 0, label: "before and after the cycle" },
+    Code { value: 1, label: "before and after each object" },
+    Code { value: 2, label: "before and after each touch" },
+];
+const REACTION: &[Code] = &[
+    Code { value: 0, label: "never stop" },
+    Code { value: 1, label: "stop and show when out of tolerance" },
+    Code { value: 2, label: "stop and show only for scrap" },
+];
+const ALIGN: &[Code] = &[
+    Code { value: 0, label: "no" },
+    Code { value: 1, label: "yes, the tip follows (MOVE)" },
+    Code { value: 2, label: "yes, the tip stays (TURN)" },
+];
+const TRANSFER: &[Code] = &[
+    Code { value: 0, label: "no correction" },
+    Code { value: 1, label: "by circle 1" },
+    Code { value: 2, label: "by circle 2" },
+    Code { value: 3, label: "by the mean of both" },
+];
+const CONFIRM: &[Code] = &[
+    Code { value: 0, label: "no basic rotation" },
+    Code { value: 1, label: "set as basic rotation" },
+    Code { value: 2, label: "set as offset of the rotary table" },
+];
+const DIRECTION: &[Code] =
+    &[Code { value: 1, label: "main axis" }, Code { value: 2, label: "minor axis" }, Code { value: 3, label: "tool axis" }];
+const MODAL: &[Code] = &[Code { value: 0, label: "for the next cycle" }, Code { value: 1, label: "to the end of the program" }];
+
+const PROBE: SubForm = SubForm { key: "probe", fields: Probe::FIELDS, optional: false };
+const EXTRUSION: SubForm = SubForm { key: "extrusion", fields: Extrusion::FIELDS, optional: true };
+
+form! {
+    /// The form of 1411, in the order of its block.
+    pub struct Form {
+        /// 1st noml. position of ref. axis? … of minor axis? … in tool axis? A number, or text with a tolerance, ? or @.
+        point1: [Nominal; 3] = Field::nominal_point("point1", "1st point", [-30.0, 0.0, -10.0]).code("Q1100").group("Circle 1"),
+        /// Diameter of 1st position? A number, or text with a tolerance.
+        diameter1: Nominal = Field::nominal("diameter1", "Diameter 1", 20.0).range(0.0, 9999.9999).code("Q1116").group("Circle 1").size(),
+        /// 2nd noml. position of ref. axis? … of minor axis? … in tool axis? As for the first point.
+        point2: [Nominal; 3] = Field::nominal_point("point2", "2nd point", [30.0, 0.0, -10.0]).code("Q1103").group("Circle 2"),
+        /// Diameter of 2nd position? A number, or text with a tolerance.
+        diameter2: Nominal = Field::nominal("diameter2", "Diameter 2", 20.0).range(0.0, 9999.9999).code("Q1117").group("Circle 2").size(),
+        /// Geometry type (0-3)? What lies at each position.
+        geometry_type: i32 = Field::code_of("geometryType", "Geometry type", 0, GEOMETRY).code("Q1115").group("Probing"),
+        /// Number of probe points? On each circle.
+        probe_points: i32 = Field::count("probePoints", "No. of probe points", 4, 3, 8).code("Q423").group("Probing"),
+        /// Starting angle? From the main axis to the first touch.
+        starting_angle: f64 = Field::angle("startingAngle", "Starting angle", 0.0).code("Q325").group("Probing"),
+        /// Arc angular length? Over which the touches are spread; negative is clockwise.
+        angular_length: f64 = Field::angle("angularLength", "Angular length", 360.0).range(-359.999, 360.0).code("Q1119").group("Probing"),
+        /// Set-up clearance? Added to SET_UP and the ball radius.
+        set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
+        /// Clearance height? Where nothing can be met.
+        clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
+        /// Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show.
+        set_up_clearance_predef: bool = Field::flag("setUpClearancePredef", "Set-up clearance: PREDEF", false).group("Heights"),
+        /// Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show.
+        clearance_height_predef: bool = Field::flag("clearanceHeightPredef", "Clearance height: PREDEF", false).group("Heights"),
+        /// Traverse to clearance height? When the ball goes there.
+        clearance_height_mode: i32 = Field::code_of("clearanceHeightMode", "Clear. height mode", 2, HEIGHT_MODE).code("Q1125").group("Heights"),
+        /// Reaction to tolerance error?
+        error_reaction: i32 = Field::code_of("errorReaction", "Error reaction", 0, REACTION).code("Q309").group("After probing"),
+        /// Align rotary axis? Only together with confirm rotation.
+        align_rotary_axis: i32 = Field::code_of("alignRotaryAxis", "Align rotary axis", 0, ALIGN).code("Q1126").group("After probing"),
+        /// Transfer position? Which point corrects the active preset.
+        transfer_position: i32 = Field::code_of("transferPosition", "Transfer position", 0, TRANSFER).code("Q1120").group("After probing"),
+        /// Confirm rotation? What becomes of the measured misalignment.
+        confirm_rotation: i32 = Field::code_of("confirmRotation", "Confirm rotation", 0, CONFIRM).code("Q1121").group("After probing"),
+        /// Where the stylus is before the cycle.
+        start: Vec3 = Field::point("start", "Stylus before the cycle").at([0.0, 0.0, 100.0]).group("Heights"),
+    }
+}
+
+form! {
+    /// The row of the control's touch probe table.
+    pub struct Probe {
+        /// SET_UP of the touch probe table: added to the set-up clearance.
+        set_up: f64 = Field::length("setUp", "SET_UP", 2.0).range(0.0, 1000.0).usual(0.0, 50.0).group("Touch probe table"),
+        /// DIST of the touch probe table: the longest way of a touch.
+        dist: f64 = Field::length("dist", "DIST", 10.0).above(0.0, 1000.0).usual(0.5, 100.0).group("Touch probe table"),
+        /// F of the touch probe table: the probing feed.
+        feed: f64 = Field::feed("feed", "F", 300.0).usual(5.0, 1000.0).group("Touch probe table"),
+        /// FMAX of the touch probe table: the rapid for positioning.
+        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).null_by_default().null_means("control's own").group("Touch probe table"),
+    }
+}
+
+form! {
+    /// Cycle 1493.
+    pub struct Extrusion {
+        /// Extrusion direction? Along which the touches are repeated.
+        direction: i32 = Field::code_of("direction", "Extrusion direction", 3, DIRECTION).code("Q1140").group("Extrusion probing (1493)"),
+        /// Number of extrusion points? Touches for each touch of 1411.
+        points: i32 = Field::count("points", "Extrusion points", 1, 1, 99).code("Q1145").group("Extrusion probing (1493)"),
+        /// Length of extrusion? From the first to the last of them.
+        length: f64 = Field::length("length", "Extrusion length", 0.0).range(-99.0, 99.0).code("Q1146").group("Extrusion probing (1493)"),
+        /// Extrusion probing: modal?
+        modal: i32 = Field::code_of("modal", "Extrusion modal", 0, MODAL).code("Q1149").group("Extrusion probing (1493)"),
+    }
+}
+
+/// The checked cycle.
+#[derive(Clone, Debug)]
+pub struct TwoCircles {
+    form: Form,
+    probe: Probe,
+    extrusion: Option<Extrusion>,
+}
+
+/// Whether an object is probed by the cycle itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    /// Probed.
+    Probed,
+    /// Its place is not known: the operator moves the probe there.
+    Semi,
+    /// Its place is given: not probed.
+    Given,
+}
+
+/// One hole or stud.
+#[derive(Clone, Debug)]
+struct Object {
+    /// 1 or 2.
+    number: usize,
+    /// Main, minor, tool axis.
+    point: [Nominal; 3],
+    diameter: Nominal,
+    hole: bool,
+    state: State,
+}
+
+impl Object {
+    /// The nominal place, where it is known, as (main, minor, tool axis).
+    fn place(&self) -> Option<[f64; 3]> {
+        let [a, o, w] = &self.point;
+        Some([a.nominal?, o.nominal?, w.nominal?])
+    }
+
+    /// What the deviation of a coordinate is measured from. The tool axis of a probed object is not measured: its value is the
+    /// nominal one, and its deviation 0.
+    fn reference(&self, axis: usize) -> Option<f64> {
+        if self.measures(axis) { self.point[axis].reference() } else { self.point[axis].nominal }
+    }
+
+    /// Whether a coordinate is measured or given.
+    fn measures(&self, axis: usize) -> bool {
+        axis < 2 || self.state == State::Given
+    }
+
+    fn nominal_diameter(&self) -> f64 {
+        self.diameter.nominal.unwrap_or(0.0)
+    }
+
+    /// +1 outwards for a hole, −1 for a stud: the way the ball goes to touch, and the sign of its radius in the diameter.
+    fn outward(&self) -> f64 {
+        if self.hole { 1.0 } else { -1.0 }
+    }
+}
+
+impl TwoCircles {
+    fn objects(&self) -> [Object; 2] {
+        let form = &self.form;
+        let holes = [matches!(form.geometry_type, 0 | 2), matches!(form.geometry_type, 0 | 3)];
+        let object = |number: usize, point: &[Nominal; 3], diameter: &Nominal| {
+            let state = if point.iter().any(|v| v.unknown) {
+                State::Semi
+            } else if point.iter().any(|v| v.actual.is_some()) {
+                State::Given
+            } else {
+                State::Probed
+            };
+            Object { number, point: point.clone(), diameter: diameter.clone(), hole: holes[number - 1], state }
+        };
+        [object(1, &form.point1, &form.diameter1), object(2, &form.point2, &form.diameter2)]
+    }
+
+    /// What the control takes from GLOBAL DEF is not known here: the form's number stands in, moved to where moves can be shown.
+    fn with_stand_ins(mut self) -> Self {
+        const ROOM: f64 = 10.0;
+        if self.form.set_up_clearance_predef {
+            let most = self.probe.dist - SHORTEST_TOUCH - self.probe.set_up;
+            let least = SHORTEST_TOUCH - self.probe.set_up;
+            self.form.set_up_clearance = self.form.set_up_clearance.min(most).max(least).max(0.0);
+        }
+        if self.form.clearance_height_predef {
+            let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+            let touches =
+                self.objects().iter().filter_map(Object::place).map(|[_, _, w]| w + extrusion).fold(f64::MIN, f64::max);
+            if self.form.clearance_height <= touches {
+                self.form.clearance_height = touches + ROOM;
+            }
+        }
+        self
+    }
+
+    /// The stand-off in every probing direction, mm, from surface to ball centre.
+    fn stand_off(&self, setup: &Setup) -> f64 {
+        self.form.set_up_clearance + self.probe.set_up + setup.radius
+    }
+
+    fn frame(setup: &Setup) -> Frame {
+        Frame::new(setup.plane, Vec3::ZERO, 0.0)
+    }
+
+    /// The height of the ball centre at which there is no contact: the clearance height; with mode −1, which never uses it, the height
+    /// where the stylus comes from.
+    fn free_height(&self, setup: &Setup) -> f64 {
+        if self.form.clearance_height_mode >= 0 {
+            return self.form.clearance_height;
+        }
+        let [_, _, w] = setup.plane.axes();
+        self.objects().iter().filter_map(|o| o.place()).fold(self.form.start[w], |most, place| most.max(place[2]))
+    }
+
+    /// The angles of the touches of one circle, radians.
+    fn angles(&self) -> Vec<f64> {
+        let form = &self.form;
+        let count = form.probe_points;
+        let full = form.angular_length.abs() >= 360.0;
+        let step = form.angular_length / f64::from(if full { count } else { count - 1 });
+        (0..count).map(|k| (form.starting_angle + step * f64::from(k)).to_radians()).collect()
+    }
+
+    /// Where the touches of one place are repeated, as shifts along the extrusion, in (main, minor, tool axis).
+    fn repeats(&self) -> Vec<[f64; 3]> {
+        let Some(extrusion) = &self.extrusion else { return vec![[0.0; 3]] };
+        let n = extrusion.points;
+        (0..n)
+            .map(|j| {
+                let mut shift = [0.0; 3];
+                if n > 1 {
+                    shift[(extrusion.direction - 1) as usize] = extrusion.length * f64::from(j) / f64::from(n - 1);
+                }
+                shift
+            })
+            .collect()
+    }
+
+    /// From nominal centre to nominal centre.
+    fn line(&self, setup: &Setup) -> Option<[Vec3; 2]> {
+        let frame = Self::frame(setup);
+        let [one, two] = self.objects();
+        let ([a1, o1, w1], [a2, o2, w2]) = (one.place()?, two.place()?);
+        Some([frame.point(a1, o1, w1), frame.point(a2, o2, w2)])
+    }
+
+    /// The angles as the first probed circle shows them.
+    fn spread(&self, setup: &Setup) -> Option<Spread> {
+        let objects = self.objects();
+        let object = objects.iter().find(|o| o.state == State::Probed)?;
+        let [a, o, w] = object.place()?;
+        Some(Spread {
+            center: Self::frame(setup).point(a, o, w),
+            radius: object.nominal_diameter() / 2.0,
+            start: self.form.starting_angle.to_radians(),
+            sweep: self.form.angular_length.to_radians(),
+        })
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let form = &self.form;
+        let mut rows = Vec::new();
+        let mut push = |code: i32, meaning: &str, value: ParameterValue, field: &'static str| {
+            rows.push(Parameter {
+                code,
+                accessor: Accessor::Q,
+                type_name: "",
+                value,
+                meaning: meaning.to_owned(),
+                field: Some(field.to_owned()),
+                touch: None,
+            });
+        };
+        let nominal = |v: &Nominal| match &v.text {
+            Some(text) => ParameterValue::Text(text.clone()),
+            None => ParameterValue::Length(v.nominal.unwrap_or(0.0)),
+        };
+        let code = |n: i32| ParameterValue::Whole(n);
+        if let Some(extrusion) = &self.extrusion {
+            push(1140, "EXTRUSION DIRECTION", code(extrusion.direction), "cycle.extrusion.direction");
+            push(1145, "EXTRUSION POINTS", code(extrusion.points), "cycle.extrusion.points");
+            push(1146, "EXTRUSION LENGTH", ParameterValue::Length(extrusion.length), "cycle.extrusion.length");
+            push(1149, "EXTRUSION MODAL", code(extrusion.modal), "cycle.extrusion.modal");
+        }
+        let axes = ["REF AXIS", "MINOR AXIS", "TOOL AXIS"];
+        let fields1 = ["cycle.point1[0]", "cycle.point1[1]", "cycle.point1[2]"];
+        let fields2 = ["cycle.point2[0]", "cycle.point2[1]", "cycle.point2[2]"];
+        for i in 0..3 {
+            push(1100 + i as i32, &format!("1ST POINT {}", axes[i]), nominal(&form.point1[i]), fields1[i]);
+        }
+        push(1116, "DIAMETER 1", nominal(&form.diameter1), "cycle.diameter1");
+        for i in 0..3 {
+            push(1103 + i as i32, &format!("2ND POINT {}", axes[i]), nominal(&form.point2[i]), fields2[i]);
+        }
+        push(1117, "DIAMETER 2", nominal(&form.diameter2), "cycle.diameter2");
+        push(1115, "GEOMETRY TYPE", code(form.geometry_type), "cycle.geometryType");
+        push(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints");
+        push(325, "STARTING ANGLE", ParameterValue::Number(form.starting_angle), "cycle.startingAngle");
+        push(1119, "ANGULAR LENGTH", ParameterValue::Number(form.angular_length), "cycle.angularLength");
+        let global = |predefined: bool, mm: f64| match predefined {
+            true => ParameterValue::Word("PREDEF"),
+            false => ParameterValue::Length(mm),
+        };
+        let set_up = global(form.set_up_clearance_predef, form.set_up_clearance);
+        push(320, "SET-UP CLEARANCE", set_up, "cycle.setUpClearance");
+        let height = global(form.clearance_height_predef, form.clearance_height);
+        push(260, "CLEARANCE HEIGHT", height, "cycle.clearanceHeight");
+        push(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode");
+        push(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction");
+        push(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis");
+        // The control's own spelling.
+        push(1120, "TRANSER POSITION", code(form.transfer_position), "cycle.transferPosition");
+        push(1121, "CONFIRM ROTATION", code(form.confirm_rotation), "cycle.confirmRotation");
+        rows
+    }
+}
+
+impl Cycle for TwoCircles {
+    fn rules(&self, setup: &Setup, checker: &mut Checker) {
+        self.check(setup, checker);
+    }
+
+    fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
+        let set_up = self.form.set_up_clearance_predef.then_some(("cycle.setUpClearancePredef", "set-up clearance (Q320)"));
+        let height = self.form.clearance_height_predef.then_some(("cycle.clearanceHeightPredef", "clearance height (Q260)"));
+        set_up.into_iter().chain(height).collect()
+    }
+
+    fn plan(&self, setup: &Setup) -> Path {
+        let (touches, moves) = planner::Planner::new(self, setup).run();
+        Path {
+            touches,
+            start: (!moves.is_empty()).then_some(self.form.start),
+            top: None,
+            moves,
+            surfaces: self.surfaces(setup),
+            feeds: Some(Feeds {
+                approach: None,
+                long_link: None,
+                work: self.probe.feed,
+                retract: None,
+                return_: None,
+                rapid: self.probe.rapid,
+            }),
+            line: self.line(setup),
+            spread: self.spread(setup),
+            frame: Self::frame(setup),
+            formula: self.formula(setup),
+            parameters: self.parameters(),
+            picked: false,
+        }
+    }
+
+    fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
+        let frame = Self::frame(setup);
+        // Where the stylus is before the cycle it is free, too.
+        let free = self.free_height(setup).min(self.form.start[setup.plane.axes()[2]]) - setup.radius;
+        let highest = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        let objects = self.objects();
+        let place = |object: &Object| object.place().filter(|_| object.state != State::Semi);
+        let known = |object: &Object, other: &Object| {
+            let Some([a, o, w]) = place(object) else { return Surface::Unknown };
+            let radius = object.nominal_diameter() / 2.0;
+            // The top is not known: half-way between the highest touch and the height at which the ball is free.
+            let touched = w + highest;
+            let top = touched + ((free - touched) / 2.0).max(0.0);
+            // Around a hole there is material, but not where the other object is, nor where the ball goes around that, on a
+            // part displaced by as much as a touch searches.
+            let clear = if other.hole { 0.0 } else { self.stand_off(setup) + setup.radius + self.probe.dist };
+            let reach = place(other)
+                .map_or(f64::INFINITY, |[oa, oo, _]| (oa - a).hypot(oo - o) - other.nominal_diameter() / 2.0 - clear);
+            Surface::Round(Round {
+                center: frame.point(a, o, top),
+                radius,
+                hole: object.hole,
+                drawn_depth: top - w + setup.radius,
+                plate: object.hole.then_some(reach),
+            })
+        };
+        let [one, two] = &objects;
+        vec![known(one, two), known(two, one)]
+    }
+
+    fn resized(&self, _setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
+        let mut resized = self.clone();
+        let size = match key {
+            "diameter1" => &mut resized.form.diameter1,
+            "diameter2" => &mut resized.form.diameter2,
+            _ => return None,
+        };
+        let diameter = size.nominal? + delta;
+        size.nominal = Some(diameter);
+        (diameter > 0.0).then(|| Box::new(resized) as Box<dyn Cycle>)
+    }
+
+    fn judge(&self, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+        judge::judge(self, setup, path, triggers, rows);
+    }
+
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
+}

@@ -1,0 +1,224 @@
+//! What must hold in 1411 beyond single fields.
+
+use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
+use crate::form::Checker;
+use crate::path::{SHORTEST_TOUCH, Setup};
+
+impl TwoCircles {
+    /// Reports every rule that does not hold.
+    pub(super) fn check(&self, setup: &Setup, checker: &mut Checker) {
+        let form = &self.form;
+        let diameters = ["cycle.diameter1", "cycle.diameter2"];
+        let points = ["cycle.point1", "cycle.point2"];
+        for object in &self.objects() {
+            let (point, diameter) = (points[object.number - 1], diameters[object.number - 1]);
+            object_rules(object, point, diameter, checker);
+            if object.state == State::Probed
+                && checker.sound(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
+            {
+                self.room_rules(object, diameter, setup, checker);
+            }
+        }
+        if form.angular_length == 0.0 {
+            checker.error("no-arc", "cycle.angularLength", "An angular length of 0° puts every touch on one spot");
+        }
+        if form.angular_length != 0.0 && checker.sound(&["cycle.angularLength", "cycle.probePoints"]) {
+            self.spread_rules(checker);
+        }
+        if form.align_rotary_axis != 0 && form.confirm_rotation == 0 {
+            let message =
+                "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise";
+            checker.error("align-needs-confirm", "cycle.alignRotaryAxis", message);
+        }
+        let [one, two] = self.objects();
+        if let (Some(p), Some(q)) = (one.place(), two.place())
+            && checker.sound(&points)
+            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
+        {
+            let message = "Both circles are in one place: the line through their centres has no direction";
+            checker.error("no-direction", "cycle.point2", message);
+        }
+        if let (Some(p), Some(q)) = (one.place(), two.place())
+            && one.state == State::Probed
+            && two.state == State::Probed
+            && checker.sound(&[points[0], points[1], diameters[0], diameters[1]])
+        {
+            let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
+            for (outer, inner, path) in [(&one, &two, diameters[0]), (&two, &one, diameters[1])] {
+                if apart + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
+                    let message = format!(
+                        "Circle {} (diameter {}) contains circle {} wholly: is a diameter in other units?",
+                        outer.number,
+                        checker.length(outer.nominal_diameter()),
+                        inner.number
+                    );
+                    checker.error("circle-in-circle", path, message);
+                    break;
+                }
+            }
+        }
+        let given = |o: &Object| Some([o.point[0].actual?, o.point[1].actual?]);
+        if let (Some(p), Some(q)) = (given(&one), given(&two))
+            && checker.sound(&points)
+            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
+        {
+            let message = "Both circles are given in one place: the line through their centres has no direction";
+            checker.error("no-direction", "cycle.point2", message);
+        }
+        if let Some(extrusion) = &self.extrusion
+            && extrusion.points > 1
+            && extrusion.length != 0.0
+            && extrusion.direction != 3
+        {
+            let message =
+                "Along the main or minor axis repeated touches would run off a round object: only the tool axis (3) is planned";
+            checker.error("extrusion-direction", "cycle.extrusion.direction", message);
+        }
+        if let Some(extrusion) = &self.extrusion
+            && extrusion.points > 1
+            && extrusion.length == 0.0
+        {
+            let message = "An extrusion of length 0 repeats every touch on the same spot";
+            checker.warning("no-extrusion", "cycle.extrusion.length", message);
+        }
+        self.height_rules(checker);
+    }
+
+    /// Touches must lie apart, and an arc too short makes the circle uncertain.
+    fn spread_rules(&self, checker: &mut Checker) {
+        const NEAREST: f64 = 1.0;
+        const DOUBTFUL: f64 = 5.0;
+        let angles = self.angles();
+        let apart = |a: f64, b: f64| crate::num::wrap_degrees((a - b).to_degrees()).abs();
+        let pairs = angles.iter().enumerate().flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
+        let nearest = pairs.fold(360.0, f64::min);
+        if nearest < NEAREST {
+            let message = format!(
+                "Two touches of a circle would lie {}° apart: at least {NEAREST}° are needed, or the circle cannot be told",
+                crate::num::decimal(nearest, 4)
+            );
+            checker.error("no-arc", "cycle.angularLength", message);
+            return;
+        }
+        let points: Vec<(f64, f64)> = angles.iter().map(|a| (a.cos(), a.sin())).collect();
+        let Some(fit) = crate::formula::fit_circle(&points) else { return };
+        let worth = |row: usize| {
+            let each = fit.by_point.iter().zip(&points).map(|(d, p)| d.0[row] * p.0 + d.1[row] * p.1);
+            each.map(|d| d * d).sum::<f64>().sqrt()
+        };
+        let worst = worth(0).max(worth(1));
+        if worst > DOUBTFUL {
+            let message = format!(
+                "Over so short an arc a centre is {} times as uncertain as a single touch: give the touches more of the circle",
+                crate::num::decimal(worst, 0)
+            );
+            checker.warning("short-arc", "cycle.angularLength", message);
+        }
+    }
+
+    /// Whether the ball fits, and whether a touch reaches the wall.
+    fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
+        let (number, diameter) = (object.number, object.nominal_diameter());
+        if object.hole && diameter < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
+            let message = format!(
+                "Hole {number} ({}) must be larger than the ball ({})",
+                checker.length(diameter),
+                checker.length(2.0 * setup.radius)
+            );
+            checker.error("ball-too-wide", diameter_path, message);
+            return;
+        }
+        if !object.hole && diameter <= 0.0 {
+            checker.error("out-of-range", diameter_path, format!("Stud {number} must have a diameter above 0"));
+            return;
+        }
+        let reachable = diameter / 2.0 - setup.radius;
+        let small = object.hole && diameter / 2.0 < self.stand_off(setup);
+        if small {
+            let message = format!(
+                "Hole {number} is too small for the set-up clearance: the control asks, and continues from the centre with the \
+                 reachable clearance of {}",
+                checker.length(reachable)
+            );
+            checker.warning("small-hole", diameter_path, message);
+        }
+        let way = if small { reachable } else { self.stand_off(setup) - setup.radius };
+        if way + 0.01 > self.probe.dist {
+            let message = format!(
+                "DIST ({}) must be longer than the way from the start of a touch to object {number} ({}), or no touch reaches it",
+                checker.length(self.probe.dist),
+                checker.length(way)
+            );
+            checker.error("dist-too-short", "cycle.probe.dist", message);
+        }
+        if way < SHORTEST_TOUCH - 1e-6 {
+            let message = format!(
+                "Q320 and SET_UP together ({}) must be at least {}: the ball would stand at the wall before the touch begins",
+                checker.length(way),
+                checker.length(SHORTEST_TOUCH)
+            );
+            checker.error("clearance-too-small", "cycle.setUpClearance", message);
+        }
+    }
+
+    /// The clearance height against the measuring heights, and the notice of the manual.
+    fn height_rules(&self, checker: &mut Checker) {
+        let mode = self.form.clearance_height_mode;
+        let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        for (object, path) in self.objects().iter().zip(["cycle.point1", "cycle.point2"]) {
+            let Some([_, _, height]) = object.place() else { continue };
+            if mode >= 0 && object.state == State::Probed && checker.sound(&[path, "cycle.clearanceHeight"]) {
+                let highest = height + extrusion;
+                if highest >= self.form.clearance_height {
+                    let message = format!(
+                        "The clearance height ({}) must lie above the measuring height of object {} ({})",
+                        checker.length(self.form.clearance_height),
+                        object.number,
+                        checker.length(highest)
+                    );
+                    checker.error("clearance-height-too-low", "cycle.clearanceHeight", message);
+                }
+            }
+        }
+        if mode < 2 {
+            let what = if mode == 1 { "the touch points of an object" } else { "the objects and their touch points" };
+            let message = format!(
+                "Danger of collision: between {what} the probe is not retracted to the clearance height; the manual says always \
+                 to do so"
+            );
+            checker.warning("no-retract", "cycle.clearanceHeightMode", message);
+        }
+    }
+}
+
+/// What must hold of one object's values.
+fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Checker) {
+    if !checker.sound(&[point, diameter]) {
+        return;
+    }
+    let number = object.number;
+    let given = object.point.iter().filter(|v| v.actual.is_some()).count();
+    if given > 0 && given < 3 {
+        let message = format!("Point {number}: a given position (@) needs all three axes; {given} of 3 are given");
+        checker.error("given-incomplete", point, message);
+    }
+    if object.diameter.unknown || object.diameter.actual.is_some() {
+        let message = format!("Diameter {number} takes a number or a tolerance, not ? or @");
+        checker.error("not-a-value", diameter, message);
+    }
+    match object.state {
+        State::Semi => {
+            let message = format!(
+                "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it; no path can \
+                 be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it"
+            );
+            checker.info("semi-automatic", point, message);
+        }
+        State::Given => {
+            let message =
+                format!("The position of object {number} is given: it is not probed, and its diameter is not measured");
+            checker.info("given-position", point, message);
+        }
+        State::Probed => {}
+    }
+}

@@ -1,0 +1,489 @@
+//! Reading a loose form: every problem is reported at once, with its path, and reading never stops at the first.
+
+use crate::form::field::Checked;
+use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
+use crate::geom::Vec3;
+use crate::num::decimal;
+use crate::tolerance::{self, Nominal};
+
+/// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
+#[derive(Debug)]
+pub struct Checker {
+    /// Millimetres in one unit of length of the job.
+    pub scale: f64,
+    /// The unit's name, `mm` or `inch`.
+    pub unit: &'static str,
+    found: Vec<Finding>,
+}
+
+/// The most findings that are listed; the rest is counted. Errors come before warnings, and those before notes.
+const MOST_FINDINGS: usize = 200;
+
+/// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
+impl std::default::Default for Checker {
+    fn default() -> Self {
+        Checker { scale: 1.0, unit: "mm", found: Vec::new() }
+    }
+}
+
+impl Checker {
+    /// Reports an error.
+    pub fn error(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.push(Level::Error, code, path, message);
+    }
+
+    /// Reports a warning.
+    pub fn warning(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.push(Level::Warning, code, path, message);
+    }
+
+    /// Reports a note.
+    pub fn info(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.push(Level::Info, code, path, message);
+    }
+
+    fn push(&mut self, level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) {
+        self.found.push(Finding::new(level, code, path, message));
+    }
+
+    /// How many findings there are.
+    pub fn count(&self) -> usize {
+        self.found.len()
+    }
+
+    /// Whether there is a finding with this code.
+    pub fn has(&self, code: &str) -> bool {
+        self.found.iter().any(|f| f.code == code)
+    }
+
+    /// Everything found, in the order found; last, where there are too many to list, how many more.
+    pub fn findings(mut self) -> Vec<Finding> {
+        const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
+        // How many of each level may still be listed, and how many are beyond the list.
+        let mut room = [0; 3];
+        let mut more = [0; 3];
+        let mut left = MOST_FINDINGS;
+        for (i, level) in LEVELS.into_iter().enumerate() {
+            let count = self.found.iter().filter(|f| f.level == level).count();
+            room[i] = count.min(left);
+            more[i] = count - room[i];
+            left -= room[i];
+        }
+        let Some(gravest) = more.iter().position(|n| *n > 0) else { return self.found };
+        self.found.retain(|f| {
+            let room = &mut room[LEVELS.iter().position(|l| *l == f.level).expect("there are three levels")];
+            let listed = *room > 0;
+            *room -= usize::from(listed);
+            listed
+        });
+        let [errors, warnings, notes] = more;
+        let message = format!("More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes");
+        self.found.push(Finding::new(LEVELS[gravest], "more-findings", "", message));
+        self.found
+    }
+
+    /// Whether any finding so far is an error.
+    pub fn failed(&self) -> bool {
+        self.found.iter().any(|f| f.level == Level::Error)
+    }
+
+    /// Whether none of these paths (or anything inside or around them) has an error.
+    pub fn sound(&self, paths: &[&str]) -> bool {
+        let inside = |long: &str, short: &str| {
+            long.strip_prefix(short).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        let touched =
+            |path: &str| self.found.iter().any(|f| f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path)));
+        !paths.iter().any(|path| touched(path))
+    }
+
+    /// A length in mm as the job's user reads it: `3.5 mm`, `0.1378 inch`.
+    pub fn length(&self, mm: f64) -> String {
+        format!("{} {}", self.number(mm), self.unit)
+    }
+
+    /// A length in mm that must not come out smaller: rounded up to the last decimal that is shown.
+    pub fn rounded_up(&self, mm: f64) -> String {
+        let step = if self.scale == 1.0 { 1e4 } else { 1e5 };
+        self.length((mm / self.scale * step - 1e-3).ceil() / step * self.scale)
+    }
+
+    /// A length in mm as a bare number in the job's units.
+    pub fn number(&self, mm: f64) -> String {
+        decimal(mm / self.scale, if self.scale == 1.0 { 4 } else { 5 })
+    }
+}
+
+/// One object of the job while it is read.
+#[derive(Debug)]
+pub struct Section<'a, 'c> {
+    /// Where findings go.
+    pub checker: &'c mut Checker,
+    value: Option<&'a Value>,
+    path: &'a str,
+}
+
+impl<'a, 'c> Section<'a, 'c> {
+    /// The object `value` at `path` (empty for the job itself). Absent is fine; anything but an object is reported.
+    pub fn new(checker: &'c mut Checker, value: Option<&'a Value>, path: &'a str) -> Self {
+        let value = match value {
+            None | Some(Value::Map(_)) => value,
+            Some(other) => {
+                checker.error("wrong-type", path, format!("{} must be an object, not {}", place(path), other.noun()));
+                None
+            }
+        };
+        Section { checker, value, path }
+    }
+
+    /// The loose value under a key.
+    pub fn get(&self, key: &str) -> Option<&'a Value> {
+        self.value.and_then(|v| v.get(key))
+    }
+
+    /// Reads a form inside this one; none where it is null or absent and may be.
+    pub fn sub<T>(&mut self, form: &SubForm, read: fn(&mut Section<'_, '_>) -> T) -> Option<T> {
+        let value = self.get(form.key);
+        if form.optional && matches!(value, None | Some(Value::Null)) {
+            return None;
+        }
+        let path = self.at(form.key);
+        let mut section = Section::new(self.checker, value, &path);
+        section.only(form.fields, &[]);
+        Some(read(&mut section))
+    }
+
+    /// The full path of a key of this object.
+    pub fn at(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// Reports every key that is neither a field nor one of `others`.
+    pub fn only(&mut self, fields: &[Field], others: &[&str]) {
+        let Some(Value::Map(entries)) = self.value else {
+            return;
+        };
+        for (key, _) in entries {
+            let known = fields.iter().any(|f| f.key == key) || others.contains(&key.as_str());
+            if !known {
+                let names: Vec<&str> = fields.iter().map(|f| f.key).chain(others.iter().copied()).collect();
+                let shown = printable(key);
+                self.checker.error(
+                    "unknown-key",
+                    self.at(&shown),
+                    format!("{} has no \"{shown}\"; it knows {}", place(self.path), names.join(", ")),
+                );
+            }
+        }
+    }
+
+    /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
+    pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
+        let Value::Number(given) = *value else {
+            let null = if field.null.is_some() { " or null" } else { "" };
+            self.checker.error("wrong-type", path, format!("{} must be a number{null}, not {}", field.label, value.noun()));
+            return None;
+        };
+        if !given.is_finite() {
+            self.checker.error("not-finite", path, format!("{} must be a finite number", field.label));
+            return None;
+        }
+        let scale = match field.kind {
+            Kind::Length | Kind::Feed | Kind::Point | Kind::Nominal | Kind::NominalPoint => self.checker.scale,
+            Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
+        };
+        if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
+            self.checker.error("not-whole", path, format!("{} must be a whole number", field.label));
+            return None;
+        }
+        // The end of a range, said in inch, is not said to the last bit.
+        let inner = if scale == 1.0 { given } else { field.hard.snapped(given * scale) };
+        let unit = self.unit(field.kind);
+        let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
+        if !field.hard.holds(inner) {
+            let (min, max) = (number(field.hard.min), number(field.hard.max));
+            let allowed = if field.hard.above {
+                format!("above {min} and at most {max}{unit}")
+            } else {
+                format!("from {min} to {max}{unit}")
+            };
+            let reason = if field.reason.is_empty() { String::new() } else { format!(": {}", field.reason) };
+            self.checker.error("out-of-range", path, format!("{} must be {allowed}{reason}", field.label));
+            return None;
+        }
+        if let Some((min, max)) = field.usual
+            && !(Range { min, max, above: false }).nearly_holds(inner)
+        {
+            self.checker.warning(
+                "unusual",
+                path,
+                format!("{} is usually from {} to {}{unit}", field.label, number(min), number(max)),
+            );
+        }
+        Some(inner)
+    }
+
+    /// The nominal value at `path`: a number, or text of one of the forms of [`crate::tolerance`]. In mm.
+    pub fn nominal(&mut self, value: &Value, field: &Field, path: &str) -> Option<Nominal> {
+        let Value::Text(text) = value else {
+            return self.number(value, field, path).map(Nominal::number);
+        };
+        let scale = self.checker.scale;
+        let parsed = match tolerance::parse(text, scale) {
+            Ok(parsed) => parsed,
+            Err(why) => {
+                let forms = if why.contains(tolerance::FORMS) {
+                    String::new()
+                } else {
+                    format!(". The forms are {}", tolerance::FORMS)
+                };
+                self.checker.error("not-a-value", path, format!("{}: {why}{forms}", field.label));
+                return None;
+            }
+        };
+        for number in [parsed.nominal, parsed.actual].into_iter().flatten() {
+            self.number(&Value::Number(number), field, path)?;
+        }
+        Some(parsed.scaled(scale))
+    }
+
+    /// The number under the field's key, or `None` where it is null, or what stands in for it.
+    fn number_or_null(&mut self, field: &'static Field) -> Option<f64> {
+        let stand_in = match field.default {
+            Default::Number(x) => Some(x),
+            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => None,
+        };
+        match self.get(field.key) {
+            None => stand_in,
+            Some(Value::Null) if field.null.is_some() => None,
+            Some(value) => {
+                let path = self.at(field.key);
+                self.number(value, field, &path).or(stand_in)
+            }
+        }
+    }
+
+    fn unit(&self, kind: Kind) -> String {
+        match kind {
+            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.checker.unit),
+            Kind::Feed => format!(" {}/min", self.checker.unit),
+            Kind::Angle => "°".to_owned(),
+            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
+        }
+    }
+}
+
+impl Checked for Option<f64> {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field)
+    }
+
+    fn shown(&self) -> Shown {
+        self.map_or(Shown::Nothing, Shown::Number)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Number(x) = value {
+            *self = Some(x);
+        }
+    }
+}
+
+impl Checked for f64 {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field).expect("a field that is a number has a number as default")
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Number(*self)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Number(x) = value {
+            *self = x;
+        }
+    }
+}
+
+impl Checked for Nominal {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = match field.default {
+            Default::Number(x) => Nominal::number(x),
+            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => Nominal::default(),
+        };
+        match section.get(field.key) {
+            None => stand_in,
+            Some(value) => {
+                let path = section.at(field.key);
+                section.nominal(value, field, &path).unwrap_or(stand_in)
+            }
+        }
+    }
+}
+
+impl Checked for [Nominal; 3] {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = default_point(field).map(Nominal::number);
+        let path = section.at(field.key);
+        match section.get(field.key) {
+            None => stand_in,
+            Some(Value::List(items)) if items.len() == 3 => {
+                let mut point = stand_in;
+                for (i, item) in items.iter().enumerate() {
+                    if let Some(value) = section.nominal(item, field, &format!("{path}[{i}]")) {
+                        point[i] = value;
+                    }
+                }
+                point
+            }
+            Some(other) => {
+                let message = format!("{} must be a list of three values, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in
+            }
+        }
+    }
+}
+
+/// The point that stands where the job says nothing.
+fn default_point(field: &Field) -> [f64; 3] {
+    match field.default {
+        Default::Point(point) => point,
+        Default::Number(_) | Default::Flag(_) | Default::Text(_) | Default::Null => [0.0; 3],
+    }
+}
+
+impl Checked for i32 {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        f64::take(section, field) as i32
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Whole(*self)
+    }
+}
+
+impl Checked for Option<i32> {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        section.number_or_null(field).map(|x| x as i32)
+    }
+
+    fn shown(&self) -> Shown {
+        self.map_or(Shown::Nothing, Shown::Whole)
+    }
+}
+
+impl Checked for bool {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = matches!(field.default, Default::Flag(true));
+        match section.get(field.key) {
+            None => stand_in,
+            Some(Value::Flag(b)) => *b,
+            Some(other) => {
+                let path = section.at(field.key);
+                let message = format!("{} must be true or false, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in
+            }
+        }
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Flag(*self)
+    }
+}
+
+impl Checked for Vec3 {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = Vec3::from_array(default_point(field));
+        let Some(value) = section.get(field.key) else {
+            return stand_in;
+        };
+        let path = section.at(field.key);
+        match value {
+            Value::List(items) if items.len() == 3 => {
+                let mut point = [0.0; 3];
+                for (i, item) in items.iter().enumerate() {
+                    point[i] = section.number(item, field, &format!("{path}[{i}]")).unwrap_or(0.0);
+                }
+                Vec3::from_array(point)
+            }
+            other => {
+                let what = match other {
+                    Value::List(items) => format!("a list of {}", items.len()),
+                    _ => other.noun().to_owned(),
+                };
+                let message = format!("{} must be a list of three numbers [X, Y, Z], not {what}", field.label);
+                section.checker.error("wrong-type", path, message);
+                stand_in
+            }
+        }
+    }
+
+    fn shown(&self) -> Shown {
+        Shown::Point(*self)
+    }
+
+    fn put(&mut self, value: Shown) {
+        if let Shown::Point(point) = value {
+            *self = point;
+        }
+    }
+}
+
+impl Checked for String {
+    #[inline(never)]
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
+        let stand_in = || match field.default {
+            Default::Text(text) => text.to_owned(),
+            Default::Number(_) | Default::Flag(_) | Default::Point(_) | Default::Null => String::new(),
+        };
+        let path = section.at(field.key);
+        match (section.get(field.key), field.kind) {
+            (None, _) => stand_in(),
+            (Some(Value::Text(text)), Kind::Choice(choices)) => {
+                if choices.iter().any(|c| c.value == text) {
+                    return text.clone();
+                }
+                let words: Vec<String> = choices.iter().map(|c| format!("\"{}\"", c.value)).collect();
+                let message = format!("{} must be one of {}, not \"{}\"", field.label, words.join(", "), printable(text));
+                section.checker.error("unknown-value", path, message);
+                stand_in()
+            }
+            (Some(Value::Text(text)), _) => {
+                if text.chars().count() as f64 > field.hard.max {
+                    let message = format!("{} may have {} characters at most", field.label, field.hard.max);
+                    section.checker.error("too-long", path, message);
+                    return stand_in();
+                }
+                text.clone()
+            }
+            (Some(other), _) => {
+                let message = format!("{} must be text, not {}", field.label, other.noun());
+                section.checker.error("wrong-type", path, message);
+                stand_in()
+            }
+        }
+    }
+}
+
+/// A user's text, short and without control characters, fit to stand in a message.
+pub(crate) fn printable(text: &str) -> String {
+    let mut shown: String = text.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    if text.chars().nth(40).is_some() {
+        shown.push('…');
+    }
+    shown
+}
+
+fn place(path: &str) -> &str {
+    if path.is_empty() { "the job" } else { path }
+}

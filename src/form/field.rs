@@ -1,0 +1,376 @@
+//! A field of a form, declared once.
+
+use crate::form::Section;
+use crate::geom::Vec3;
+
+/// One field: everything a form, a check, a table and a manual need to know about it.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// Key in the job.
+    pub key: &'static str,
+    /// Short name for people.
+    pub label: &'static str,
+    /// One or two sentences on what it does.
+    pub help: &'static str,
+    /// What kind of value it takes.
+    pub kind: Kind,
+    /// The value where the job says nothing; lengths in mm, feeds in mm/min, angles in degrees.
+    pub default: Default,
+    /// What is allowed; same units as `default`.
+    pub hard: Range,
+    /// What is usual; a warning outside.
+    pub usual: Option<(f64, f64)>,
+    /// Why the hard range is what it is, where that is not plain.
+    pub reason: &'static str,
+    /// Whether `null` is a value of its own, and what it means.
+    pub null: Option<&'static str>,
+    /// The parameter code of the source, `CmdPrm.Flt[-50]`, or empty.
+    pub code: &'static str,
+    /// The heading it stands under.
+    pub group: &'static str,
+    /// Whether it is a size of the part that the virtual part may change.
+    pub size: bool,
+}
+
+/// What kind of value a field takes, and with it the unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A length in the job's units.
+    Length,
+    /// A feed in the job's units per minute.
+    Feed,
+    /// Degrees.
+    Angle,
+    /// A whole number.
+    Count,
+    /// True or false.
+    Flag,
+    /// One of a fixed set of words.
+    Choice(&'static [Choice]),
+    /// Text of at most this many characters.
+    Text(usize),
+    /// Three lengths X, Y, Z.
+    Point,
+    /// One of a fixed set of whole numbers.
+    Code(&'static [Code]),
+    /// A length, or text with a tolerance, an unknown or a given place: see [`crate::tolerance`].
+    Nominal,
+    /// Three of those.
+    NominalPoint,
+}
+
+/// One number of a [`Kind::Code`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Code {
+    /// The number in the job.
+    pub value: i32,
+    /// What it means.
+    pub label: &'static str,
+}
+
+/// A form inside a form.
+#[derive(Clone, Copy, Debug)]
+pub struct SubForm {
+    /// Its key.
+    pub key: &'static str,
+    /// Its fields.
+    pub fields: &'static [Field],
+    /// Whether it may be `null`, and is where the job says nothing.
+    pub optional: bool,
+}
+
+/// One word of a [`Kind::Choice`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// The word in the job.
+    pub value: &'static str,
+    /// What a person reads.
+    pub label: &'static str,
+}
+
+/// A field's value where the job says nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// A number.
+    Number(f64),
+    /// True or false.
+    Flag(bool),
+    /// Text or a choice.
+    Text(&'static str),
+    /// Three numbers.
+    Point([f64; 3]),
+    /// `null`.
+    Null,
+}
+
+/// The numbers a field allows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The smallest.
+    pub min: f64,
+    /// The largest, always included.
+    pub max: f64,
+    /// Whether `min` itself is excluded.
+    pub above: bool,
+}
+
+impl Range {
+    /// Whether a number that was computed lies inside, give or take the noise of the computation.
+    pub fn nearly_holds(&self, x: f64) -> bool {
+        self.holds(self.snapped(x))
+    }
+
+    /// A computed number, brought to an end of the range where it lies beyond it by no more than noise: half of the last of six decimals in
+    /// inch.
+    pub fn snapped(&self, x: f64) -> f64 {
+        const NOISE: f64 = 1.5e-5;
+        let inside = x.clamp(self.min, self.max);
+        if (x - inside).abs() <= NOISE { inside } else { x }
+    }
+
+    /// Whether a number lies inside. NaN does not.
+    pub fn holds(&self, x: f64) -> bool {
+        x <= self.max && if self.above { x > self.min } else { x >= self.min }
+    }
+}
+
+impl Field {
+    const fn new(key: &'static str, label: &'static str, kind: Kind, default: Default, hard: Range) -> Self {
+        Field {
+            key,
+            label,
+            help: "",
+            kind,
+            default,
+            hard,
+            usual: None,
+            reason: "",
+            null: None,
+            code: "",
+            group: "",
+            size: false,
+        }
+    }
+
+    /// A length, by default anywhere from −100 m to 100 m.
+    pub const fn length(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
+        Field::new(key, label, Kind::Length, Default::Number(default), hard)
+    }
+
+    /// A feed of at least 0.1 mm/min: less could be printed as 0.
+    pub const fn feed(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: 0.1, max: 100_000.0, above: false };
+        Field::new(key, label, Kind::Feed, Default::Number(default), hard)
+    }
+
+    /// An angle in degrees, −360 to 360.
+    pub const fn angle(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: -360.0, max: 360.0, above: false };
+        Field::new(key, label, Kind::Angle, Default::Number(default), hard)
+    }
+
+    /// A whole number in a range.
+    pub const fn count(key: &'static str, label: &'static str, default: i32, min: i32, max: i32) -> Self {
+        let hard = Range { min: min as f64, max: max as f64, above: false };
+        Field::new(key, label, Kind::Count, Default::Number(default as f64), hard)
+    }
+
+    /// True or false.
+    pub const fn flag(key: &'static str, label: &'static str, default: bool) -> Self {
+        Field::new(key, label, Kind::Flag, Default::Flag(default), Range { min: 0.0, max: 1.0, above: false })
+    }
+
+    /// One of some words.
+    pub const fn choice(key: &'static str, label: &'static str, choices: &'static [Choice]) -> Self {
+        let hard = Range { min: 0.0, max: 0.0, above: false };
+        Field::new(key, label, Kind::Choice(choices), Default::Text(choices[0].value), hard)
+    }
+
+    /// Text.
+    pub const fn text(key: &'static str, label: &'static str, default: &'static str, most: usize) -> Self {
+        let hard = Range { min: 0.0, max: most as f64, above: false };
+        Field::new(key, label, Kind::Text(most), Default::Text(default), hard)
+    }
+
+    /// One of some whole numbers.
+    pub const fn code_of(key: &'static str, label: &'static str, default: i32, codes: &'static [Code]) -> Self {
+        let hard = Range { min: codes[0].value as f64, max: codes[codes.len() - 1].value as f64, above: false };
+        Field::new(key, label, Kind::Code(codes), Default::Number(default as f64), hard)
+    }
+
+    /// A length or text with a tolerance.
+    pub const fn nominal(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
+        Field::new(key, label, Kind::Nominal, Default::Number(default), hard)
+    }
+
+    /// Three of those.
+    pub const fn nominal_point(key: &'static str, label: &'static str, default: [f64; 3]) -> Self {
+        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
+        Field::new(key, label, Kind::NominalPoint, Default::Point(default), hard)
+    }
+
+    /// Three lengths.
+    pub const fn point(key: &'static str, label: &'static str) -> Self {
+        let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
+        Field::new(key, label, Kind::Point, Default::Point([0.0; 3]), hard)
+    }
+
+    /// With a help text, unless it is empty.
+    pub const fn documented(self, help: &'static str) -> Self {
+        if help.is_empty() { self } else { self.help(help) }
+    }
+
+    /// With its help text.
+    pub const fn help(mut self, help: &'static str) -> Self {
+        self.help = help;
+        self
+    }
+
+    /// Allowed from `min` to `max`, both included.
+    pub const fn range(mut self, min: f64, max: f64) -> Self {
+        self.hard = Range { min, max, above: false };
+        self
+    }
+
+    /// Allowed above `min`, up to and including `max`.
+    pub const fn above(mut self, min: f64, max: f64) -> Self {
+        self.hard = Range { min, max, above: true };
+        self
+    }
+
+    /// Usually from `min` to `max`; a warning outside.
+    pub const fn usual(mut self, min: f64, max: f64) -> Self {
+        self.usual = Some((min, max));
+        self
+    }
+
+    /// Why the range ends where it does.
+    pub const fn because(mut self, reason: &'static str) -> Self {
+        self.reason = reason;
+        self
+    }
+
+    /// `null` is allowed and means this.
+    pub const fn null_means(mut self, meaning: &'static str) -> Self {
+        self.null = Some(meaning);
+        self
+    }
+
+    /// Another point where the job says nothing.
+    pub const fn at(mut self, default: [f64; 3]) -> Self {
+        self.default = Default::Point(default);
+        self
+    }
+
+    /// `null` where the job says nothing.
+    pub const fn null_by_default(mut self) -> Self {
+        self.default = Default::Null;
+        self
+    }
+
+    /// The parameter code of the source.
+    pub const fn code(mut self, code: &'static str) -> Self {
+        self.code = code;
+        self
+    }
+
+    /// The heading it stands under.
+    pub const fn group(mut self, group: &'static str) -> Self {
+        self.group = group;
+        self
+    }
+
+    /// A size that the virtual part may change.
+    pub const fn size(mut self) -> Self {
+        self.size = true;
+        self
+    }
+}
+
+/// A type that a field's checked value has.
+pub trait Checked: Sized {
+    /// Takes the value of `field` out of `section`, reporting what is wrong with it. Where nothing usable is there, the
+    /// default stands in, so that reading can go on; the report already says that no plan will be made.
+    fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
+
+    /// The value as a plain one.
+    fn shown(&self) -> Shown {
+        Shown::Nothing
+    }
+
+    /// Takes another value, where it is of this type.
+    fn put(&mut self, _value: Shown) {}
+}
+
+/// A checked value, whatever field it is of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    /// A length in mm, an angle in degrees, a feed.
+    Number(f64),
+    /// A whole number.
+    Whole(i32),
+    /// True or false.
+    Flag(bool),
+    /// A point, mm.
+    Point(Vec3),
+    /// Null, or text.
+    Nothing,
+}
+
+/// A form as a list of its values.
+pub trait Values {
+    /// Each field with its value, in the order of the form.
+    fn values(&self) -> Vec<(&'static Field, Shown)>;
+
+    /// Gives the field with this key another value; nothing happens where there is none.
+    fn put(&mut self, key: &str, value: Shown);
+
+    /// The number under a key.
+    fn number(&self, key: &str) -> Option<f64> {
+        self.values().into_iter().find_map(|(field, value)| match value {
+            Shown::Number(x) if field.key == key => Some(x),
+            _ => None,
+        })
+    }
+}
+
+/// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.
+macro_rules! form {
+    ($(#[doc = $doc:literal])* $vis:vis struct $name:ident {
+        $($(#[doc = $help:literal])* $key:ident : $type:ty = $field:expr,)*
+    }) => {
+        $(#[doc = $doc])*
+        #[derive(Clone, Debug)]
+        $vis struct $name { $($(#[doc = $help])* pub $key: $type,)* }
+
+        impl $name {
+            /// The fields, in the order of the form.
+            pub const FIELDS: &'static [$crate::form::Field] =
+                &[$($field.documented($crate::form::trimmed(concat!($($help),*))),)*];
+
+            /// Reads the checked values out of a section, reporting every problem.
+            pub fn read(section: &mut $crate::form::Section<'_, '_>) -> Self {
+                let mut fields = Self::FIELDS.iter();
+                $(let $key = $crate::form::take(section, fields.next().expect("one field for each member"));)*
+                $name { $($key,)* }
+            }
+        }
+
+        impl $crate::form::Values for $name {
+            fn values(&self) -> Vec<(&'static $crate::form::Field, $crate::form::Shown)> {
+                let mut fields = Self::FIELDS.iter();
+                vec![$((fields.next().expect("one field for each member"), $crate::form::shown(&self.$key)),)*]
+            }
+
+            fn put(&mut self, key: &str, value: $crate::form::Shown) {
+                let mut fields = Self::FIELDS.iter();
+                $(if fields.next().is_some_and(|f| f.key == key) {
+                    $crate::form::put(&mut self.$key, value);
+                })*
+            }
+        }
+    };
+}
+pub(crate) use form;

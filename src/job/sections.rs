@@ -1,0 +1,402 @@
+//! The job's own form: everything around the cycle.
+
+use crate::control::{self, Form, PostDef};
+use crate::cycle::{self, CYCLES, Cycle, CycleDef};
+use crate::form::{Checker, Choice, Field, Section, Value, form};
+use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
+use crate::job::lentoax::{LENGTH_TYPE, read_frame};
+use crate::part::Lie;
+use crate::path::{Feeds, Setup};
+use crate::tool_length::{self, Query, lentoax, sentence};
+
+/// The format this crate writes and reads.
+pub const FORMAT: f64 = 1.0;
+
+const UNITS: &[Choice] = &[Choice { value: "mm", label: "mm" }, Choice { value: "inch", label: "inch" }];
+const PLANES: &[Choice] = &[
+    Choice { value: "G17", label: "G17 (XY, tool axis Z)" },
+    Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
+    Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
+];
+pub const POST_CHOICES: &[Choice] = &[
+    Choice { value: "linuxcnc", label: "LinuxCNC" },
+    Choice { value: "grbl", label: "grbl" },
+    Choice { value: "sinumerik", label: "SINUMERIK" },
+    Choice { value: "heidenhain", label: "HEIDENHAIN TNC7" },
+];
+const FORMS: &[Choice] = &[
+    Choice { value: Form::Moves.word(), label: "Plain moves" },
+    Choice { value: Form::Cycle.word(), label: "The control's own cycle" },
+];
+
+const PROTECTIONS: &[Choice] =
+    &[Choice { value: "checked", label: "Watched and checked" }, Choice { value: "none", label: "Not watched" }];
+
+form! {
+    /// The job itself.
+    pub struct General {
+        /// Name of the program.
+        name: String = Field::text("name", "Program name", "PROBE", 200).group("Program"),
+        /// Unit of every length in the job, the program and the table.
+        units: String = Field::choice("units", "Units", UNITS).group("Program"),
+        /// The working plane; the tool axis stands on it.
+        plane: String = Field::choice("plane", "Plane", PLANES).group("Program"),
+        /// How far past the nominal contact a touch searches before the control gives up.
+        overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).range(0.01, 1000.0).usual(0.5, 50.0).group("Probe"),
+    }
+}
+
+form! {
+    /// The stylus.
+    pub struct Stylus {
+        /// Effective diameter of the ball; 0 is a point.
+        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.0, 20.0).group("Probe"),
+        /// One sigma of a single touch along its probing direction.
+        repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
+    }
+}
+
+form! {
+    /// The feeds.
+    pub struct FeedForm {
+        /// From the feed distance to the start of the cycle.
+        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).null_means("rapid").group("Feeds"),
+        /// Every positioning move inside the cycle.
+        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).null_means("rapid").group("Feeds"),
+        /// The touches. Never rapid.
+        work: f64 = Field::feed("work", "Work feed", 150.0).usual(5.0, 1000.0).group("Feeds"),
+        /// Back from a surface touch; only cycles with such a step use it.
+        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).null_means("rapid").group("Feeds"),
+        /// The last lift.
+        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).null_means("rapid").group("Feeds"),
+    }
+}
+
+form! {
+    /// The control.
+    pub struct Control {
+        /// Which control the program is for.
+        post: String = Field::choice("post", "Control", POST_CHOICES).group("Control"),
+        /// Plain moves, or the control's own cycle where it has one.
+        form: String = Field::choice("form", "Program form", FORMS).group("Control"),
+        /// The work offset that the program writes at its end: 1 is G54. Empty measures only.
+        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
+        /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
+        protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
+        /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none.
+        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 0, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
+    }
+}
+
+form! {
+    /// Which of the probe's lengths acts where, on a control that decides it by plane, tool type, frame and setting data.
+    pub struct ToolForm {
+        /// The tool type's number: 710 is a 3D probe; 400 to 599 are turning and grinding tools.
+        type_: i32 = Field::count("type", "Tool type", 710, 0, 9999).group("Tool length (SINUMERIK)"),
+        /// SD42900 $SC_MIRROR_TOOL_LENGTH: a mirrored axis changes the sign of the length.
+        sd42900: bool = Field::flag("sd42900", "SD42900 MIRROR_TOOL_LENGTH", false).group("Tool length (SINUMERIK)"),
+        /// SD42940 $SC_TOOL_LENGTH_CONST: the assignment of this plane holds in every plane; 0 takes the active plane.
+        sd42940: i32 = Field::count("sd42940", "SD42940 TOOL_LENGTH_CONST", 0, -32_768, 32_767).group("Tool length (SINUMERIK)"),
+        /// SD42950 $SC_TOOL_LENGTH_TYPE: whether lengths act as for milling or as for turning.
+        sd42950: i32 = Field::code_of("sd42950", "SD42950 TOOL_LENGTH_TYPE", 0, LENGTH_TYPE).group("Tool length (SINUMERIK)"),
+    }
+}
+
+form! {
+    /// How the real part lies.
+    pub struct PartForm {
+        /// How far the part is shifted.
+        offset: Vec3 = Field::point("offset", "Shift of the part").group("Virtual part"),
+        /// How far the part is turned about the tool axis through the work origin, before the shift.
+        rotation: f64 = Field::angle("rotation", "Turn of the part", 0.0).range(-180.0, 180.0).group("Virtual part"),
+    }
+}
+
+/// The sections of a job that are plain forms: path and fields.
+pub const SECTIONS: &[(&str, &[Field])] = &[
+    ("", General::FIELDS),
+    ("stylus", Stylus::FIELDS),
+    ("feeds", FeedForm::FIELDS),
+    ("control", Control::FIELDS),
+    ("tool", ToolForm::FIELDS),
+    ("part", PartForm::FIELDS),
+];
+
+/// A checked job. Lengths in mm.
+#[derive(Debug)]
+pub struct Job {
+    /// Program name as given.
+    pub name: String,
+    /// Millimetres in a unit of the job.
+    pub scale: f64,
+    /// The unit's name.
+    pub unit: &'static str,
+    /// Plane, ball, overtravel.
+    pub setup: Setup,
+    /// One sigma of a touch, mm.
+    pub repeatability: f64,
+    /// Feeds, mm/min.
+    pub feeds: Feeds,
+    /// What is known of the cycle's type.
+    pub def: &'static CycleDef,
+    /// The cycle.
+    pub cycle: Box<dyn Cycle>,
+    /// The control.
+    pub post: &'static PostDef,
+    /// Plain moves, or the control's own cycle.
+    pub form: Form,
+    /// Tool number of the probe; none is not called.
+    pub tool: Option<i32>,
+    /// Whether positioning is to be watched, where the control can.
+    pub protected: bool,
+    /// The work offset to write.
+    pub work_offset: Option<i32>,
+    /// How the real part lies.
+    pub lie: Lie,
+    /// The cycle with the actual part's sizes; none where they are nominal.
+    pub actual: Option<Box<dyn Cycle>>,
+}
+
+impl Job {
+    /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
+    pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
+        if !matches!(value, Value::Map(_)) {
+            checker.error("wrong-type", "", format!("A job must be an object, not {}", value.noun()));
+            return None;
+        }
+        read_format(checker, value);
+        if value.get("units") == Some(&Value::Text("inch".to_owned())) {
+            (checker.scale, checker.unit) = (25.4, "inch");
+        }
+        let mut root = Section::new(checker, Some(value), "");
+        root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "tool", "part"]);
+        let general = General::read(&mut root);
+        let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
+        let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);
+        let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
+        let length = read_tool(checker, value, &general.plane);
+        let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
+
+        let plane = Plane::named(&general.plane);
+        let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
+        let cycle = read_cycle(checker, value);
+        if let Some((_, cycle)) = &cycle {
+            cycle.rules(&setup, checker);
+        }
+        let post = control::find(&control.post).expect("a checked choice is a post");
+        check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
+        check_length(checker, post, &length);
+        check_name(checker, post, &general.name);
+        let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
+
+        let (def, cycle) = cycle?;
+        if checker.failed() {
+            return None;
+        }
+        Some(Job {
+            name: general.name,
+            scale: checker.scale,
+            unit: if general.units == "inch" { "inch" } else { "mm" },
+            setup,
+            repeatability: stylus.repeatability,
+            feeds: Feeds {
+                approach: feeds.approach,
+                long_link: feeds.long_link,
+                work: feeds.work,
+                retract: feeds.retract,
+                return_: feeds.return_,
+                rapid: None,
+            },
+            def,
+            cycle,
+            post,
+            form: Form::named(&control.form),
+            tool: control.tool,
+            protected: control.protection == "checked",
+            work_offset: control.work_offset,
+            lie: Lie {
+                rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
+                turn: part.rotation,
+                nominal: part.offset == Vec3::ZERO && part.rotation == 0.0 && sizes.is_none(),
+            },
+            actual: sizes,
+        })
+    }
+}
+
+fn read_section<T>(
+    checker: &mut Checker,
+    value: &Value,
+    path: &str,
+    fields: &[Field],
+    others: &[&str],
+    read: fn(&mut Section<'_, '_>) -> T,
+) -> T {
+    let mut section = Section::new(checker, value.get(path), path);
+    section.only(fields, others);
+    read(&mut section)
+}
+
+fn read_format(checker: &mut Checker, value: &Value) {
+    match value.get("format") {
+        Some(Value::Number(n)) if *n == FORMAT => {}
+        Some(Value::Number(n)) if *n > FORMAT => {
+            checker.error("newer-format", "format", "This job is of a newer format than 1: a newer Touchpath is needed");
+        }
+        None => checker.error("missing", "format", "The job must say its format: 1"),
+        Some(_) => checker.error("unknown-value", "format", "The format must be 1"),
+    }
+}
+
+fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef, Box<dyn Cycle>)> {
+    let known = || CYCLES.iter().map(|c| format!("\"{}\"", c.key)).collect::<Vec<_>>().join(", ");
+    let Some(given) = value.get("cycle") else {
+        checker.error("missing", "cycle", "The job must have a cycle");
+        return None;
+    };
+    if !matches!(given, Value::Map(_)) {
+        checker.error("wrong-type", "cycle", format!("cycle must be an object, not {}", given.noun()));
+        return None;
+    }
+    let def = match given.get("type") {
+        Some(Value::Text(key)) => cycle::find(key),
+        Some(other) => {
+            checker.error("wrong-type", "cycle.type", format!("The cycle's type must be text, not {}", other.noun()));
+            return None;
+        }
+        None => {
+            checker.error("missing", "cycle.type", format!("The cycle must say its type: one of {}", known()));
+            return None;
+        }
+    };
+    let Some(def) = def else {
+        checker.error("unknown-value", "cycle.type", format!("The cycle's type must be one of {}", known()));
+        return None;
+    };
+    let mut section = Section::new(checker, Some(given), "cycle");
+    let own = def.number.map(|_| "custom");
+    let touches = def.place.is_some().then_some("touches").into_iter().chain(own);
+    let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).chain(touches).collect();
+    section.only(def.fields, &others);
+    let cycle = (def.read)(&mut section);
+    Some((def, cycle))
+}
+
+fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
+    if let Some(def) = def
+        && checker.sound(&["control.post", "control.form"])
+        && let Err(why) = (post.supports)(def.key, Form::named(&control.form))
+    {
+        let other = Form::named(&control.form).other();
+        let advice = match (post.supports)(def.key, other) {
+            Ok(()) => format!(". Use the form \"{}\"", other.word()),
+            Err(_) => String::new(),
+        };
+        let message = format!("{} does not take this cycle in the form \"{}\": {why}{advice}", post.title, control.form);
+        checker.error("form-unsupported", "control.form", message);
+    }
+    if let Some(n) = control.work_offset {
+        if post.work_offsets == 0 {
+            checker.error("work-offset-unsupported", "control.workOffset", post.no_work_offset);
+        } else if n > post.work_offsets {
+            let last = (post.work_offset_word)(post.work_offsets);
+            let message = format!("{} has work offsets 1 (G54) to {} ({last})", post.title, post.work_offsets);
+            checker.error("work-offset-unsupported", "control.workOffset", message);
+        }
+    }
+}
+
+/// The job's `tool` section, as the question that LENTOAX answers.
+fn read_tool(checker: &mut Checker, value: &Value, plane: &str) -> Query {
+    let mut section = Section::new(checker, value.get("tool"), "tool");
+    section.only(ToolForm::FIELDS, &["frame"]);
+    let form = ToolForm::read(&mut section);
+    Query {
+        plane: Plane::named(plane),
+        tool_type: form.type_,
+        frame: read_frame(&mut section),
+        coord: "WCS".to_owned(),
+        tool_active: true,
+        sd42900: form.sd42900,
+        sd42940: form.sd42940,
+        sd42950: form.sd42950,
+    }
+}
+
+/// The first length of the probe must act along the tool axis, away from the part, or the control places the ball elsewhere.
+fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
+    if !post.first_length || !checker.sound(&["tool", "plane"]) {
+        return;
+    }
+    let answer = lentoax(query);
+    let axis = query.plane.axes()[2];
+    if tool_length::frame(&query.frame).0[axis][axis] < -1e-9 {
+        let message = format!(
+            "The frame mirrors the tool axis {} or turns it over: up in the program would be down on the machine",
+            AXIS_NAMES[axis]
+        );
+        checker.error("tool-axis-reversed", "tool.frame", message);
+        return;
+    }
+    if (answer.matrix[2][0] - 1.0).abs() > 1e-9 {
+        let message = format!(
+            "The probe's length L1 must act along the tool axis of {}, +{}, or the control takes the ball to be somewhere else. With \
+             this tool type, frame and setting data {}",
+            query.plane.word(),
+            AXIS_NAMES[query.plane.axes()[2]],
+            sentence(query.plane, &answer)
+        );
+        checker.error("length-not-along-tool-axis", "tool", message);
+    }
+}
+
+fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
+    let written = (post.name)(name);
+    if written != name {
+        let message =
+            format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");
+        checker.info("name-changed", "name", message);
+    }
+}
+
+/// The cycle resized to the actual part; none where all sizes are nominal.
+fn read_sizes(
+    checker: &mut Checker,
+    value: &Value,
+    cycle: Option<&(&'static CycleDef, Box<dyn Cycle>)>,
+    setup: &Setup,
+) -> Option<Box<dyn Cycle>> {
+    let (def, cycle) = cycle?;
+    let sizes = value.get("part")?.get("sizes")?;
+    let Value::Map(entries) = sizes else {
+        checker.error("wrong-type", "part.sizes", format!("part.sizes must be an object, not {}", sizes.noun()));
+        return None;
+    };
+    let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
+    let mut section = Section::new(checker, Some(sizes), "part.sizes");
+    section.only(&fields, &[]);
+    let mut actual: Option<Box<dyn Cycle>> = None;
+    for (key, given) in entries {
+        let Some(field) = fields.iter().find(|f| f.key == key) else {
+            continue;
+        };
+        let reach = match field.kind {
+            crate::form::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
+            _ => Field::length(field.key, field.label, 0.0).range(-100.0, 100.0),
+        };
+        let path = format!("part.sizes.{key}");
+        let mut section = Section::new(checker, None, "part.sizes");
+        let Some(delta) = section.number(given, &reach, &path) else {
+            continue;
+        };
+        // A cycle that is in error has no sizes to change.
+        if delta == 0.0 || !checker.sound(&["cycle"]) {
+            continue;
+        }
+        match actual.as_deref().unwrap_or(&**cycle).resized(setup, key, delta) {
+            Some(resized) => actual = Some(resized),
+            None => checker.error("out-of-range", path, format!("Nothing would be left of {}", field.label)),
+        }
+    }
+    actual
+}
