@@ -1,6 +1,9 @@
 //! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --test generated` writes them.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "generated/typescript.rs"]
+mod typescript;
+
 use std::fmt::Write;
 use std::path::Path;
 
@@ -191,4 +194,9 @@ fn the_manual_is_what_the_crate_says() {
         }
     }
     assert_eq!(catalog().cycles.len(), CYCLES.len());
+}
+
+#[test]
+fn the_types_of_a_job_are_those_of_the_crate() {
+    keep("www/core/job-types.ts", &typescript::job_types());
 }

@@ -225,15 +225,24 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
     if here.moves.len() != there.moves.len() {
         return Ok(());
     }
+    let spread = magnified(here);
     for (a, b) in here.moves.iter().zip(&there.moves) {
         // A place is a sum of some values, each rounded, and turned by an angle over its distance.
         let far = a.to.iter().fold(1.0f64, |most, x| most.max(x.abs()));
-        let near = if to == "inch" { 1e-3 / 25.4 } else { 5e-3 } * (1.0 + far / 1000.0);
+        let near = if to == "inch" { 1e-3 / 25.4 } else { 5e-3 } * (1.0 + far / 1000.0) * spread;
         if (0..3).any(|i| (a.to[i] * factor - b.to[i]).abs() > near) || a.kind != b.kind {
             return Err(format!("in {to} {a:?} is {b:?}"));
         }
     }
     Ok(())
+}
+
+/// How much a circle through the touches magnifies their rounding: 1 / (1 − cos) of half the angle that they span.
+fn magnified(plan: &Plan) -> f64 {
+    let vectors = || plan.touches.iter().map(|t| t.vector);
+    let cosine = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>().clamp(-1.0, 1.0);
+    let widest = vectors().flat_map(|a| vectors().map(move |b| cosine(a, b))).fold(1.0, f64::min).acos();
+    if widest < 1e-6 { 1.0 } else { 1.0 / (1.0 - (widest / 2.0).cos()) }
 }
 
 /// A table is a dump, and the dump makes a job that is not refused and has the same touches.

@@ -66,6 +66,13 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     Ok(())
 }
 
+/// The shortest distance between two points.
+fn nearest(points: &[[f64; 3]]) -> f64 {
+    let pairs =
+        points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| crate::common::owed::distance(*a, *b)));
+    pairs.fold(f64::INFINITY, f64::min)
+}
+
 /// Predicted triggers, as text in every form, evaluate to the predicted results; mutated, they are refused or evaluated.
 pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String> {
     // A touch that meets another wall or an edge may make two walls parallel: their corner is then noise.
@@ -78,9 +85,11 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
     let text = lines.join("\n");
     // A part that lies far off can trigger before the approach is done: such points are refused.
     if let Ok(rows) = evaluate(job, &Value::Text(text.clone())) {
+        // The direction of a wall through touches a thousandth apart has the last decimals of the triggers in it.
+        let noise = 1e-9 / nearest(&triggers).max(1e-9);
         for (shown, read) in plan.results.iter().zip(&rows) {
             let same = match (shown.value, read.value) {
-                (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()),
+                (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()) + noise,
                 (a, b) => a.is_some() == b.is_some(),
             };
             if shown.code != read.code || !same {

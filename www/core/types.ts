@@ -1,7 +1,8 @@
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 
-/** X, Y, Z of the work coordinate system. */
-export type Vec3 = [number, number, number];
+import type { Cycle, FrameStep, Job, Vec3 } from "./job-types.js";
+
+export type * from "./job-types.js";
 
 /** A problem or a note. An error means that no plan is made. */
 export interface Finding {
@@ -11,270 +12,6 @@ export interface Finding {
   /** The place in the job: `cycle.sideClearance1`; empty for the job as a whole. */
   path: string;
   message: string;
-}
-
-/** A feed; `null` is rapid. */
-export type FeedRate = number | null;
-
-/** A picked touch: a point on the surface, and its outward normal, a unit vector. */
-export interface PickedTouch {
-  point: Vec3;
-  vector: Vec3;
-}
-
-/** What every cycle of the ENCY / SprutCAM family may carry besides its dimensions. */
-export interface Family {
-  /** The Job Assignment's own picks: they replace the points that the dimensions give. Not for types 0 and 1. */
-  touches?: PickedTouch[] | null;
-  /** Custom properties, codes -10 to -25; what is null is not in the table. Not for type 0. */
-  properties?: Record<string, number | null> | null;
-  /** The user's own codes: they go through as they are. */
-  custom?: { code: number; type: "Int" | "Flt" | "Bol"; value: number | boolean }[];
-  subCode?: number;
-  feedDistance?: number;
-}
-
-/** A feature that is centred on its top side. */
-export interface Centred extends Family {
-  /** Centre on the top side. */
-  origin?: Vec3;
-  rotation?: number;
-  depth?: number;
-}
-
-/** Holes and bosses. */
-export interface Round extends Centred {
-  diameter?: number;
-  /** 0 rectangular, 1 angular. */
-  variant?: 0 | 1;
-  startAngle?: number;
-  angularStep?: number;
-  stepCount?: number;
-}
-
-/** Type 2. */
-export interface SurfaceProbing extends Family {
-  type: "surface";
-  /** The touch point. */
-  origin?: Vec3;
-  rotation?: number;
-  /** Of the target vector over the plane: 90 is a top side, 0 a wall. */
-  elevation?: number;
-  clearance?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Type 3; `topClearance: null` is not checked. */
-export interface Hole extends Round {
-  type: "hole";
-  topClearance?: number | null;
-}
-
-/** Types 4 and 5. */
-export interface RoundProtected extends Round {
-  type: "hole-protected" | "boss";
-  topClearance?: number;
-  sideClearance?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Type 6; `topClearance: null` is not checked. */
-export interface InternalRectangle extends Centred {
-  type: "internal-rectangle";
-  width1?: number;
-  width2?: number;
-  topClearance?: number | null;
-}
-
-/** Types 7 and 8. */
-export interface RectangleProtected extends Centred {
-  type: "internal-rectangle-protected" | "external-rectangle";
-  /** Along the first direction, touch points 1 and 2. */
-  width1?: number;
-  /** Along the second direction, touch points 3 and 4. */
-  width2?: number;
-  topClearance?: number;
-  sideClearance1?: number;
-  sideClearance2?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Types 9 and 12. */
-export interface PairProtected extends Centred {
-  type: "web" | "groove-protected";
-  width?: number;
-  topClearance?: number;
-  sideClearance?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Type 10. */
-export interface WebThreePoints extends Centred {
-  type: "web-three-points";
-  width?: number;
-  sideClearance?: number;
-  middleClearance?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Type 11; `topClearance: null` is not checked. */
-export interface Groove extends Centred {
-  type: "groove";
-  width?: number;
-  topClearance?: number | null;
-}
-
-/** Type 14. */
-export interface DoubleWallExternalCorner extends Family {
-  type: "double-wall-external-corner";
-  /** The corner, at the level of the touches. */
-  origin?: Vec3;
-  rotation?: number;
-  /** Between the walls, in the material, 20 to 160. */
-  angle?: number;
-  clearance1?: number;
-  clearance2?: number;
-  /** From the corner along each wall to its first touch. */
-  distance1?: number;
-  distance2?: number;
-  count1?: number;
-  count2?: number;
-  step1?: number;
-  step2?: number;
-  compensateDimensions?: boolean;
-}
-
-/** Type 15. */
-export interface TripleWallInternalCorner extends Family {
-  type: "triple-wall-internal-corner";
-  /** The corner, on the floor. */
-  origin?: Vec3;
-  rotation?: number;
-  angle?: number;
-  clearance1?: number;
-  clearance2?: number;
-  clearance3?: number;
-}
-
-/** Type 16. */
-export interface TripleWallExternalCorner extends Family {
-  type: "triple-wall-external-corner";
-  /** The corner, on the top side. */
-  origin?: Vec3;
-  rotation?: number;
-  angle?: number;
-  depth?: number;
-  clearance1?: number;
-  clearance2?: number;
-  topClearance?: number;
-  distance1?: number;
-  distance2?: number;
-  topDistance1?: number;
-  topDistance2?: number;
-}
-
-/** Type 0: rows without motion. */
-export interface ProbeOnOff {
-  type: "probe-on-off";
-  on?: boolean;
-  custom?: Family["custom"];
-}
-
-/** Type 1: rows without motion. */
-export interface NcAction {
-  type: "nc-action";
-  subCode?: number;
-  properties?: Family["properties"];
-  custom?: Family["custom"];
-}
-
-/** Type 13. */
-export interface DoubleWallInternalCorner extends Family {
-  type: "double-wall-internal-corner";
-  /** The corner, at the level of the touches. */
-  origin?: Vec3;
-  rotation?: number;
-  /** Between the walls, inside the corner, 20 to 160. */
-  angle?: number;
-  clearance1?: number;
-  clearance2?: number;
-  count1?: number;
-  count2?: number;
-  step1?: number;
-  step2?: number;
-}
-
-/** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
-export type Nominal = number | string;
-
-/** HEIDENHAIN 1411; points are (main, minor, tool axis) of the plane. */
-export interface ProbingTwoCircles {
-  type: "probing-two-circles";
-  point1?: [Nominal, Nominal, Nominal];
-  diameter1?: Nominal;
-  point2?: [Nominal, Nominal, Nominal];
-  diameter2?: Nominal;
-  geometryType?: 0 | 1 | 2 | 3;
-  probePoints?: number;
-  startingAngle?: number;
-  angularLength?: number;
-  setUpClearance?: number;
-  clearanceHeight?: number;
-  /** PREDEF in the program: the control takes it from GLOBAL DEF. The number is then only what the moves show. */
-  setUpClearancePredef?: boolean;
-  clearanceHeightPredef?: boolean;
-  clearanceHeightMode?: -1 | 0 | 1 | 2;
-  errorReaction?: 0 | 1 | 2;
-  alignRotaryAxis?: 0 | 1 | 2;
-  transferPosition?: 0 | 1 | 2 | 3;
-  confirmRotation?: 0 | 1 | 2;
-  /** The touch probe table; `rapid: null` is the control's own. */
-  probe?: { setUp?: number; dist?: number; feed?: number; rapid?: FeedRate };
-  /** Where the stylus is before the cycle. */
-  start?: Vec3;
-  /** Cycle 1493 in front of it. */
-  extrusion?: { direction?: 1 | 2 | 3; points?: number; length?: number; modal?: 0 | 1 } | null;
-}
-
-export type Cycle =
-  | RectangleProtected
-  | DoubleWallInternalCorner
-  | ProbingTwoCircles
-  | SurfaceProbing
-  | Hole
-  | RoundProtected
-  | InternalRectangle
-  | PairProtected
-  | WebThreePoints
-  | Groove
-  | DoubleWallExternalCorner
-  | TripleWallInternalCorner
-  | TripleWallExternalCorner
-  | ProbeOnOff
-  | NcAction;
-
-/** A probing job. What is left out takes the catalog's default. */
-export interface Job {
-  format: 1;
-  name?: string;
-  units?: "mm" | "inch";
-  plane?: "G17" | "G18" | "G19";
-  stylus?: { diameter?: number; repeatability?: number };
-  feeds?: { approach?: FeedRate; longLink?: FeedRate; work?: number; retract?: FeedRate; return?: FeedRate };
-  overtravel?: number;
-  cycle: Cycle;
-  control?: {
-    post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain";
-    form?: "moves" | "cycle";
-    workOffset?: number | null;
-    /** Whether positioning is watched too (LinuxCNC); `none` where the way is known to be free. */
-    protection?: "checked" | "none";
-    /** The tool that the program calls; null calls none. */
-    tool?: number | null;
-  };
-  /** Which of the probe's lengths acts where: only a SINUMERIK asks. The default is a milling probe (type 710). */
-  tool?: Pick<LentoaxQuery, "frame" | "sd42900" | "sd42940" | "sd42950"> & { type?: number };
-  part?: { offset?: Vec3; rotation?: number; sizes?: Record<string, number> };
 }
 
 /** A nominal touch: a point on the surface and its outward normal. */
@@ -415,7 +152,7 @@ export interface Catalog {
   rapidRate: number;
   /** The most touches that a CmdPrm table holds; `cycles[].maxTouches` is each cycle's own. */
   maxTouches: number;
-  /** The longest text that is read, in characters. */
+  /** The longest text that is read, in bytes. */
   longestText: number;
 }
 
@@ -431,7 +168,7 @@ export interface LentoaxQuery {
   /** 400 to 599 are turning and grinding tools; the default 710 is a probe. */
   toolType?: number;
   /** The active frame's steps, in order. */
-  frame?: ({ rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" })[];
+  frame?: FrameStep[];
   /** WCS, BCS, MCS, KCS, TCS or their first letter, any case. */
   coord?: string;
   toolActive?: boolean;

@@ -1,0 +1,144 @@
+//! The TypeScript types of a job, printed from the one list of fields.
+
+use std::fmt::Write;
+
+use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::form::{Field, Kind, SubForm};
+use touchpath::job::SECTIONS;
+
+const HEAD: &str = r#"// Generated from the crate's one list of fields: `UPDATE=1 cargo test --test generated` writes it.
+
+/** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
+
+/** X, Y, Z of the work coordinate system. */
+export type Vec3 = [number, number, number];
+
+/** A feed; `null` is rapid. */
+export type FeedRate = number | null;
+
+/** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
+export type Nominal = number | string;
+
+/** A picked touch: a point on the surface, and its outward normal, a unit vector. */
+export interface PickedTouch {
+  point: Vec3;
+  vector: Vec3;
+}
+
+/** A code of the user's own: it goes through as it is. */
+export interface CustomCode {
+  code: number;
+  type: "Int" | "Flt" | "Bol";
+  value: number | boolean;
+}
+
+/** A step of a frame. */
+export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
+"#;
+
+/// `internal-rectangle` as the name of a type.
+fn type_name(key: &str) -> String {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    key.split('-').map(capital).collect()
+}
+
+fn type_of(field: &Field) -> String {
+    let own = match field.kind {
+        Kind::Feed if field.null.is_some() => return "FeedRate".to_owned(),
+        Kind::Length | Kind::Feed | Kind::Angle | Kind::Count => "number".to_owned(),
+        Kind::Flag => "boolean".to_owned(),
+        Kind::Text(_) => "string".to_owned(),
+        Kind::Choice(choices) => choices.iter().map(|c| format!("\"{}\"", c.value)).collect::<Vec<_>>().join(" | "),
+        Kind::Code(codes) => codes.iter().map(|c| c.value.to_string()).collect::<Vec<_>>().join(" | "),
+        Kind::Point => "Vec3".to_owned(),
+        Kind::Nominal => "Nominal".to_owned(),
+        Kind::NominalPoint => "[Nominal, Nominal, Nominal]".to_owned(),
+    };
+    if field.null.is_some() { format!("{own} | null") } else { own }
+}
+
+fn members(text: &mut String, fields: &[Field], indent: &str) {
+    for field in fields {
+        let null = field.null.map(|means| format!(" `null`: {means}.")).unwrap_or_default();
+        let code = if field.code.is_empty() { String::new() } else { format!(" Code {}.", field.code) };
+        let help = field.help.trim();
+        assert!(!help.contains("*/"), "{}", field.key);
+        writeln!(text, "{indent}/** {help}{null}{code} */\n{indent}{}?: {};", field.key, type_of(field)).unwrap();
+    }
+}
+
+/// Whether several cycles have this form inside their form: then it has a name.
+fn shared(section: &SubForm) -> bool {
+    CYCLES.iter().filter(|def| def.sections.iter().any(|s| s.key == section.key)).count() > 1
+}
+
+fn cycle(text: &mut String, def: &CycleDef) {
+    writeln!(text, "\n/** {}: {}. */", def.title, def.source).unwrap();
+    writeln!(text, "export interface {} {{\n  type: \"{}\";", type_name(def.key), def.key).unwrap();
+    members(text, def.fields, "  ");
+    for section in def.sections {
+        let null = if section.optional { " | null" } else { "" };
+        if shared(section) {
+            writeln!(text, "  {}?: {}{null};", section.key, type_name(section.key)).unwrap();
+        } else {
+            writeln!(text, "  {}?: {{", section.key).unwrap();
+            members(text, section.fields, "    ");
+            writeln!(text, "  }}{null};").unwrap();
+        }
+    }
+    if def.place.is_some() {
+        text.push_str("  /** The Job Assignment's own picks: they replace the points that the dimensions give. */\n  touches?: PickedTouch[] | null;\n");
+    }
+    if def.number.is_some() {
+        text.push_str("  custom?: CustomCode[] | null;\n");
+    }
+    text.push_str("}\n");
+}
+
+/// The whole file.
+pub fn job_types() -> String {
+    let mut text = HEAD.to_owned();
+    let mut named: Vec<&str> = Vec::new();
+    for section in CYCLES.iter().flat_map(|def| def.sections).filter(|s| shared(s)) {
+        if !named.contains(&section.key) {
+            named.push(section.key);
+            writeln!(
+                text,
+                "\n/** What several cycles have as `{}`. */\nexport interface {} {{",
+                section.key,
+                type_name(section.key)
+            )
+            .unwrap();
+            members(&mut text, section.fields, "  ");
+            text.push_str("}\n");
+        }
+    }
+    for def in CYCLES {
+        cycle(&mut text, def);
+    }
+    text.push_str("\nexport type Cycle =");
+    for def in CYCLES {
+        write!(text, "\n  | {}", type_name(def.key)).unwrap();
+    }
+    text.push_str(
+        ";\n\n/** A probing job. What is left out takes the catalog's default. */\nexport interface Job {\n  format: 1;\n",
+    );
+    for (path, fields) in SECTIONS {
+        if path.is_empty() {
+            members(&mut text, fields, "  ");
+            continue;
+        }
+        writeln!(text, "  {path}?: {{").unwrap();
+        members(&mut text, fields, "    ");
+        match *path {
+            "tool" => text.push_str("    /** The active frame's steps, in order. */\n    frame?: FrameStep[];\n"),
+            "part" => text.push_str(
+                "    /** By how much a size of the part differs, by the field's key. */\n    sizes?: Record<string, number>;\n",
+            ),
+            _ => {}
+        }
+        text.push_str("  };\n");
+    }
+    text.push_str("  cycle: Cycle;\n}\n");
+    text
+}

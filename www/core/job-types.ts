@@ -1,0 +1,669 @@
+// Generated from the crate's one list of fields: `UPDATE=1 cargo test --test generated` writes it.
+
+/** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
+
+/** X, Y, Z of the work coordinate system. */
+export type Vec3 = [number, number, number];
+
+/** A feed; `null` is rapid. */
+export type FeedRate = number | null;
+
+/** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
+export type Nominal = number | string;
+
+/** A picked touch: a point on the surface, and its outward normal, a unit vector. */
+export interface PickedTouch {
+  point: Vec3;
+  vector: Vec3;
+}
+
+/** A code of the user's own: it goes through as it is. */
+export interface CustomCode {
+  code: number;
+  type: "Int" | "Flt" | "Bol";
+  value: number | boolean;
+}
+
+/** A step of a frame. */
+export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
+
+/** What several cycles have as `properties`. */
+export interface Properties {
+  /** 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52). `null`: not set. Code CmdPrm.Int[-10]. */
+  wcsMode?: number | null;
+  /** Number of the coordinate system, in the modes 1 and 2. `null`: not set. Code CmdPrm.Int[-11]. */
+  wcsNumber?: number | null;
+  /** Whose offset is set. `null`: not set. Code CmdPrm.Int[-12]. */
+  offsetTool?: number | null;
+  /** Its first corrector. `null`: not set. Code CmdPrm.Int[-13]. */
+  offsetCorrector1?: number | null;
+  /** Its second corrector. `null`: not set. Code CmdPrm.Int[-14]. */
+  offsetCorrector2?: number | null;
+  /** Which tool is looked at. `null`: not set. Code CmdPrm.Int[-15]. */
+  brokenTool?: number | null;
+  /** Its first corrector. `null`: not set. Code CmdPrm.Int[-16]. */
+  brokenCorrector1?: number | null;
+  /** Its second corrector. `null`: not set. Code CmdPrm.Int[-17]. */
+  brokenCorrector2?: number | null;
+  /** Number of the tool probe. `null`: not set. Code CmdPrm.Int[-18]. */
+  toolProbe?: number | null;
+  /** Its first corrector. `null`: not set. Code CmdPrm.Int[-19]. */
+  toolProbeCorrector1?: number | null;
+  /** Its second corrector. `null`: not set. Code CmdPrm.Int[-20]. */
+  toolProbeCorrector2?: number | null;
+  /** Number of the part probe. `null`: not set. Code CmdPrm.Int[-21]. */
+  partProbe?: number | null;
+  /** Its first corrector. `null`: not set. Code CmdPrm.Int[-22]. */
+  partProbeCorrector1?: number | null;
+  /** Its second corrector. `null`: not set. Code CmdPrm.Int[-23]. */
+  partProbeCorrector2?: number | null;
+  /** Under which component the report has it. `null`: not set. Code CmdPrm.Int[-24]. */
+  reportComponent?: number | null;
+  /** Under which feature the report has it. `null`: not set. Code CmdPrm.Int[-25]. */
+  reportFeature?: number | null;
+}
+
+/** Internal rectangle, protected: ENCY/SprutCAM type 7. */
+export interface InternalRectangleProtected {
+  type: "internal-rectangle-protected";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
+  width1?: number;
+  /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
+  width2?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches 1 and 2 begin. Code CmdPrm.Flt[-56]. */
+  sideClearance1?: number;
+  /** From the wall to the ball centre where touches 3 and 4 begin. Code CmdPrm.Flt[-57]. */
+  sideClearance2?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Double wall internal corner: ENCY/SprutCAM type 13. */
+export interface DoubleWallInternalCorner {
+  type: "double-wall-internal-corner";
+  /** The corner, at the level of the touches. */
+  origin?: Vec3;
+  /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
+  rotation?: number;
+  /** Between the walls, inside the corner. */
+  angle?: number;
+  /** From wall 1 to the ball centre where its touches begin. Code CmdPrm.Flt[-56]. */
+  clearance1?: number;
+  /** From wall 2 to the ball centre where its touches begin. Code CmdPrm.Flt[-57]. */
+  clearance2?: number;
+  /** How many touches wall 1 has. Code CmdPrm.Int[-63]. */
+  count1?: number;
+  /** How many touches wall 2 has. Code CmdPrm.Int[-64]. */
+  count2?: number;
+  /** Between the touches of wall 1, along it, away from the corner. Code CmdPrm.Flt[-65]. */
+  step1?: number;
+  /** Between the touches of wall 2, along it, away from the corner. Code CmdPrm.Flt[-67]. */
+  step2?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Probing two circles: HEIDENHAIN cycle 1411. */
+export interface ProbingTwoCircles {
+  type: "probing-two-circles";
+  /** 1st noml. position of ref. axis? … of minor axis? … in tool axis? A number, or text with a tolerance, ? or @. Code Q1100. */
+  point1?: [Nominal, Nominal, Nominal];
+  /** Diameter of 1st position? A number, or text with a tolerance. Code Q1116. */
+  diameter1?: Nominal;
+  /** 2nd noml. position of ref. axis? … of minor axis? … in tool axis? As for the first point. Code Q1103. */
+  point2?: [Nominal, Nominal, Nominal];
+  /** Diameter of 2nd position? A number, or text with a tolerance. Code Q1117. */
+  diameter2?: Nominal;
+  /** Geometry type (0-3)? What lies at each position. Code Q1115. */
+  geometryType?: 0 | 1 | 2 | 3;
+  /** Number of probe points? On each circle. Code Q423. */
+  probePoints?: number;
+  /** Starting angle? From the main axis to the first touch. Code Q325. */
+  startingAngle?: number;
+  /** Arc angular length? Over which the touches are spread; negative is clockwise. Code Q1119. */
+  angularLength?: number;
+  /** Set-up clearance? Added to SET_UP and the ball radius. Code Q320. */
+  setUpClearance?: number;
+  /** Clearance height? Where nothing can be met. Code Q260. */
+  clearanceHeight?: number;
+  /** Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show. */
+  setUpClearancePredef?: boolean;
+  /** Q260=PREDEF: the control takes the clearance height from GLOBAL DEF. The number above is then only what the moves show. */
+  clearanceHeightPredef?: boolean;
+  /** Traverse to clearance height? When the ball goes there. Code Q1125. */
+  clearanceHeightMode?: -1 | 0 | 1 | 2;
+  /** Reaction to tolerance error? Code Q309. */
+  errorReaction?: 0 | 1 | 2;
+  /** Align rotary axis? Only together with confirm rotation. Code Q1126. */
+  alignRotaryAxis?: 0 | 1 | 2;
+  /** Transfer position? Which point corrects the active preset. Code Q1120. */
+  transferPosition?: 0 | 1 | 2 | 3;
+  /** Confirm rotation? What becomes of the measured misalignment. Code Q1121. */
+  confirmRotation?: 0 | 1 | 2;
+  /** Where the stylus is before the cycle. */
+  start?: Vec3;
+  probe?: {
+    /** SET_UP of the touch probe table: added to the set-up clearance. */
+    setUp?: number;
+    /** DIST of the touch probe table: the longest way of a touch. */
+    dist?: number;
+    /** F of the touch probe table: the probing feed. */
+    feed?: number;
+    /** FMAX of the touch probe table: the rapid for positioning. `null`: control's own. */
+    rapid?: FeedRate;
+  };
+  extrusion?: {
+    /** Extrusion direction? Along which the touches are repeated. Code Q1140. */
+    direction?: 1 | 2 | 3;
+    /** Number of extrusion points? Touches for each touch of 1411. Code Q1145. */
+    points?: number;
+    /** Length of extrusion? From the first to the last of them. Code Q1146. */
+    length?: number;
+    /** Extrusion probing: modal? Code Q1149. */
+    modal?: 0 | 1;
+  } | null;
+}
+
+/** Surface: ENCY/SprutCAM type 2. */
+export interface Surface {
+  type: "surface";
+  /** The touch point, on the surface. */
+  origin?: Vec3;
+  /** Where the target vector points in the plane; counter-clockwise positive. */
+  rotation?: number;
+  /** How steeply the target vector points up from the plane: 90 is a top side, 0 a wall. */
+  elevation?: number;
+  /** From the surface to the ball centre where the touch begins. Code CmdPrm.Flt[-56]. */
+  clearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Hole: ENCY/SprutCAM type 3. */
+export interface Hole {
+  type: "hole";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
+  diameter?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
+  variant?: 0 | 1;
+  /** Angular variant: where the first touch is, counter-clockwise from the first direction. Code CmdPrm.Flt[-60]. */
+  startAngle?: number;
+  /** Angular variant: from one touch to the next, counter-clockwise positive. Code CmdPrm.Flt[-61]. */
+  angularStep?: number;
+  /** Angular variant: how many touches. Code CmdPrm.Int[-62]. */
+  stepCount?: number;
+  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  topClearance?: number | null;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Hole, protected: ENCY/SprutCAM type 4. */
+export interface HoleProtected {
+  type: "hole-protected";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
+  diameter?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
+  variant?: 0 | 1;
+  /** Angular variant: where the first touch is, counter-clockwise from the first direction. Code CmdPrm.Flt[-60]. */
+  startAngle?: number;
+  /** Angular variant: from one touch to the next, counter-clockwise positive. Code CmdPrm.Flt[-61]. */
+  angularStep?: number;
+  /** Angular variant: how many touches. Code CmdPrm.Int[-62]. */
+  stepCount?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches begin. Code CmdPrm.Flt[-56]. */
+  sideClearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Boss: ENCY/SprutCAM type 5. */
+export interface Boss {
+  type: "boss";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
+  diameter?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
+  variant?: 0 | 1;
+  /** Angular variant: where the first touch is, counter-clockwise from the first direction. Code CmdPrm.Flt[-60]. */
+  startAngle?: number;
+  /** Angular variant: from one touch to the next, counter-clockwise positive. Code CmdPrm.Flt[-61]. */
+  angularStep?: number;
+  /** Angular variant: how many touches. Code CmdPrm.Int[-62]. */
+  stepCount?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches begin. Code CmdPrm.Flt[-56]. */
+  sideClearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Internal rectangle: ENCY/SprutCAM type 6. */
+export interface InternalRectangle {
+  type: "internal-rectangle";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
+  width1?: number;
+  /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
+  width2?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  topClearance?: number | null;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** External rectangle: ENCY/SprutCAM type 8. */
+export interface ExternalRectangle {
+  type: "external-rectangle";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
+  width1?: number;
+  /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
+  width2?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches 1 and 2 begin. Code CmdPrm.Flt[-56]. */
+  sideClearance1?: number;
+  /** From the wall to the ball centre where touches 3 and 4 begin. Code CmdPrm.Flt[-57]. */
+  sideClearance2?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Web: ENCY/SprutCAM type 9. */
+export interface Web {
+  type: "web";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
+  width?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches begin. Code CmdPrm.Flt[-56]. */
+  sideClearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Web, three points: ENCY/SprutCAM type 10. */
+export interface WebThreePoints {
+  type: "web-three-points";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From the left touch point to the right one. Code CmdPrm.Flt[-53]. */
+  width?: number;
+  /** From the top side down to the ball centre at the left and the right touch. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** From the wall to the ball centre where the left and the right touch begin. Code CmdPrm.Flt[-56]. */
+  sideClearance?: number;
+  /** From the top side to the ball centre where the middle touch begins, and where the ball crosses. Code CmdPrm.Flt[-57]. */
+  middleClearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Groove: ENCY/SprutCAM type 11. */
+export interface Groove {
+  type: "groove";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
+  width?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
+  topClearance?: number | null;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Groove, protected: ENCY/SprutCAM type 12. */
+export interface GrooveProtected {
+  type: "groove-protected";
+  /** Centre of the feature, on its top side. */
+  origin?: Vec3;
+  /** How the feature is turned about the tool axis; counter-clockwise positive. */
+  rotation?: number;
+  /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
+  width?: number;
+  /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
+  topClearance?: number;
+  /** From the wall to the ball centre where touches begin. Code CmdPrm.Flt[-56]. */
+  sideClearance?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Double wall external corner: ENCY/SprutCAM type 14. */
+export interface DoubleWallExternalCorner {
+  type: "double-wall-external-corner";
+  /** The corner, at the level of the touches. */
+  origin?: Vec3;
+  /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
+  rotation?: number;
+  /** Between the walls, in the material. */
+  angle?: number;
+  /** From wall 1 to the ball centre where its touches begin. Code CmdPrm.Flt[-56]. */
+  clearance1?: number;
+  /** From wall 2 to the ball centre where its touches begin. Code CmdPrm.Flt[-57]. */
+  clearance2?: number;
+  /** From the corner along wall 1 to its first touch. */
+  distance1?: number;
+  /** From the corner along wall 2 to its first touch. */
+  distance2?: number;
+  /** How many touches wall 1 has. Code CmdPrm.Int[-63]. */
+  count1?: number;
+  /** How many touches wall 2 has. Code CmdPrm.Int[-64]. */
+  count2?: number;
+  /** Between the touches of wall 1, along it, away from the corner. Code CmdPrm.Flt[-65]. */
+  step1?: number;
+  /** Between the touches of wall 2, along it, away from the corner. Code CmdPrm.Flt[-67]. */
+  step2?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
+  compensateDimensions?: boolean;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Triple wall internal corner: ENCY/SprutCAM type 15. */
+export interface TripleWallInternalCorner {
+  type: "triple-wall-internal-corner";
+  /** The corner, where the walls meet the floor. */
+  origin?: Vec3;
+  /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
+  rotation?: number;
+  /** Between the walls, inside the corner. */
+  angle?: number;
+  /** From wall 1 to the ball centre where its touch begins. Code CmdPrm.Flt[-56]. */
+  clearance1?: number;
+  /** From wall 2 to the ball centre where its touch begins. Code CmdPrm.Flt[-57]. */
+  clearance2?: number;
+  /** From the floor to the ball centre where its touch begins. Code CmdPrm.Flt[-58]. */
+  clearance3?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Triple wall external corner: ENCY/SprutCAM type 16. */
+export interface TripleWallExternalCorner {
+  type: "triple-wall-external-corner";
+  /** The corner, on the top side. */
+  origin?: Vec3;
+  /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
+  rotation?: number;
+  /** Between the walls, in the material. */
+  angle?: number;
+  /** From the top side down to the ball centre at the touches of the walls. Code CmdPrm.Flt[-51]. */
+  depth?: number;
+  /** From wall 1 to the ball centre where its touch begins. Code CmdPrm.Flt[-56]. */
+  clearance1?: number;
+  /** From wall 2 to the ball centre where its touch begins. Code CmdPrm.Flt[-57]. */
+  clearance2?: number;
+  /** From the top side to the ball centre where its touch begins, and where the ball crosses. Code CmdPrm.Flt[-58]. */
+  topClearance?: number;
+  /** From the corner along wall 1 to its touch. */
+  distance1?: number;
+  /** From the corner along wall 2 to its touch. */
+  distance2?: number;
+  /** From wall 1 inwards to the touch on the top side. */
+  topDistance1?: number;
+  /** From wall 2 inwards to the touch on the top side. */
+  topDistance2?: number;
+  /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
+  feedDistance?: number;
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  /** The Job Assignment's own picks: they replace the points that the dimensions give. */
+  touches?: PickedTouch[] | null;
+  custom?: CustomCode[] | null;
+}
+
+/** Probe on/off: ENCY/SprutCAM type 0. */
+export interface ProbeOnOff {
+  type: "probe-on-off";
+  /** Whether the probe is switched on; else off. Code CmdPrm.Bol[-3]. */
+  on?: boolean;
+  custom?: CustomCode[] | null;
+}
+
+/** NC action: ENCY/SprutCAM type 1. */
+export interface NcAction {
+  type: "nc-action";
+  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  subCode?: number;
+  properties?: Properties | null;
+  custom?: CustomCode[] | null;
+}
+
+export type Cycle =
+  | InternalRectangleProtected
+  | DoubleWallInternalCorner
+  | ProbingTwoCircles
+  | Surface
+  | Hole
+  | HoleProtected
+  | Boss
+  | InternalRectangle
+  | ExternalRectangle
+  | Web
+  | WebThreePoints
+  | Groove
+  | GrooveProtected
+  | DoubleWallExternalCorner
+  | TripleWallInternalCorner
+  | TripleWallExternalCorner
+  | ProbeOnOff
+  | NcAction;
+
+/** A probing job. What is left out takes the catalog's default. */
+export interface Job {
+  format: 1;
+  /** Name of the program. */
+  name?: string;
+  /** Unit of every length in the job, the program and the table. */
+  units?: "mm" | "inch";
+  /** The working plane; the tool axis stands on it. */
+  plane?: "G17" | "G18" | "G19";
+  /** How far past the nominal contact a touch searches before the control gives up. */
+  overtravel?: number;
+  stylus?: {
+    /** Effective diameter of the ball; 0 is a point. */
+    diameter?: number;
+    /** One sigma of a single touch along its probing direction. */
+    repeatability?: number;
+  };
+  feeds?: {
+    /** From the feed distance to the start of the cycle. `null`: rapid. */
+    approach?: FeedRate;
+    /** Every positioning move inside the cycle. `null`: rapid. */
+    longLink?: FeedRate;
+    /** The touches. Never rapid. */
+    work?: number;
+    /** Back from a surface touch; only cycles with such a step use it. `null`: rapid. */
+    retract?: FeedRate;
+    /** The last lift. `null`: rapid. */
+    return?: FeedRate;
+  };
+  control?: {
+    /** Which control the program is for. */
+    post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain";
+    /** Plain moves, or the control's own cycle where it has one. */
+    form?: "moves" | "cycle";
+    /** The work offset that the program writes at its end: 1 is G54. Empty measures only. `null`: measure only. */
+    workOffset?: number | null;
+    /** Whether positioning moves are watched by the probe, where the control can: a contact then stops the program. */
+    protection?: "checked" | "none";
+    /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none. `null`: in the spindle, not called. */
+    tool?: number | null;
+  };
+  tool?: {
+    /** The tool type's number: 710 is a 3D probe; 400 to 599 are turning and grinding tools. */
+    type?: number;
+    /** SD42900 $SC_MIRROR_TOOL_LENGTH: a mirrored axis changes the sign of the length. */
+    sd42900?: boolean;
+    /** SD42940 $SC_TOOL_LENGTH_CONST: the assignment of this plane holds in every plane; 0 takes the active plane. */
+    sd42940?: number;
+    /** SD42950 $SC_TOOL_LENGTH_TYPE: whether lengths act as for milling or as for turning. */
+    sd42950?: 0 | 1 | 2;
+    /** The active frame's steps, in order. */
+    frame?: FrameStep[];
+  };
+  part?: {
+    /** How far the part is shifted. */
+    offset?: Vec3;
+    /** How far the part is turned about the tool axis through the work origin, before the shift. */
+    rotation?: number;
+    /** By how much a size of the part differs, by the field's key. */
+    sizes?: Record<string, number>;
+  };
+  cycle: Cycle;
+}
