@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use touchpath::cycle::{CYCLES, CycleDef};
-use touchpath::form::{Default, Field, Kind};
+use touchpath::form::{CODES, Default, Field, Kind};
 use touchpath::job::{catalog, default_job, plan, scene_parts};
 use touchpath::num::decimal;
 use touchpath::view::scene::{self, Actual, Projection, Stroke};
@@ -199,4 +199,41 @@ fn the_manual_is_what_the_crate_says() {
 #[test]
 fn the_types_of_a_job_are_those_of_the_crate() {
     keep("www/core/job-types.ts", &typescript::job_types());
+}
+
+#[test]
+fn every_code_of_a_finding_is_listed() {
+    // A code that nothing reports any more would stand in the list for good.
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut sources = String::new();
+    let mut folders = vec![src.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path != src.join("form/codes.rs") {
+                sources.push_str(&std::fs::read_to_string(&path).unwrap());
+            }
+        }
+    }
+    let mut text = "# Findings\n\n<!-- generated: UPDATE=1 cargo test --test generated -->\n\nEvery finding has a level, a code, a path and a message. The \
+        codes below are stable; the message says the numbers, and the path where in the job.\n\n| code | meaning |\n|---|---|\n"
+        .to_owned();
+    assert!(CODES.is_sorted_by_key(|(code, _)| *code));
+    for (code, meaning) in CODES {
+        // The package itself says that a value cannot be read.
+        assert!(sources.contains(&format!("\"{code}\"")) || *code == "unreadable", "nothing reports {code}");
+        writeln!(text, "| `{code}` | {meaning} |").unwrap();
+    }
+    keep("docs/findings.md", &text);
+    // Also those that no test reaches.
+    let is_code = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+    for report in [".error(", ".warning(", ".info("] {
+        for (at, _) in sources.match_indices(report) {
+            let Some(rest) = sources[at + report.len()..].trim_start().strip_prefix('"') else { continue };
+            let code: String = rest.chars().take_while(|c| is_code(*c)).collect();
+            assert!(CODES.iter().any(|(listed, _)| *listed == code), "{code} is not listed");
+        }
+    }
 }

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::form::codes::is_listed;
+
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -19,7 +21,7 @@ pub enum Level {
 pub struct Finding {
     /// How much it weighs.
     pub level: Level,
-    /// A stable, kebab-case name for programs to switch on.
+    /// A stable, kebab-case name for programs to switch on, one of [`CODES`](crate::form::CODES).
     pub code: String,
     /// The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole.
     pub path: String,
@@ -30,6 +32,7 @@ pub struct Finding {
 impl Finding {
     /// A finding from its parts.
     pub fn new(level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) -> Self {
+        debug_assert!(is_listed(code), "the code {code} stands in form/codes.rs");
         Finding { level, code: code.to_owned(), path: path.into(), message: message.into() }
     }
 }

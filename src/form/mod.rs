@@ -4,12 +4,14 @@
 //! the JSON Schema and the property-test strategies are all read from the same list.
 
 mod checker;
+mod codes;
 mod field;
 mod finding;
 mod value;
 
 pub(crate) use checker::printable;
 pub use checker::{Checker, Section};
+pub use codes::CODES;
 pub use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
 pub use finding::{Finding, Level};
 pub use value::Value;

@@ -115,7 +115,7 @@ fn program_is_sane(plan: &Plan) -> Result<(), String> {
         if word == "G0" && plan.program.post == "grbl" && i > 0 {
             let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
             let axis = [2, 1, 0][axis];
-            owe!(step.to[axis] >= plan.moves[i - 1].to[axis] - 1e-6, "a rapid goes down on grbl: {:?}", step);
+            owe!(step.to[axis] >= plan.moves[i - 1].to[axis] - 2e-6, "a rapid goes down on grbl: {:?}", step);
         }
     }
     // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
