@@ -20,6 +20,8 @@ test("the package had no licence text", () => {
   const wanted = [
     ...modules,
     ...wasm,
+    "dist/job-types.d.ts",
+    "dist/job-types.js",
     "dist/licences.txt",
     "LICENSE-APACHE",
     "LICENSE-MIT",
