@@ -13,15 +13,16 @@ test("the package had no licence text", () => {
     execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }),
   );
   const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path).sort();
-  const modules = ["api", "browser", "node", "types"].flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
+  const modules = ["api", "browser", "job-types", "node", "types"].flatMap((name) => [
+    `dist/${name}.d.ts`,
+    `dist/${name}.js`,
+  ]);
   const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
     (f) => `dist/wasm/${f}`,
   );
   const wanted = [
     ...modules,
     ...wasm,
-    "dist/job-types.d.ts",
-    "dist/job-types.js",
     "dist/licences.txt",
     "LICENSE-APACHE",
     "LICENSE-MIT",
