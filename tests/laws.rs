@@ -133,7 +133,7 @@ fn every_form_gives_errors_or_a_whole_plan() {
                     Some(Value::Text(p)) if p == "G19" => 0,
                     _ => 2,
                 };
-                sane(&plan, tool_axis).map_err(TestCaseError::fail)?;
+                sane(&job, &plan, tool_axis).map_err(TestCaseError::fail)?;
             }
             Err(error) => {
                 prop_assert!(error.findings.iter().any(|f| f.level == Level::Error));

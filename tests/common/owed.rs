@@ -1,5 +1,6 @@
 //! What every plan owes, whatever job it is of. The property tests and the fuzzer ask the same.
 
+use touchpath::form::Value;
 use touchpath::job::Plan;
 
 macro_rules! owe {
@@ -20,7 +21,11 @@ pub fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// What every plan owes.
-pub fn sane(plan: &Plan, tool_axis: usize) -> Result<(), String> {
+pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
+    // Only picks may differ in height: by a hundredth of a millimetre, in the job's units.
+    let picked = matches!(job.get("cycle").and_then(|c| c.get("touches")), Some(Value::List(_)));
+    let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
+    let level = if picked { if inch { 0.01 / 25.4 } else { 0.01 } } else { 0.0 };
     owe!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
     owe!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
     owe!(plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error));
@@ -38,9 +43,10 @@ pub fn sane(plan: &Plan, tool_axis: usize) -> Result<(), String> {
             let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
             // Picked touches may run askew by a degree, and short ones aside by the hundredth that picks of one level may differ.
             let way = distance(before.to, step.to);
-            let aside = (way * way - towards * towards).max(0.0).sqrt();
-            let askew = (way * 1f64.to_radians().sin()).max(0.01);
-            owe!(towards > 0.0 && aside <= askew + 1e-4, "touch {k} does not run along its inverted vector");
+            let off = |a: usize| before.to[a] - step.to[a] - towards * vector[a];
+            let aside = distance([off(0), off(1), off(2)], [0.0; 3]);
+            let askew = if picked { (way * 1f64.to_radians().sin()).max(level) } else { 0.0 };
+            owe!(towards > 0.0 && aside <= askew + 1e-6, "touch {k} does not run along its inverted vector");
             owe_eq!(step.feed, "work");
         } else if !circles(plan) {
             owe!(step.feed != "work", "{step:?}");
@@ -60,8 +66,11 @@ pub fn sane(plan: &Plan, tool_axis: usize) -> Result<(), String> {
     // It ends where it began, above the touches.
     let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
     owe!(distance(first.to, last.to) < 1e-8);
-    // Picks of one level may differ by a hundredth.
-    owe!(plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + 0.0101), "a move goes higher than the path ends");
+    // A move of a nanometre is none: the end may lie that much lower.
+    owe!(
+        plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6),
+        "a move goes higher than the path ends"
+    );
     program_is_sane(plan)
 }
 

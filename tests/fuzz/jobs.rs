@@ -184,7 +184,7 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         "G19" => 0,
         _ => 2,
     };
-    owed::sane(&plan, tool_axis)?;
+    owed::sane(job, &plan, tool_axis)?;
     asked(&format!("planned {}", word(job, &["cycle", "type"])));
     asked(&format!("planned for {}", plan.program.post));
     let protection = word(job, &["control", "protection"]);
