@@ -22,7 +22,7 @@ pub static DEF: PostDef = PostDef {
     says_job: false,
     name: crate::control::comment_text,
     rate,
-    supports: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
+    serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,
 };

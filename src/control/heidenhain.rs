@@ -9,7 +9,7 @@ use crate::control::{Form, PostDef, Program, Request};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
-use crate::path::{Accessor, ParameterValue};
+use crate::path::{ParameterValue, Subject};
 
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
@@ -23,15 +23,15 @@ pub static DEF: PostDef = PostDef {
     says_job: false,
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
-    supports,
+    serves,
     check,
     emit,
 };
 
-fn supports(cycle: &str, form: Form) -> Result<(), &'static str> {
-    match (cycle, form) {
-        ("probing-two-circles", Form::Cycle) => Ok(()),
-        ("probing-two-circles", _) => Err(
+fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+    match (subject, form) {
+        (Subject::TwoCircles, Form::Cycle) => Ok(()),
+        (Subject::TwoCircles, Form::Moves) => Err(
             "the control's low-level probing blocks are not documented well enough in what we have to print these moves: use its \
              own cycle",
         ),
@@ -65,15 +65,15 @@ fn emit(request: &Request<'_>) -> Program {
         text.push_str(&format!("{number} TOOL CALL {tool} {axis} S50\n"));
         number += 1;
     }
-    let extrusion = |code: i32| matches!(code, 1140 | 1145 | 1146 | 1149);
-    let (before, block): (Vec<_>, Vec<_>) = request.path.parameters.iter().partition(|p| extrusion(p.code));
-    for (head, parameters) in [("1493 EXTRUSION PROBING", before), ("1411 PROBING TWO CIRCLES", block)] {
-        if parameters.is_empty() {
+    let circles = request.path.feature.two_circles();
+    let blocks = circles.map(|c| [("1493 EXTRUSION PROBING", &c.extrusion), ("1411 PROBING TWO CIRCLES", &c.settings)]);
+    for (head, settings) in blocks.into_iter().flatten() {
+        if settings.is_empty() {
             continue;
         }
         text.push_str(&format!("{number} TCH PROBE {head}"));
-        for parameter in parameters {
-            text.push_str(&format!(" ~\n    {} ;{}", word(parameter.code, &parameter.value, request.scale), parameter.meaning));
+        for setting in settings {
+            text.push_str(&format!(" ~\n    {} ;{}", word(setting.number, &setting.value, request.scale), setting.dialog));
         }
         text.push('\n');
         number += 1;
@@ -118,8 +118,8 @@ fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
 /// Angles have three decimals on the control.
 fn check(request: &Request<'_>, checker: &mut Checker) {
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
-        let row = request.path.parameters.iter().find(|p| p.accessor == Accessor::Q && p.code == code);
-        if let Some(ParameterValue::Number(angle)) = row.map(|p| &p.value)
+        let settings = request.path.feature.two_circles().map_or(&[][..], |c| &c.settings);
+        if let Some(ParameterValue::Number(angle)) = settings.iter().find(|s| s.number == code).map(|s| &s.value)
             && (angle * 1e3 - (angle * 1e3).round()).abs() > 1e-6
         {
             let message = format!("The control takes three decimals: Q{code} is written as {}", decimal(*angle, 3));

@@ -32,7 +32,7 @@ pub static DEF: PostDef = PostDef {
     says_job: false,
     name: crate::control::comment_text,
     rate,
-    supports: |_, form| match form {
+    serves: |_, form| match form {
         Form::Moves => Ok(()),
         Form::Cycle => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
     },

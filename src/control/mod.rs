@@ -13,7 +13,7 @@ mod words;
 use crate::form::{Checker, Value};
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::path::{Accessor, Feeds, Move, ParameterValue, Path, Setup};
+use crate::path::{Feeds, Move, Path, Setup, Subject};
 
 /// Every control, in the order of the form.
 pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
@@ -78,8 +78,8 @@ pub struct PostDef {
     pub name: fn(&str) -> String,
     /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
     pub rate: fn(&Request<'_>, Option<Vec3>, &Move) -> Option<f64>,
-    /// Whether it takes a cycle (by its key) in a form, and why not.
-    pub supports: fn(&str, Form) -> Result<(), &'static str>,
+    /// Whether a program in a form can probe this, and why not: its row of the matrix.
+    pub serves: fn(Subject, Form) -> Result<(), &'static str>,
     /// Reports what of this very program it cannot do, or what its user should know.
     pub check: fn(&Request<'_>, &mut Checker),
     /// Prints the program.
@@ -206,21 +206,17 @@ fn value_word(value: &Value) -> String {
 
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
-    if request.path.surfaces.iter().any(|s| matches!(s, crate::path::Surface::Unknown)) {
+    let Some(circles) = request.path.feature.two_circles() else { return };
+    if circles.semi_automatic {
         let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
-    let reacts = request
-        .path
-        .parameters
-        .iter()
-        .any(|p| p.accessor == Accessor::Q && p.code == 309 && p.value != ParameterValue::Whole(0));
-    let toleranced = request.path.parameters.iter().any(|p| matches!(p.value, ParameterValue::Text(_)));
-    if reacts && toleranced {
-        let message = "A program of plain moves does not check tolerances: it does not stop as Q309 says";
+    if circles.reacts && circles.toleranced {
+        let message = "A program of plain moves does not check tolerances: it does not stop as the error reaction says";
         if request.work_offset.is_some() {
-            let message =
-                format!("{message}, and would write the work offset even from a scrap part: set Q309 to 0 or write none");
+            let message = format!(
+                "{message}, and would write the work offset even from a scrap part: set the error reaction to never stop or write none"
+            );
             checker.error("reaction-unsupported", "cycle.errorReaction", message);
         } else {
             checker.warning("reaction-unsupported", "cycle.errorReaction", message);
@@ -239,8 +235,8 @@ fn check_watched(request: &Request<'_>, checker: &mut Checker) {
 
 /// What plain moves cannot do with a rotary table, and why.
 fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
-    if request.path.formula.results.iter().any(|r| matches!(r.code, "preset.table" | "table.turn")) {
-        let message = format!("{why}: Q1121 = 2 and Q1126 are for the control's own cycle");
+    if request.path.feature.two_circles().is_some_and(|circles| circles.turns_table) {
+        let message = format!("{why}: turning or offsetting a rotary table is for the control's own cycle");
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
     }
 }

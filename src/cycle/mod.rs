@@ -10,7 +10,7 @@ use std::fmt::Debug;
 use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::ResultRow;
 use crate::geom::{Plane, Vec3};
-use crate::path::{Path, Setup, Surface};
+use crate::path::{Path, Setup, Subject, Surface};
 
 /// Every cycle, in the order of the gallery.
 pub static CYCLES: &[&CycleDef] = &[
@@ -43,6 +43,8 @@ pub struct CycleDef {
     pub title: &'static str,
     /// Whose cycle it is, and its number there.
     pub source: &'static str,
+    /// What it probes: by this a control says whether it takes the cycle.
+    pub probes: Subject,
     /// Its type number in the source's parameter table (code −1), where it has one.
     pub number: Option<i32>,
     /// The most touches it can have.

@@ -184,7 +184,7 @@ pub fn catalog() -> Catalog {
                     .iter()
                     .flat_map(|def| {
                         Form::ALL.map(|form| {
-                            let reason = (post.supports)(def.key, form).err();
+                            let reason = (post.serves)(def.probes, form).err();
                             SupportEntry { key: def.key, form: form.word(), supported: reason.is_none(), reason }
                         })
                     })

@@ -285,10 +285,10 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if let Some(def) = def
         && checker.sound(&["control.post", "control.form"])
-        && let Err(why) = (post.supports)(def.key, Form::named(&control.form))
+        && let Err(why) = (post.serves)(def.probes, Form::named(&control.form))
     {
         let other = Form::named(&control.form).other();
-        let advice = match (post.supports)(def.key, other) {
+        let advice = match (post.serves)(def.probes, other) {
             Ok(()) => format!(". Use the form \"{}\"", other.word()),
             Err(_) => String::new(),
         };

@@ -187,6 +187,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         trigger: actual.run.triggers[k].map(spot),
         inward: spot(touch.vector),
     });
+    let circles = path.feature.two_circles();
     let basis = setup.plane.basis();
     let names = setup.plane.axes().map(|axis| AXIS_NAMES[axis]);
     Scene {
@@ -197,8 +198,11 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
-        centre_lines: path.line.zip(actual.line).map(|(nominal, real)| [nominal.map(spot), real.map(spot)]),
-        spread: path.spread.filter(|_| view == Projection::Top).map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
+        centre_lines: circles.and_then(|c| c.line).zip(actual.line).map(|(nominal, real)| [nominal.map(spot), real.map(spot)]),
+        spread: circles
+            .and_then(|c| c.spread)
+            .filter(|_| view == Projection::Top)
+            .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
 }

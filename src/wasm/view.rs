@@ -260,7 +260,7 @@ impl View {
             run,
             origin: job.lie.rigid.point(path.frame.origin),
             direction: job.lie.rigid.direction(path.frame.u),
-            line: path.line.map(|line| line.map(|p| job.lie.rigid.point(p))),
+            line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| job.lie.rigid.point(p))),
         };
         let feeds = path.feeds.unwrap_or(job.feeds);
         let scene = scene::build(path, &job.setup, &feeds, &actual, self.projection);

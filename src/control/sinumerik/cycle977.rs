@@ -7,7 +7,7 @@ use crate::control::sinumerik::{DIALECT, begin, end, position};
 use crate::control::words::Writer;
 use crate::control::{Program, Request};
 use crate::form::Checker;
-use crate::path::{Move, ParameterValue, Purpose};
+use crate::path::{self, Feature, Move, Purpose};
 
 /// The shortest measuring path that CYCLE977 is called with, mm.
 const SHORTEST_PATH: f64 = 0.1;
@@ -24,33 +24,28 @@ struct Rectangle {
 }
 
 impl Rectangle {
-    fn of(request: &Request<'_>) -> Self {
-        let length = |code: i32| {
-            let row = request.path.parameters.iter().find(|p| p.code == code);
-            match row.map(|p| &p.value) {
-                Some(ParameterValue::Length(mm)) => *mm,
-                _ => f64::NAN,
-            }
+    /// None where something else is probed.
+    fn of(request: &Request<'_>) -> Option<Self> {
+        let Feature::Pocket(path::Rectangle { widths, depth, protected: Some(protection), .. }) = request.path.feature else {
+            return None;
         };
-        let widths = [length(-53), length(-54)];
-        let clearances = [length(-56), length(-57)];
         let radius = request.setup.radius;
         // The zone is as large as the ball leaves free where it goes down.
-        let zone = [0, 1].map(|i| widths[i] - 2.0 * (clearances[i] + radius));
-        Rectangle { widths, path: clearances[0] - radius, zone, infeed: length(-51) + length(-55) }
+        let zone = [0, 1].map(|i| widths[i] - 2.0 * (protection.sides[i] + radius));
+        Some(Rectangle { widths, path: protection.sides[0] - radius, zone, infeed: depth + protection.top })
     }
 }
 
 /// Reports what CYCLE977 cannot do of this job.
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
-    let rectangle = Rectangle::of(request);
+    let Some(rectangle) = Rectangle::of(request) else { return };
     let [a, _, _] = request.plane.basis();
     let advice = ". Use the form \"moves\"";
     if request.path.frame.u.distance(a) > 1e-9 {
         let message = format!("CYCLE977 measures rectangles that are parallel to the axes only{advice}");
         checker.error("cycle-not-parallel", "cycle.rotation", message);
     }
-    if request.path.picked {
+    if request.path.feature.picked() {
         let message = format!("CYCLE977 chooses its own touch points{advice}");
         checker.error("cycle-chooses-points", "cycle.touches", message);
     }
@@ -108,8 +103,10 @@ pub fn emit(request: &Request<'_>) -> Program {
         position(&mut w, request, i, step, moves.get(i.wrapping_sub(1)).map(|m| m.to));
     }
     debug_assert!(moves.iter().any(touches), "a cycle touches");
-    let call = call(&w, request);
-    w.line(&call);
+    if let Some(rectangle) = Rectangle::of(request) {
+        let call = call(&w, request, &rectangle);
+        w.line(&call);
+    }
     let last = moves.len() - 1;
     for _ in approach..last {
         w.leaves_move();
@@ -123,8 +120,7 @@ pub fn emit(request: &Request<'_>) -> Program {
 const INFEED_SIGN: f64 = 1.0;
 
 /// CYCLE977 for an inside rectangle with a protection zone: 29 arguments, by position as in real calls.
-fn call(w: &Writer<'_>, request: &Request<'_>) -> String {
-    let rectangle = Rectangle::of(request);
+fn call(w: &Writer<'_>, request: &Request<'_>, rectangle: &Rectangle) -> String {
     let [w1, w2] = rectangle.widths.map(|x| w.number(x));
     let [za, zo] = rectangle.zone.map(|x| w.number(x));
     let path = w.number(rectangle.path);

@@ -23,7 +23,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
-use crate::path::{Move, Purpose, RAPID_RATE};
+use crate::path::{Move, Purpose, RAPID_RATE, Subject};
 
 pub static DEF: PostDef = PostDef {
     key: "sinumerik",
@@ -37,7 +37,7 @@ pub static DEF: PostDef = PostDef {
     says_job: true,
     name: crate::control::comment_text,
     rate,
-    supports,
+    serves,
     check,
     emit,
 };
@@ -60,14 +60,14 @@ const LAST_REGISTER: usize = 99;
 /// How many more the write of the frame needs.
 const FRAME_REGISTERS: usize = 6;
 
-fn supports(cycle: &str, form: Form) -> Result<(), &'static str> {
-    match (cycle, form) {
-        (_, Form::Moves) | ("internal-rectangle-protected", _) => Ok(()),
-        ("double-wall-internal-corner", _) => Err(
+fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+    match (subject, form) {
+        (_, Form::Moves) | (Subject::PocketProtected, Form::Cycle) => Ok(()),
+        (Subject::CornerInside, Form::Cycle) => Err(
             "its corner cycle is CYCLE961, and the order of that cycle's arguments is not proven by anything we have: a wrong one \
              would move the probe somewhere else",
         ),
-        ("probing-two-circles", _) => Err("it has no cycle of its own for two circles"),
+        (Subject::TwoCircles, Form::Cycle) => Err("it has no cycle of its own for two circles"),
         _ => Err("the arguments of its cycle for this feature are not proven by anything we have"),
     }
 }

@@ -258,15 +258,13 @@ impl Cycle for Ency {
             top,
             surfaces,
             feeds: None,
-            line: None,
-            spread: None,
             frame,
             formula,
             parameters: table(&*self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k))
                 .into_iter()
                 .chain(self.custom.iter().map(Custom::row))
                 .collect(),
-            picked: self.picks.is_some(),
+            feature: shape.feature(self.picks.is_some()),
             touches,
         }
     }
@@ -311,7 +309,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             "The path goes {} higher than it ends: a touch lies too high above the others",
             checker.rounded_up(highest - end)
         );
-        checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
+        checker.error("path-not-above", if path.feature.picked() { "cycle.touches" } else { "cycle" }, message);
     }
     let field = "cycle.feedDistance";
     match path.top {

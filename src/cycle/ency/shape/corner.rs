@@ -9,7 +9,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, 
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 
 /// A corner of two walls. Indices are those of the walls.
 #[derive(Clone, Debug)]
@@ -312,6 +312,10 @@ impl Shape for Corner {
                 })
             })
             .collect()
+    }
+
+    fn feature(&self, picked: bool) -> Feature {
+        Feature::Corner(path::Corner { outside: !self.internal, angle: self.angle.abs(), picked })
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

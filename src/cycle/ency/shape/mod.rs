@@ -20,7 +20,7 @@ use crate::cycle::ency::{Pick, Placement};
 use crate::form::Checker;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
+use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 
 /// A feature with its dimensions, and how it is probed.
 pub trait Shape: Debug {
@@ -47,6 +47,9 @@ pub trait Shape: Debug {
 
     /// The surfaces, one a group.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
+
+    /// What is probed; `picked` is whether the touches were picked one by one.
+    fn feature(&self, picked: bool) -> Feature;
 
     /// Height of the top side along the tool axis, mm, where the source has one.
     fn top(&self, on: &Seated<'_>) -> Option<f64>;

@@ -5,7 +5,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
+use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 
 /// One pair of walls.
 #[derive(Clone, Copy, Debug)]
@@ -277,6 +277,19 @@ impl Shape for Pairs {
                 })
             })
             .collect()
+    }
+
+    fn feature(&self, picked: bool) -> Feature {
+        let sides = self.sides.first().zip(self.sides.last());
+        let clearances = sides.and_then(|(a, b)| Some([a.clearance?.2, b.clearance?.2]));
+        let protected = self.top.zip(clearances).map(|(top, sides)| Protection { top, sides });
+        if let [one, two] = self.sides.as_slice() {
+            let rectangle = Rectangle { widths: [one.width, two.width], depth: self.depth, protected, picked };
+            return if self.internal { Feature::Pocket(rectangle) } else { Feature::Block(rectangle) };
+        }
+        let (width, top_touched) = (self.sides[0].width, self.middle.is_some());
+        let pair = Pair { width, depth: self.depth, protected, top_touched, picked };
+        if self.internal { Feature::Groove(pair) } else { Feature::Web(pair) }
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -5,7 +5,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
 
 /// A surface, touched once.
 #[derive(Clone, Debug)]
@@ -103,6 +103,10 @@ impl Shape for Point {
     }
 
     /// A top side is its own top; of a wall or a slope the source knows none.
+    fn feature(&self, picked: bool) -> Feature {
+        Feature::Surface { picked }
+    }
+
     fn top(&self, on: &Seated<'_>) -> Option<f64> {
         let touch = &on.touches[0];
         (touch.vector.dot(on.frame.w) > 1.0 - 1e-6).then(|| touch.point.dot(on.frame.w))

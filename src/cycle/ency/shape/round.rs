@@ -5,7 +5,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middl
 use crate::form::Checker;
 use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 
 /// How the touches are spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -221,6 +221,12 @@ impl Shape for Circle {
             drawn_depth,
             plate: self.internal.then_some(f64::INFINITY),
         })]
+    }
+
+    fn feature(&self, picked: bool) -> Feature {
+        let protected = self.top.zip(self.clearance).map(|(top, side)| Protection { top, sides: [side; 2] });
+        let bore = Bore { diameter: self.diameter, depth: self.depth, protected, picked };
+        if self.internal { Feature::Hole(bore) } else { Feature::Boss(bore) }
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

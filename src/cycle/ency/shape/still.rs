@@ -4,7 +4,7 @@ use crate::cycle::ency::{Pick, Placement, Seated, Shape};
 use crate::form::Checker;
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Setup, Surface, Tracer};
+use crate::path::{Feature, Setup, Surface, Tracer};
 
 /// Nothing is touched, nothing moves.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,10 @@ impl Shape for Still {
 
     fn surfaces(&self, _on: &Seated<'_>) -> Vec<Surface> {
         Vec::new()
+    }
+
+    fn feature(&self, _picked: bool) -> Feature {
+        Feature::Still
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

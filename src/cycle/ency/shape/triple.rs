@@ -6,7 +6,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, 
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 
 /// A corner of two walls and a floor, or of two walls and a top side.
 #[derive(Clone, Debug)]
@@ -257,6 +257,10 @@ impl Shape for Triple {
                 })
             })
             .collect()
+    }
+
+    fn feature(&self, picked: bool) -> Feature {
+        Feature::Triple(Corner { outside: !self.internal(), angle: self.angle.abs(), picked })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

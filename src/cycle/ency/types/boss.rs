@@ -4,12 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RoundProtected, Shape, words};
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
     key: "boss",
     title: "Boss",
     source: "ENCY/SprutCAM type 5",
+    probes: Subject::Boss,
     number: Some(5),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/boss.md",

@@ -6,12 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::form::{Field, form};
 use crate::geom::Vec3;
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-external-corner",
     title: "Double wall external corner",
     source: "ENCY/SprutCAM type 14",
+    probes: Subject::CornerOutside,
     number: Some(14),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-external-corner.md",

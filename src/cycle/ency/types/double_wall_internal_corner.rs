@@ -7,12 +7,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Corner, Shape, field, words};
 use crate::form::{Field, form};
 use crate::geom::Vec3;
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
     source: "ENCY/SprutCAM type 13",
+    probes: Subject::CornerInside,
     number: Some(13),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-internal-corner.md",

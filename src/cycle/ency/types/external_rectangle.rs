@@ -4,11 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RectangleProtected, Shape, words};
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "external-rectangle",
     title: "External rectangle",
     source: "ENCY/SprutCAM type 8",
+    probes: Subject::Block,
     number: Some(8),
     most_touches: 4,
     doc: "docs/cycles/external-rectangle.md",

@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
 use crate::form::form;
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "groove",
     title: "Groove",
     source: "ENCY/SprutCAM type 11",
+    probes: Subject::Groove,
     number: Some(11),
     most_touches: 2,
     doc: "docs/cycles/groove.md",

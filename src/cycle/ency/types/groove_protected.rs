@@ -4,11 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, PairProtected, Shape, words};
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
     source: "ENCY/SprutCAM type 12",
+    probes: Subject::GrooveProtected,
     number: Some(12),
     most_touches: 2,
     doc: "docs/cycles/groove-protected.md",

@@ -6,12 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Circle, Shape, Variant, field, words};
 use crate::form::form;
 use crate::geom::Vec3;
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
     source: "ENCY/SprutCAM type 3",
+    probes: Subject::Hole,
     number: Some(3),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole.md",

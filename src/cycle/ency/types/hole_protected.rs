@@ -4,12 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RoundProtected, Shape, words};
-use crate::path::MAX_TOUCHES;
+use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
     source: "ENCY/SprutCAM type 4",
+    probes: Subject::HoleProtected,
     number: Some(4),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole-protected.md",

@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
 use crate::form::form;
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
     source: "ENCY/SprutCAM type 6",
+    probes: Subject::Pocket,
     number: Some(6),
     most_touches: 4,
     doc: "docs/cycles/internal-rectangle.md",

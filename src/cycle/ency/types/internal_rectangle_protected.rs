@@ -4,11 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, RectangleProtected, Shape, words};
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
     source: "ENCY/SprutCAM type 7",
+    probes: Subject::PocketProtected,
     number: Some(7),
     most_touches: 4,
     doc: "docs/cycles/internal-rectangle-protected.md",

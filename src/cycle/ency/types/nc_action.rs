@@ -3,11 +3,13 @@
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Still, field};
 use crate::form::form;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "nc-action",
     title: "NC action",
     source: "ENCY/SprutCAM type 1",
+    probes: Subject::Action,
     number: Some(1),
     most_touches: 0,
     doc: "docs/cycles/nc-action.md",

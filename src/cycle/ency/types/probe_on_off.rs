@@ -3,11 +3,13 @@
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Still};
 use crate::form::{Field, form};
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "probe-on-off",
     title: "Probe on/off",
     source: "ENCY/SprutCAM type 0",
+    probes: Subject::Switch,
     number: Some(0),
     most_touches: 0,
     doc: "docs/cycles/probe-on-off.md",

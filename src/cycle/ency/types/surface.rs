@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Point, Shape, field, words};
 use crate::form::{Field, form};
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "surface",
     title: "Surface",
     source: "ENCY/SprutCAM type 2",
+    probes: Subject::Surface,
     number: Some(2),
     most_touches: 1,
     doc: "docs/cycles/surface.md",

@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Outside, Shape, Triple, field, words};
 use crate::form::{Field, form};
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-external-corner",
     title: "Triple wall external corner",
     source: "ENCY/SprutCAM type 16",
+    probes: Subject::TripleOutside,
     number: Some(16),
     most_touches: 3,
     doc: "docs/cycles/triple-wall-external-corner.md",

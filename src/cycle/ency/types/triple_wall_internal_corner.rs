@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Shape, Triple, field, words};
 use crate::form::{Field, form};
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-internal-corner",
     title: "Triple wall internal corner",
     source: "ENCY/SprutCAM type 15",
+    probes: Subject::TripleInside,
     number: Some(15),
     most_touches: 3,
     doc: "docs/cycles/triple-wall-internal-corner.md",

@@ -4,11 +4,13 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, PairProtected, Shape, words};
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "web",
     title: "Web",
     source: "ENCY/SprutCAM type 9",
+    probes: Subject::Web,
     number: Some(9),
     most_touches: 2,
     doc: "docs/cycles/web.md",

@@ -6,11 +6,13 @@ use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
 use crate::form::form;
 use crate::geom::Vec3;
+use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
     key: "web-three-points",
     title: "Web, three points",
     source: "ENCY/SprutCAM type 10",
+    probes: Subject::WebTop,
     number: Some(10),
     most_touches: 3,
     doc: "docs/cycles/web-three-points.md",

@@ -13,13 +13,17 @@ use crate::cycle::{Cycle, CycleDef};
 use crate::form::{Checker, Code, Field, SubForm, form};
 use crate::formula::ResultRow;
 use crate::geom::{Frame, Vec3};
-use crate::path::{Accessor, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setup, Spread, Surface};
+use crate::path::{
+    self, Accessor, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject,
+    Surface,
+};
 use crate::tolerance::Nominal;
 
 pub static DEF: CycleDef = CycleDef {
     key: "probing-two-circles",
     title: "Probing two circles",
     source: "HEIDENHAIN cycle 1411",
+    probes: Subject::TwoCircles,
     number: None,
     most_touches: 2 * 8 * 99,
     place: None,
@@ -340,62 +344,88 @@ impl TwoCircles {
         })
     }
 
-    fn parameters(&self) -> Vec<Parameter> {
+    /// The settings with the fields they come from: of 1493, where there is one, and of 1411, in the order of their blocks.
+    fn settings(&self) -> [Vec<(Setting, &'static str)>; 2] {
         let form = &self.form;
-        let mut rows = Vec::new();
-        let mut push = |code: i32, meaning: &str, value: ParameterValue, field: &'static str| {
-            rows.push(Parameter {
-                code,
-                accessor: Accessor::Q,
-                type_name: "",
-                value,
-                meaning: meaning.to_owned(),
-                field: Some(field.to_owned()),
-                touch: None,
-            });
+        let setting = |number: i32, dialog: &str, value: ParameterValue, field: &'static str| {
+            (Setting { number, dialog: dialog.to_owned(), value }, field)
         };
         let nominal = |v: &Nominal| match &v.text {
             Some(text) => ParameterValue::Text(text.clone()),
             None => ParameterValue::Length(v.nominal.unwrap_or(0.0)),
         };
         let code = |n: i32| ParameterValue::Whole(n);
-        if let Some(extrusion) = &self.extrusion {
-            push(1140, "EXTRUSION DIRECTION", code(extrusion.direction), "cycle.extrusion.direction");
-            push(1145, "EXTRUSION POINTS", code(extrusion.points), "cycle.extrusion.points");
-            push(1146, "EXTRUSION LENGTH", ParameterValue::Length(extrusion.length), "cycle.extrusion.length");
-            push(1149, "EXTRUSION MODAL", code(extrusion.modal), "cycle.extrusion.modal");
-        }
-        let axes = ["REF AXIS", "MINOR AXIS", "TOOL AXIS"];
-        let fields1 = ["cycle.point1[0]", "cycle.point1[1]", "cycle.point1[2]"];
-        let fields2 = ["cycle.point2[0]", "cycle.point2[1]", "cycle.point2[2]"];
-        for i in 0..3 {
-            push(1100 + i as i32, &format!("1ST POINT {}", axes[i]), nominal(&form.point1[i]), fields1[i]);
-        }
-        push(1116, "DIAMETER 1", nominal(&form.diameter1), "cycle.diameter1");
-        for i in 0..3 {
-            push(1103 + i as i32, &format!("2ND POINT {}", axes[i]), nominal(&form.point2[i]), fields2[i]);
-        }
-        push(1117, "DIAMETER 2", nominal(&form.diameter2), "cycle.diameter2");
-        push(1115, "GEOMETRY TYPE", code(form.geometry_type), "cycle.geometryType");
-        push(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints");
-        push(325, "STARTING ANGLE", ParameterValue::Number(form.starting_angle), "cycle.startingAngle");
-        push(1119, "ANGULAR LENGTH", ParameterValue::Number(form.angular_length), "cycle.angularLength");
+        let extrusion = self.extrusion.iter().flat_map(|extrusion| {
+            [
+                setting(1140, "EXTRUSION DIRECTION", code(extrusion.direction), "cycle.extrusion.direction"),
+                setting(1145, "EXTRUSION POINTS", code(extrusion.points), "cycle.extrusion.points"),
+                setting(1146, "EXTRUSION LENGTH", ParameterValue::Length(extrusion.length), "cycle.extrusion.length"),
+                setting(1149, "EXTRUSION MODAL", code(extrusion.modal), "cycle.extrusion.modal"),
+            ]
+        });
         let global = |predefined: bool, mm: f64| match predefined {
             true => ParameterValue::Word("PREDEF"),
             false => ParameterValue::Length(mm),
         };
         let set_up = global(form.set_up_clearance_predef, form.set_up_clearance);
-        push(320, "SET-UP CLEARANCE", set_up, "cycle.setUpClearance");
         let height = global(form.clearance_height_predef, form.clearance_height);
-        push(260, "CLEARANCE HEIGHT", height, "cycle.clearanceHeight");
-        push(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode");
-        push(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction");
-        push(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis");
-        // The control's own spelling.
-        push(1120, "TRANSER POSITION", code(form.transfer_position), "cycle.transferPosition");
-        push(1121, "CONFIRM ROTATION", code(form.confirm_rotation), "cycle.confirmRotation");
-        rows
+        let angle = ParameterValue::Number;
+        let [a1, o1, w1] = form.point1.each_ref().map(nominal);
+        let [a2, o2, w2] = form.point2.each_ref().map(nominal);
+        let cycle = vec![
+            setting(1100, "1ST POINT REF AXIS", a1, "cycle.point1[0]"),
+            setting(1101, "1ST POINT MINOR AXIS", o1, "cycle.point1[1]"),
+            setting(1102, "1ST POINT TOOL AXIS", w1, "cycle.point1[2]"),
+            setting(1116, "DIAMETER 1", nominal(&form.diameter1), "cycle.diameter1"),
+            setting(1103, "2ND POINT REF AXIS", a2, "cycle.point2[0]"),
+            setting(1104, "2ND POINT MINOR AXIS", o2, "cycle.point2[1]"),
+            setting(1105, "2ND POINT TOOL AXIS", w2, "cycle.point2[2]"),
+            setting(1117, "DIAMETER 2", nominal(&form.diameter2), "cycle.diameter2"),
+            setting(1115, "GEOMETRY TYPE", code(form.geometry_type), "cycle.geometryType"),
+            setting(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints"),
+            setting(325, "STARTING ANGLE", angle(form.starting_angle), "cycle.startingAngle"),
+            setting(1119, "ANGULAR LENGTH", angle(form.angular_length), "cycle.angularLength"),
+            setting(320, "SET-UP CLEARANCE", set_up, "cycle.setUpClearance"),
+            setting(260, "CLEARANCE HEIGHT", height, "cycle.clearanceHeight"),
+            setting(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode"),
+            setting(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction"),
+            setting(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis"),
+            // The control's own spelling.
+            setting(1120, "TRANSER POSITION", code(form.transfer_position), "cycle.transferPosition"),
+            setting(1121, "CONFIRM ROTATION", code(form.confirm_rotation), "cycle.confirmRotation"),
+        ];
+        [extrusion.collect(), cycle]
     }
+
+    /// What is probed, for a control that has the cycle itself.
+    fn feature(&self, setup: &Setup) -> path::TwoCircles {
+        let [extrusion, settings] =
+            self.settings().map(|list| list.into_iter().map(|(setting, _)| setting).collect::<Vec<Setting>>());
+        path::TwoCircles {
+            line: self.line(setup),
+            spread: self.spread(setup),
+            semi_automatic: self.objects().iter().any(|o| o.state == State::Semi),
+            reacts: self.form.error_reaction != 0,
+            toleranced: settings.iter().any(|s| matches!(s.value, ParameterValue::Text(_))),
+            turns_table: self.form.confirm_rotation == 2 || self.form.align_rotary_axis != 0,
+            settings,
+            extrusion,
+        }
+    }
+}
+
+/// Settings as rows of the table.
+fn rows(settings: [Vec<(Setting, &'static str)>; 2]) -> Vec<Parameter> {
+    let row = |(setting, field): (Setting, &'static str)| Parameter {
+        code: setting.number,
+        accessor: Accessor::Q,
+        type_name: "",
+        value: setting.value,
+        meaning: setting.dialog,
+        field: Some(field.to_owned()),
+        touch: None,
+    };
+    settings.into_iter().flatten().map(row).collect()
 }
 
 impl Cycle for TwoCircles {
@@ -425,12 +455,10 @@ impl Cycle for TwoCircles {
                 return_: None,
                 rapid: self.probe.rapid,
             }),
-            line: self.line(setup),
-            spread: self.spread(setup),
+            feature: Feature::TwoCircles(Box::new(self.feature(setup))),
             frame: Self::frame(setup),
             formula: self.formula(setup),
-            parameters: self.parameters(),
-            picked: false,
+            parameters: rows(self.settings()),
         }
     }
 

@@ -3,6 +3,16 @@
 //! Lengths are in mm, angles in radians unless a name says degrees. Points are of the ball centre in the work coordinate
 //! system unless they are said to be on the surface. A path knows nothing of cycles, controls or units.
 
+mod feature;
+mod parameter;
+mod surface;
+mod tracer;
+
+pub use feature::{Bore, Corner, Feature, Pair, Protection, Rectangle, Setting, Spread, Subject, TwoCircles};
+pub use parameter::{Accessor, Parameter, ParameterValue};
+pub use surface::{Round, Surface, Wall};
+pub use tracer::Tracer;
+
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
 
@@ -164,129 +174,6 @@ impl Touch {
     }
 }
 
-/// A flat wall of the feature. The material lies behind it, against `normal`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wall {
-    /// A point on it: at the top side where it has one, else at the level of the touches.
-    pub point: Vec3,
-    /// Outward normal.
-    pub normal: Vec3,
-    /// Direction along it.
-    pub along: Vec3,
-    /// How far it is drawn along `along` from `point`: from, to. Contacts treat it as going on.
-    pub extent: (f64, f64),
-    /// How deep below `point` it is drawn.
-    pub drawn_depth: f64,
-    /// Whether it ends at `point`'s level with a flat top side behind it; else it has no upper end.
-    pub has_top: bool,
-    /// Which body it bounds. Walls of one body bound it together: the material is what lies behind all of them.
-    pub body: usize,
-}
-
-/// A round wall about the tool axis: a hole or a stud.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Round {
-    /// The middle of its top.
-    pub center: Vec3,
-    /// Its radius, mm.
-    pub radius: f64,
-    /// Whether the material lies outside (a hole) or inside (a stud).
-    pub hole: bool,
-    /// How deep below the top it is drawn.
-    pub drawn_depth: f64,
-    /// How far from the axis of a hole the material around it reaches, mm: infinity where it is in a plate. None: nothing is known
-    /// beyond its rim.
-    pub plate: Option<f64>,
-}
-
-/// A surface of the feature.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Surface {
-    /// A flat wall.
-    Flat(Wall),
-    /// A round wall.
-    Round(Round),
-    /// Somewhere: its place is not known. It is not drawn, and no contact with it is found.
-    Unknown,
-}
-
-/// How a parameter is addressed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Accessor {
-    /// `CmdPrm.Int[ ]`.
-    Int,
-    /// `CmdPrm.Flt[ ]`.
-    Flt,
-    /// `CmdPrm.Bol[ ]`.
-    Bol,
-    /// A Q parameter.
-    Q,
-}
-
-impl Accessor {
-    /// Those of a CAM parameter table.
-    pub const CMD_PRM: [Accessor; 3] = [Accessor::Int, Accessor::Flt, Accessor::Bol];
-
-    /// The word: `Int`, `Flt`, `Bol`, `Q`.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Accessor::Int => "Int",
-            Accessor::Flt => "Flt",
-            Accessor::Bol => "Bol",
-            Accessor::Q => "Q",
-        }
-    }
-}
-
-/// One row of the source's parameter table, before units.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// The code inside the brackets of `CmdPrm.…[ ]`.
-    pub code: i32,
-    /// How it is addressed.
-    pub accessor: Accessor,
-    /// The type column of the source's page.
-    pub type_name: &'static str,
-    /// The value.
-    pub value: ParameterValue,
-    /// What it means.
-    pub meaning: String,
-    /// The path of the job's field it comes from.
-    pub field: Option<String>,
-    /// The touch it comes from.
-    pub touch: Option<usize>,
-}
-
-/// The value of a parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ParameterValue {
-    /// A length, mm.
-    Length(f64),
-    /// A pure number or an angle in degrees.
-    Number(f64),
-    /// A whole number.
-    Whole(i32),
-    /// True or false.
-    Flag(bool),
-    /// Text, as it was given.
-    Text(String),
-    /// A word of the control that stands for a number.
-    Word(&'static str),
-}
-
-/// How touches are spread over a circle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spread {
-    /// Centre of the circle.
-    pub center: Vec3,
-    /// Its radius, mm.
-    pub radius: f64,
-    /// Angle of the first touch from the abscissa, radians.
-    pub start: f64,
-    /// Over which angle the touches are spread, counter-clockwise positive, radians.
-    pub sweep: f64,
-}
-
 /// Everything a cycle says about itself.
 #[derive(Clone, Debug)]
 pub struct Path {
@@ -304,17 +191,12 @@ pub struct Path {
     pub feeds: Option<Feeds>,
     /// The frame the feature's dimensions are given in.
     pub frame: Frame,
-    /// A line that the cycle is about, between two nominal centres.
-    pub line: Option<[Vec3; 2]>,
-    /// How the touches are spread over a circle: its centre, its radius, and the angles (radians) of the first touch and of the
-    /// whole spread. For handles in the picture.
-    pub spread: Option<Spread>,
     /// What the control computes from the touches.
     pub formula: Formula,
-    /// The source's parameter table.
+    /// The source's parameter table: what goes out, and nothing that anything is computed from.
     pub parameters: Vec<Parameter>,
-    /// Whether the touches were picked one by one, and do not follow from the dimensions.
-    pub picked: bool,
+    /// What is probed.
+    pub feature: Feature,
 }
 
 /// What is wrong with a touch of a path.
@@ -391,67 +273,6 @@ impl Path {
             count: self.touches.iter().filter(|t| same(t)).count(),
             first: k == 0 || !same(&self.touches[k - 1]),
             last: self.touches.get(k + 1).is_none_or(|t| !same(t)),
-        }
-    }
-}
-
-/// Strings moves together; leaves out those of no length.
-#[derive(Debug)]
-pub struct Tracer {
-    at: Option<Vec3>,
-    radius: f64,
-    moves: Vec<Move>,
-}
-
-impl Tracer {
-    /// Starts at an unknown place: the first move is always kept.
-    pub fn new(setup: &Setup) -> Self {
-        Tracer { at: None, radius: setup.radius, moves: Vec::new() }
-    }
-
-    /// Starts where the ball is.
-    pub fn starting_at(setup: &Setup, start: Vec3) -> Self {
-        Tracer { at: Some(start), ..Tracer::new(setup) }
-    }
-
-    /// A positioning move.
-    pub fn position(&mut self, to: Vec3, feed: Feed, step: u8) {
-        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: None });
-    }
-
-    /// A positioning move along an arc.
-    pub fn arc(&mut self, to: Vec3, arc: Arc, feed: Feed, step: u8) {
-        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: Some(arc) });
-    }
-
-    /// Where the ball stands, once that is known.
-    pub fn place(&self) -> Option<Vec3> {
-        self.at
-    }
-
-    /// The touch with this index from where the ball stands, and back to there, as one step.
-    pub fn touch(&mut self, index: usize, touch: &Touch, back: Feed, step: u8) {
-        self.touch_in_steps(index, touch, back, [step, step]);
-    }
-
-    /// The same where the touch and the way back are steps of their own.
-    pub fn touch_in_steps(&mut self, index: usize, touch: &Touch, back: Feed, steps: [u8; 2]) {
-        let from = self.at.expect("a touch starts at a known place");
-        let to = touch.contact(self.radius);
-        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step: steps[0], arc: None });
-        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step: steps[1], arc: None });
-    }
-
-    /// The moves.
-    pub fn moves(self) -> Vec<Move> {
-        self.moves
-    }
-
-    /// A touch and its way back are never left out, however short: the check of the whole path reports them.
-    fn push(&mut self, next: Move) {
-        if next.purpose != Purpose::Position || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH) {
-            self.at = Some(next.to);
-            self.moves.push(next);
         }
     }
 }

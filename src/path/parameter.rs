@@ -1,0 +1,65 @@
+//! The rows of the source's parameter table.
+
+/// How a parameter is addressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accessor {
+    /// `CmdPrm.Int[ ]`.
+    Int,
+    /// `CmdPrm.Flt[ ]`.
+    Flt,
+    /// `CmdPrm.Bol[ ]`.
+    Bol,
+    /// A Q parameter.
+    Q,
+}
+
+impl Accessor {
+    /// Those of a CAM parameter table.
+    pub const CMD_PRM: [Accessor; 3] = [Accessor::Int, Accessor::Flt, Accessor::Bol];
+
+    /// The word: `Int`, `Flt`, `Bol`, `Q`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Accessor::Int => "Int",
+            Accessor::Flt => "Flt",
+            Accessor::Bol => "Bol",
+            Accessor::Q => "Q",
+        }
+    }
+}
+
+/// One row of the source's parameter table, before units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// The code inside the brackets of `CmdPrm.…[ ]`.
+    pub code: i32,
+    /// How it is addressed.
+    pub accessor: Accessor,
+    /// The type column of the source's page.
+    pub type_name: &'static str,
+    /// The value.
+    pub value: ParameterValue,
+    /// What it means.
+    pub meaning: String,
+    /// The path of the job's field it comes from.
+    pub field: Option<String>,
+    /// The touch it comes from.
+    pub touch: Option<usize>,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterValue {
+    /// A length, mm.
+    Length(f64),
+    /// A pure number or an angle in degrees.
+    Number(f64),
+    /// A whole number.
+    Whole(i32),
+    /// True or false.
+    Flag(bool),
+    /// Text, as it was given.
+    Text(String),
+    /// A word of the control that stands for a number.
+    Word(&'static str),
+}
