@@ -13,9 +13,11 @@
 
 pub mod control;
 pub mod cycle;
+pub mod describe;
 pub mod form;
 pub mod formula;
 pub mod geom;
+pub mod import;
 pub mod job;
 pub mod num;
 pub mod part;

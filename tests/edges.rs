@@ -5,8 +5,10 @@
 mod common;
 
 use common::{job, number, planned, point, with};
+use touchpath::describe::{catalog, export_table};
 use touchpath::form::{Level, Value};
-use touchpath::job::{catalog, check, convert_units, default_job, export_table, import, plan};
+use touchpath::import::import;
+use touchpath::job::{check, convert_units, default_job, plan};
 
 fn errors(job: &Value) -> Vec<String> {
     check(job).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()

@@ -8,8 +8,10 @@ use common::{job, law, number, planned, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::cycle::CYCLES;
+use touchpath::describe::export_table;
 use touchpath::form::{Default, Field, Kind, Level, Value};
-use touchpath::job::{Plan, check, default_job, export_table, import, plan};
+use touchpath::import::import;
+use touchpath::job::{Plan, check, default_job, plan};
 
 fn cycle(text: &str) -> Value {
     job(&format!(r#"{{ "format": 1, "cycle": {text} }}"#))

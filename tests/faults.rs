@@ -4,8 +4,10 @@
 mod common;
 
 use common::{interpret, interpret_from, job, number, planned, point, with};
+use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
-use touchpath::job::{check, default_job, evaluate, export_table, import, plan};
+use touchpath::import::import;
+use touchpath::job::{check, default_job, evaluate, plan};
 
 fn text(t: &str) -> Value {
     Value::Text(t.to_owned())

@@ -8,8 +8,9 @@ use std::fmt::Write;
 use std::path::Path;
 
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind};
-use touchpath::job::{catalog, default_job, plan, scene_parts};
+use touchpath::job::{default_job, plan, scene_parts};
 use touchpath::num::decimal;
 use touchpath::view::scene::{self, Actual, Projection, Stroke};
 

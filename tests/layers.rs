@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use touchpath::job::DefaultEntry;
+use touchpath::describe::DefaultEntry;
 
 /// Layers from the bottom up; modules of one layer do not import each other, except where listed.
 const LAYERS: &[&[&str]] = &[
@@ -14,6 +14,7 @@ const LAYERS: &[&[&str]] = &[
     &["path"],
     &["control", "cycle", "part", "view", "tool_length"],
     &["job"],
+    &["describe", "import"],
     &["wasm"],
 ];
 
@@ -94,7 +95,7 @@ fn moves_are_matched_exhaustively_in_controls_and_views() {
 #[test]
 fn the_forms_choices_are_the_registered_posts() {
     let keys: Vec<&str> = touchpath::control::POSTS.iter().map(|p| p.key).collect();
-    let catalog = touchpath::job::catalog();
+    let catalog = touchpath::describe::catalog();
     let control = catalog.sections.iter().find(|s| s.path == "control").unwrap();
     let post = control.fields.iter().find(|f| f.key == "post").unwrap();
     let choices: Vec<&str> = post

@@ -60,7 +60,8 @@ fn type_7_has_the_rows_of_its_page() {
     assert_eq!(block(&compensated, -100), [128.0, 200.0, -7.0, -1.0, 0.0, 0.0]);
     assert_eq!(block(&compensated, -200), [130.0, 200.0, -7.0, -1.0, 0.0, 0.0]);
     assert_eq!(at(&compensated, "CmdPrm.Flt[-66]"), 1.0);
-    assert_eq!(compensated.program.text, plan.program.text);
+    let blocks = |plan: &Plan| plan.program.text.lines().filter(|l| !l.starts_with("(job ")).collect::<Vec<_>>().join("\n");
+    assert_eq!(blocks(&compensated), blocks(&plan));
 }
 
 /// The page of type 13: -1, -2, -50, -56, -57, -63, -64, -65, -67, then C touches of side 1 and the rest of side 2.
@@ -111,25 +112,25 @@ fn the_table_as_text_csv_and_json() {
     let pocket =
         job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "feedDistance": 50, "depth": 2.5 } }"#);
     let plan = planned(&pocket);
-    let text = touchpath::job::export_table(&plan, "text").unwrap();
+    let text = touchpath::describe::export_table(&plan, "text").unwrap();
     assert!(
         text.starts_with("CmdPrm.Int[-1] = 7\nCmdPrm.Int[-2] = 0\nCmdPrm.Flt[-50] = 50\nCmdPrm.Flt[-51] = 2.5\n"),
         "{text}"
     );
     assert_eq!(text.lines().count(), plan.table.len());
-    let csv = touchpath::job::export_table(&plan, "csv").unwrap();
+    let csv = touchpath::describe::export_table(&plan, "csv").unwrap();
     assert!(csv.starts_with("code,type,value,meaning\nCmdPrm.Int[-1],Integer,7,Probing cycle type"));
     assert!(csv.contains("\nCmdPrm.Flt[-53],Double,80,\"Width 1, from touch point 1 to touch point 2, along the first direction of the rectangle\"\n"), "{csv}");
     // A reader of JSON that is not ours gives the same rows.
-    let json: serde_json::Value = serde_json::from_str(&touchpath::job::export_table(&plan, "json").unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&touchpath::describe::export_table(&plan, "json").unwrap()).unwrap();
     for (row, read) in plan.table.iter().zip(json.as_array().unwrap()) {
         assert_eq!(read["code"], row.code.as_str());
         assert_eq!(read["value"].as_f64().unwrap(), at(&plan, &row.code));
         assert_eq!(read["touch"].as_u64(), row.touch.map(|k| k as u64));
     }
-    assert!(touchpath::job::export_table(&plan, "xml").is_err());
+    assert!(touchpath::describe::export_table(&plan, "xml").is_err());
     let circles = job(
         r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "probing-two-circles", "diameter1": "20H7" } }"#,
     );
-    assert!(touchpath::job::export_table(&planned(&circles), "text").unwrap().contains("\nQ1116 = 20H7\n"));
+    assert!(touchpath::describe::export_table(&planned(&circles), "text").unwrap().contains("\nQ1116 = 20H7\n"));
 }

@@ -4,8 +4,8 @@
 //! (`TRANSER POSITION` too). That values with a tolerance go out as `QS1116="10H7"`, and the parameters of 1493, are recalled
 //! and not verified on a control.
 
-use crate::control::words::{stated_start, wrapped};
-use crate::control::{Form, PostDef, Program, Request};
+use crate::control::iso::writer::{stated_start, wrapped};
+use crate::control::{Form, PostDef, Program, Request, header};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
@@ -19,13 +19,17 @@ pub static DEF: PostDef = PostDef {
     work_offset_word: |_| String::new(),
     no_work_offset: "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty",
     first_length: false,
-    plain_arithmetic: false,
-    says_job: false,
+    computes: false,
+    watches: false,
+    shortest_probe: 0.0,
+    dialect: None,
+    cannot: &[],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
     serves,
     check,
     emit,
+    read: None,
 };
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
@@ -57,7 +61,7 @@ fn emit(request: &Request<'_>) -> Program {
     };
     let mut text = format!("0 BEGIN PGM {name} {unit}\n");
     let mut number = 1;
-    for comment in header(request, &name, axis) {
+    for comment in comments(request, &name, axis) {
         text.push_str(&format!("{number} ; {comment}\n"));
         number += 1;
     }
@@ -79,6 +83,7 @@ fn emit(request: &Request<'_>) -> Program {
         number += 1;
     }
     text.push_str(&format!("{number} END PGM {name} {unit}\n"));
+    header::seal(&mut text);
     // The control makes every move by itself.
     Program { text, move_lines: vec![None; request.path.moves.len()] }
 }
@@ -87,7 +92,7 @@ fn emit(request: &Request<'_>) -> Program {
 const COMMENT_WIDTH: usize = 70;
 
 /// What will happen, as comments. None ends in the sign that continues a block.
-fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
+fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
     let places = if request.scale == 1.0 { 4 } else { 5 };
     let number = |mm: f64| decimal(mm / request.scale, places);
     let mut lines = vec![
@@ -112,6 +117,7 @@ fn header(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
     }
     lines.push("Reset cycles 8, 11 and 26 first; FUNCTION MODE MILL only".to_owned());
     lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
+    lines.extend(header::lines(request, COMMENT_WIDTH));
     lines.iter().flat_map(|line| wrapped(line, COMMENT_WIDTH)).collect()
 }
 

@@ -3,13 +3,19 @@
 //! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
 //! each, and every touch runs on past its nominal contact by the overtravel.
 
-mod expr;
 mod grbl;
+pub mod header;
 mod heidenhain;
+pub mod iso;
 mod linuxcnc;
+mod moves;
+pub mod prove;
+pub mod safety;
 mod sinumerik;
-mod words;
+pub mod trace;
 
+use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::writer::Dialect;
 use crate::form::{Checker, Value};
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
@@ -53,6 +59,30 @@ impl Form {
     }
 }
 
+/// How much of the job the header of a program says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Header {
+    /// Every value.
+    Full,
+    /// None: the version and the hash over the blocks alone.
+    Short,
+}
+
+impl Header {
+    /// `control.header` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Header::Full => "full",
+            Header::Short => "short",
+        }
+    }
+
+    /// The header of a word; the full one where it is none.
+    pub fn named(word: &str) -> Header {
+        if word == Header::Short.word() { Header::Short } else { Header::Full }
+    }
+}
+
 /// What is known of a control.
 #[derive(Debug)]
 pub struct PostDef {
@@ -70,10 +100,17 @@ pub struct PostDef {
     pub no_work_offset: &'static str,
     /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
-    /// Whether its program computes with plain arithmetic: circles by their normal equations, not by geometric least squares.
-    pub plain_arithmetic: bool,
-    /// Whether its programs say their job, and can be read back.
-    pub says_job: bool,
+    /// Whether its program computes the results itself: in plain arithmetic, circles by their normal equations and not by geometric least
+    /// squares.
+    pub computes: bool,
+    /// Whether its program watches positioning moves with the probe, where the job asks for it.
+    pub watches: bool,
+    /// The shortest probing move, mm: shorter positioning moves are plain.
+    pub shortest_probe: f64,
+    /// How its blocks are written, where it takes a program of moves.
+    pub dialect: Option<&'static Dialect>,
+    /// The safety rules that its programs cannot hold, and why.
+    pub cannot: &'static [(&'static str, &'static str)],
     /// The name that its programs bear, from the one in the job.
     pub name: fn(&str) -> String,
     /// The rate at which it makes a move from where the ball is, mm/min; none is as fast as it can.
@@ -84,11 +121,25 @@ pub struct PostDef {
     pub check: fn(&Request<'_>, &mut Checker),
     /// Prints the program.
     pub emit: fn(&Request<'_>) -> Program,
+    /// Reads a program of moves back.
+    pub read: Option<Reader>,
+}
+
+/// Reads a program: every line that is not understood is listed.
+pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;
+
+impl PostDef {
+    /// Decimals of lengths and feeds in a program whose unit is so many mm.
+    pub fn decimals(&self, scale: f64) -> usize {
+        self.dialect.map_or(4, |dialect| if scale == 1.0 { dialect.decimals_mm } else { dialect.decimals_inch })
+    }
 }
 
 /// A program to print.
 #[derive(Debug)]
 pub struct Request<'a> {
+    /// The control.
+    pub post: &'static PostDef,
     /// The job's name, already safe for a comment.
     pub name: &'a str,
     /// The cycle's title.
@@ -113,15 +164,11 @@ pub struct Request<'a> {
     pub work_offset: Option<i32>,
     /// What to print.
     pub path: &'a Path,
-    /// The job with every value, for controls whose programs say it.
+    /// The job with every value, for the header.
     pub job: Option<&'a Value>,
+    /// How much of the job the header says.
+    pub header: Header,
 }
-
-/// What begins a comment that says values of the job.
-pub const JOB_LINE: &str = "job ";
-
-/// What begins the comment that says who wrote the program.
-pub const MADE_BY: &str = "Made by Touchpath ";
 
 /// A printed program.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,60 +195,6 @@ pub fn comment_text(text: &str) -> String {
             _ => '_',
         })
         .collect()
-}
-
-/// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
-fn job_lines(job: &Value, width: usize) -> Vec<String> {
-    let mut words = Vec::new();
-    if let Value::Map(entries) = job {
-        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
-            push_words(key, value, &mut words);
-        }
-    }
-    let mut lines: Vec<String> = Vec::new();
-    for word in words {
-        match lines.last_mut().filter(|line| line.len() + 1 + word.len() <= width) {
-            Some(line) => {
-                line.push(' ');
-                line.push_str(&word);
-            }
-            None => lines.push(format!("{JOB_LINE}{word}")),
-        }
-    }
-    lines
-}
-
-fn push_words(path: &str, value: &Value, words: &mut Vec<String>) {
-    match value {
-        Value::Map(entries) if !entries.is_empty() => {
-            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, words));
-        }
-        Value::List(items) if items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_))) => {
-            items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, words));
-        }
-        value => words.push(format!("{path}={}", value_word(value))),
-    }
-}
-
-/// A value as a word: no spaces, nothing that could end a comment.
-fn value_word(value: &Value) -> String {
-    match value {
-        Value::Map(_) => "{}".to_owned(),
-        Value::List(items) => format!("[{}]", items.iter().map(value_word).collect::<Vec<_>>().join(",")),
-        Value::Null | Value::Other(_) => "null".to_owned(),
-        Value::Flag(on) => on.to_string(),
-        // In full, so that it reads back as the same number; never -0.
-        Value::Number(x) => format!("{:?}", x + 0.0).trim_end_matches(".0").to_owned(),
-        Value::Text(text) => text
-            .chars()
-            .filter(|c| *c != ' ')
-            .map(|c| match c {
-                ',' => ".".to_owned(),
-                '@' | '?' => c.to_string(),
-                c => comment_text(&c.to_string()),
-            })
-            .collect(),
-    }
 }
 
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.

@@ -413,6 +413,11 @@ impl Expr {
         used
     }
 
+    /// Its value, where it is made of named values and constants alone.
+    pub fn value(&self, values: &[Dual]) -> Dual {
+        self.evaluate(values, &[], &[])
+    }
+
     fn evaluate(&self, values: &[Dual], triggers: &[Option<Vec3>], directions: &[Vec3]) -> Dual {
         match self {
             Expr::Number(x) | Expr::Length(x) => Dual::constant(*x),

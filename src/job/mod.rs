@@ -7,28 +7,24 @@
 //! # Ok::<(), touchpath::job::JobError>(())
 //! ```
 
-mod catalog;
-mod export;
-mod import;
+mod defaults;
 mod lentoax;
-pub mod mpf;
 mod plan;
-mod schema;
 mod sections;
 mod units;
 
-pub use catalog::{Catalog, DefaultEntry, catalog, default_job};
-pub use export::export_table;
-#[cfg(not(target_arch = "wasm32"))]
-pub use import::import;
-pub use import::{Imported, LONGEST_TEXT, import_with, is_dump, too_long};
+pub use defaults::{default_job, default_job_in, resolved};
 pub use lentoax::lentoax_query;
-pub use plan::{Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ResultRow, TouchPoint};
-pub use schema::job_schema;
-pub use sections::{Job, SECTIONS};
+pub use plan::{
+    Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, examine,
+};
+pub use sections::{FORMAT, Job, SECTIONS};
 pub use units::convert_units;
 
 use crate::form::{Checker, Finding, Value};
+
+/// The longest text that is read, in bytes. A longer one is refused: half of a program would be another.
+pub const LONGEST_TEXT: usize = 2_000_000;
 
 /// A job that no plan can be made of, with every finding.
 #[derive(Clone, Debug, thiserror::Error)]

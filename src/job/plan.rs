@@ -2,11 +2,13 @@
 
 use serde::Serialize;
 
-use crate::control::{Form, Request};
+use crate::control::prove::{self, Fault, Proof};
+use crate::control::safety::{self, Verdict};
+use crate::control::{Form, Header, Program, Request};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::Unit;
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::job::{Job, JobError, catalog};
+use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
@@ -36,6 +38,38 @@ pub struct Plan {
     pub triggers: Vec<Option<Triple>>,
     /// Warnings and notes.
     pub findings: Vec<Finding>,
+    /// What each safety rule says of the program.
+    pub safety: Vec<SafetyRow>,
+}
+
+/// What a safety rule says of the program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SafetyRow {
+    /// The name of the rule.
+    pub rule: &'static str,
+    /// Null where this control cannot hold it, or its own cycle answers for it.
+    pub holds: Option<bool>,
+    /// What the rule asks, what is wrong, or why the control cannot.
+    pub message: String,
+    /// The 0-based lines that break it.
+    pub lines: Vec<usize>,
+}
+
+/// What was proven of a program of moves: read back, it is the path.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProofRow {
+    /// How many moves.
+    pub moves: usize,
+    /// How many of them are touches.
+    pub touches: usize,
+    /// Whether the program computes the results itself, and the right ones.
+    pub arithmetic: bool,
+}
+
+impl From<Proof> for ProofRow {
+    fn from(proof: Proof) -> Self {
+        ProofRow { moves: proof.moves(), touches: proof.touches(), arithmetic: proof.arithmetic() }
+    }
 }
 
 /// One nominal touch.
@@ -87,6 +121,8 @@ pub struct ProgramText {
     pub text: String,
     /// For each move the 0-based line that makes it.
     pub move_lines: Vec<i32>,
+    /// What was proven of it; null in the form `cycle`.
+    pub proof: Option<ProofRow>,
 }
 
 /// One row of the parameter table.
@@ -155,7 +191,7 @@ pub fn actual_surfaces(job: &Job) -> Vec<Surface> {
 /// The path, with the formula as the control computes it.
 fn planned(job: &Job) -> Path {
     let mut path = job.cycle.plan(&job.setup);
-    if job.post.plain_arithmetic {
+    if job.post.computes {
         path.formula = path.formula.plain();
     }
     path
@@ -241,27 +277,15 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
-    let told = job.post.says_job.then(|| catalog::resolved(value)).flatten();
-    let request = Request {
-        tool: job.tool,
-        name: &job.name,
-        title: job.def.title,
-        source: job.def.source,
-        form: job.form,
-        scale: job.scale,
-        plane: job.setup.plane,
-        setup: &job.setup,
-        feeds: &feeds,
-        work_offset: job.work_offset,
-        path,
-        protected: job.protected,
-        job: told.as_ref(),
-    };
+    let whole = if job.header == Header::Full { resolved(value) } else { None };
+    let request = request(planned, &feeds, whole.as_ref());
     (job.post.check)(&request, &mut checker);
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    let program = (job.post.emit)(&request);
+    let Some((program, proof, verdicts)) = handed_out(&request, (job.post.emit)(&request), &mut checker) else {
+        return Err(JobError { findings: checker.findings() });
+    };
     let (length, time) = length_and_time(job, &request);
     Ok(Plan {
         touches: path
@@ -277,12 +301,96 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             extension: job.post.extension,
             text: program.text,
             move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
+            proof: proof.map(ProofRow::from),
         },
+        safety: verdicts.into_iter().map(safety_row).collect(),
         table: path.parameters.iter().map(|p| parameter_row(job, p)).collect(),
         results,
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
         findings: checker.findings(),
     })
+}
+
+/// What a program is to be written for.
+fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>) -> Request<'a> {
+    let Planned { job, path, .. } = planned;
+    Request {
+        post: job.post,
+        tool: job.tool,
+        name: &job.name,
+        title: job.def.title,
+        source: job.def.source,
+        form: job.form,
+        scale: job.scale,
+        plane: job.setup.plane,
+        setup: &job.setup,
+        feeds,
+        work_offset: job.work_offset,
+        path,
+        protected: job.protected,
+        job: whole,
+        header: job.header,
+    }
+}
+
+/// No program leaves without its proof: one of moves is read back and proven equal to its path, and every rule that must hold holds.
+fn handed_out(
+    request: &Request<'_>,
+    program: Program,
+    checker: &mut Checker,
+) -> Option<(Program, Option<Proof>, Vec<Verdict>)> {
+    let (proof, verdicts) = match (request.form, request.post.read) {
+        (Form::Cycle, None) => (None, safety::not_followed()),
+        _ => match judged(request, &program) {
+            Ok(judged) => judged,
+            Err(faults) => {
+                faults.iter().for_each(|fault| checker.error("not-proven", "control.post", not_proven(fault)));
+                return None;
+            }
+        },
+    };
+    for verdict in verdicts.iter().filter(|verdict| verdict.holds == Some(false)) {
+        if safety::RULES.iter().any(|rule| rule.name == verdict.rule && rule.must) {
+            checker.error(
+                "rule-broken",
+                "control.post",
+                format!("The program breaks the rule {}: {}", verdict.rule, verdict.message),
+            );
+        }
+    }
+    (!checker.failed()).then_some((program, proof, verdicts))
+}
+
+fn judged(request: &Request<'_>, program: &Program) -> Result<(Option<Proof>, Vec<Verdict>), Vec<Fault>> {
+    let followed = prove::follow(request, &program.text, prove::Part::Path)?;
+    let proof = match request.form {
+        Form::Moves => Some(prove::prove(request, &followed, &program.move_lines)?),
+        Form::Cycle => None,
+    };
+    Ok((proof, safety::check(request, &followed)))
+}
+
+fn not_proven(fault: &Fault) -> String {
+    let what = "The program that was made is refused: read back, it is not the path";
+    match fault.line {
+        Some(line) => format!("{what}. Line {}: {}", line + 1, fault.message),
+        None => format!("{what}: {}", fault.message),
+    }
+}
+
+fn safety_row(verdict: Verdict) -> SafetyRow {
+    SafetyRow { rule: verdict.rule, holds: verdict.holds, message: verdict.message, lines: verdict.lines }
+}
+
+/// What the safety rules say of a text that is to be the program of this job; none where the job has errors. Faults are the lines that
+/// are not understood.
+pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
+    let planned = Planned::of(Job::read(&mut Checker::default(), value)?);
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    let request = request(&planned, &feeds, None);
+    request.post.read?;
+    let followed = prove::follow(&request, text, prove::Part::Unknown);
+    Some(followed.map(|followed| safety::check(&request, &followed).into_iter().map(safety_row).collect()))
 }
 
 /// The results from measured points.

@@ -1,6 +1,6 @@
 //! The job's own form: everything around the cycle.
 
-use crate::control::{self, Form, PostDef};
+use crate::control::{self, Form, Header, PostDef};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
@@ -28,6 +28,9 @@ const FORMS: &[Choice] = &[
     Choice { value: Form::Moves.word(), label: "Plain moves" },
     Choice { value: Form::Cycle.word(), label: "The control's own cycle" },
 ];
+
+const HEADERS: &[Choice] =
+    &[Choice { value: Header::Full.word(), label: "The whole job" }, Choice { value: Header::Short.word(), label: "Short" }];
 
 const PROTECTIONS: &[Choice] =
     &[Choice { value: "checked", label: "Watched and checked" }, Choice { value: "none", label: "Not watched" }];
@@ -83,6 +86,8 @@ form! {
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
         /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
         protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
+        /// How much the comments at the top say: with the whole job the program can be opened here again.
+        header: String = Field::choice("header", "Comments at the top", HEADERS).group("Control"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none.
         tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 0, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
     }
@@ -149,6 +154,8 @@ pub struct Job {
     pub tool: Option<i32>,
     /// Whether positioning is to be watched, where the control can.
     pub protected: bool,
+    /// How much of the job the program's header says.
+    pub header: Header,
     /// The work offset to write.
     pub work_offset: Option<i32>,
     /// How the real part lies.
@@ -212,6 +219,7 @@ impl Job {
             post,
             form: Form::named(&control.form),
             tool: control.tool,
+            header: Header::named(&control.header),
             protected: control.protection == "checked",
             work_offset: control.work_offset,
             lie: Lie {

@@ -16,7 +16,9 @@ use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
+use crate::describe;
 use crate::form::{Finding, Level, Value};
+use crate::import;
 use crate::job::{self, JobError, Move, Planned};
 use crate::tool_length;
 use crate::wasm::input::from_js;
@@ -24,7 +26,7 @@ use crate::wasm::input::from_js;
 /// Everything a form needs.
 #[wasm_bindgen]
 pub fn catalog() -> Result<JsValue, JsValue> {
-    to_js(&job::catalog())
+    to_js(&describe::catalog())
 }
 
 /// A complete, valid job of a type.
@@ -84,33 +86,37 @@ pub fn evaluate(job: &JsValue, measured: &JsValue) -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = exportTable)]
 pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> {
     let plan = job::plan(&from_js(job)).map_err(refused)?;
-    job::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
+    describe::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
 }
 
 /// JSON Schema (2020-12) of a job.
 #[wasm_bindgen(js_name = jobSchema)]
 pub fn job_schema() -> JsValue {
-    value_to_js(&job::job_schema())
+    value_to_js(&describe::job_schema())
 }
 
-/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; throws where no job can be made of it.
+/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; of a program
+/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
     let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
     if length > job::LONGEST_TEXT {
         // Not even copied.
-        return Err(refused(job::too_long(length)));
+        return Err(refused(import::too_long(length)));
     }
     let text = text.as_string().unwrap_or_default();
     let parsed = js_sys::JSON::parse(text.trim_start_matches('\u{feff}')).ok();
     let value = parsed.as_ref().map(from_js);
-    let imported = job::import_with(&text, value.as_ref()).map_err(refused)?;
+    let imported = import::import_with(&text, value.as_ref()).map_err(refused)?;
     // A job in JSON is given back as it is, also where it holds more than a job can.
     let same = value.as_ref() == Some(&imported.job);
     let job = parsed.filter(|_| same).unwrap_or_else(|| value_to_js(&imported.job));
     let findings = imported.findings;
     let result = Object::new();
     set(&result, "job", &job);
+    if let Some(trace) = &imported.trace {
+        set(&result, "trace", &to_js(trace)?);
+    }
     set(&result, "findings", &to_js(&findings)?);
     Ok(result.into())
 }

@@ -1,6 +1,7 @@
 //! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod mpf;
 pub mod owed;
 
 use std::path::{Path, PathBuf};
@@ -328,8 +329,8 @@ fn compare_rest(plan: &Plan, search: &impl Fn(usize) -> f64, moves: &[Canon], fr
 
 /// Compares a SINUMERIK program's path with the plan's: purposes, places within the last digit it writes, numbers, and lines. An
 /// arc may be made of straight pieces that end on it.
-pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &touchpath::job::mpf::Program) -> Result<(), String> {
-    use touchpath::job::mpf::Purpose;
+pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &crate::common::mpf::Program) -> Result<(), String> {
+    use crate::common::mpf::Purpose;
     let steps = program.moves().map_err(|t| format!("{t:?}"))?;
     let mut read = steps.iter().peekable();
     for (i, planned) in plan.moves.iter().enumerate() {

@@ -165,11 +165,11 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
         owe!(own, "{text}");
         return Ok(());
     }
-    let program = touchpath::job::mpf::read(text).map_err(|t| format!("{t:?}\n{text}"))?;
+    let program = crate::common::mpf::read(text).map_err(|t| format!("{t:?}\n{text}"))?;
     owe_eq!(program.troubles(), []);
     // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
     let ends = program.moves().map_err(|t| format!("{t:?}"))?;
-    let ends: Vec<_> = ends.iter().filter(|s| s.purpose == touchpath::job::mpf::Purpose::Touch).collect();
+    let ends: Vec<_> = ends.iter().filter(|s| s.purpose == crate::common::mpf::Purpose::Touch).collect();
     let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
     owe_eq!(ends.len(), contacts.len());
     let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();

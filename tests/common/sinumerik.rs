@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use touchpath::job::mpf::{Program, Statement, Term};
+use crate::common::mpf::{Program, Statement, Term};
 
 /// A control with a part in it.
 #[derive(Clone, Debug)]

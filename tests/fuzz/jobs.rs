@@ -2,8 +2,10 @@
 
 use touchpath::control::POSTS;
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::describe::export_table;
 use touchpath::form::{Default, Field, Kind, Level, Value};
-use touchpath::job::{Plan, SECTIONS, check, convert_units, export_table, import, plan};
+use touchpath::import::import;
+use touchpath::job::{Plan, SECTIONS, check, convert_units, plan};
 
 use crate::Tally;
 use crate::common::owed;

@@ -1,7 +1,9 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
+use touchpath::describe::export_table;
 use touchpath::form::Value;
-use touchpath::job::{Plan, evaluate, export_table, import, plan};
+use touchpath::import::import;
+use touchpath::job::{Plan, evaluate, plan};
 
 use crate::draw::Draw;
 

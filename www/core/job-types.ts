@@ -642,6 +642,8 @@ export interface Job {
     workOffset?: number | null;
     /** Whether positioning moves are watched by the probe, where the control can: a contact then stops the program. */
     protection?: "checked" | "none";
+    /** How much the comments at the top say: with the whole job the program can be opened here again. */
+    header?: "full" | "short";
     /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none. `null`: in the spindle, not called. */
     tool?: number | null;
   };

@@ -3,8 +3,9 @@
 //! Positions, fixed values and the meaning of 27 to 29 are those of working generators and their calls. Two things stay open, and the
 //! program says so: the sign of the infeed, on which sources disagree, and that a rectangle takes both coordinates of the centre.
 
+use crate::control::iso::writer::Writer;
+use crate::control::moves::Step;
 use crate::control::sinumerik::{DIALECT, begin, end, position};
-use crate::control::words::Writer;
 use crate::control::{Program, Request};
 use crate::form::Checker;
 use crate::path::{self, Feature, Move, Purpose};
@@ -100,7 +101,8 @@ pub fn emit(request: &Request<'_>) -> Program {
     // The approach: every move before the first that leaves the start.
     let approach = moves.iter().take_while(|m| m.step <= 1).count();
     for (i, step) in moves.iter().enumerate().take(approach) {
-        position(&mut w, request, i, step, moves.get(i.wrapping_sub(1)).map(|m| m.to));
+        let from = moves.get(i.wrapping_sub(1)).map(|m| m.to);
+        position(&mut w, request, Step { index: i, step, from });
     }
     debug_assert!(moves.iter().any(touches), "a cycle touches");
     if let Some(rectangle) = Rectangle::of(request) {
@@ -111,7 +113,7 @@ pub fn emit(request: &Request<'_>) -> Program {
     for _ in approach..last {
         w.leaves_move();
     }
-    position(&mut w, request, last, &moves[last], Some(moves[last - 1].to));
+    position(&mut w, request, Step { index: last, step: &moves[last], from: Some(moves[last - 1].to) });
     end(&mut w, request);
     w.finish()
 }

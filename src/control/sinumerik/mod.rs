@@ -11,19 +11,19 @@
 //! system, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
 
 mod cycle977;
+mod read;
 mod registers;
 
-use crate::control::expr;
+use crate::control::iso::print;
+use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, highest, upwards};
+use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::sinumerik::registers::{RParameters, Registers};
-use crate::control::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
-use crate::control::{
-    Form, MADE_BY, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, job_lines, written,
-};
+use crate::control::{Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, written};
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
-use crate::path::{Move, Purpose, RAPID_RATE, Subject};
+use crate::path::{Move, Purpose, RAPID_RATE, Subject, Touch};
 
 pub static DEF: PostDef = PostDef {
     key: "sinumerik",
@@ -33,13 +33,17 @@ pub static DEF: PostDef = PostDef {
     work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
     no_work_offset: "",
     first_length: true,
-    plain_arithmetic: true,
-    says_job: true,
+    computes: true,
+    watches: true,
+    shortest_probe: 0.0,
+    dialect: Some(&DIALECT),
+    cannot: &[],
     name: crate::control::comment_text,
     rate,
     serves,
     check,
     emit,
+    read: Some(read::read),
 };
 
 static DIALECT: Dialect = Dialect {
@@ -90,7 +94,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
     check_write(request, checker);
-    let registers = Registers::allocate(&request.path.formula.plain());
+    let registers = Registers::allocate(&request.path.formula);
     let last = registers.last + frame_registers(request, &request.path.formula);
     if last > LAST_REGISTER {
         let message = format!(
@@ -125,40 +129,77 @@ fn emit(request: &Request<'_>) -> Program {
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
-    let formula = request.path.formula.plain();
-    let registers = Registers::allocate(&formula);
-    let mut w = Writer::new(request, &DIALECT);
-    let lines = registers.lines(&formula, frame_registers(request, &formula), DIALECT.comment_width - 2);
-    let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
-    begin(&mut w, request, &written(request, formula.datum.as_ref()), &notes);
-    let mut at = request.path.start;
-    for (i, step) in request.path.moves.iter().enumerate() {
-        match step.purpose {
-            Purpose::Position => position(&mut w, request, i, step, at),
-            Purpose::Touch(k) => {
-                touch(&mut w, request, i, step, k);
-                latch(&mut w, request, &formula, &registers, k);
-            }
-            Purpose::Back(_) => {
-                w.makes_move();
-                w.straight("G1", step.to, false, Some(rate_of(request, step)));
-            }
+    let registers = Registers::allocate(&request.path.formula);
+    moves::write(request, &DIALECT, &mut Sinumerik { request, registers })
+}
+
+/// The program of one request.
+struct Sinumerik<'a> {
+    request: &'a Request<'a>,
+    registers: Registers,
+}
+
+impl Moves for Sinumerik<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        let formula = &self.request.path.formula;
+        let lines = self.registers.lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2);
+        let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
+        begin(w, self.request, &written(self.request, formula.datum.as_ref()), &notes);
+    }
+
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
+        w.line("TP_MOVE=1");
+        approach(w, self.request, first);
+    }
+
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        position(w, self.request, step);
+    }
+
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+        w.line(&format!("TP_MOVE={}", step.index + 1));
+        w.makes_move();
+        // MEAS takes the positions of the axes that its block names.
+        let words = w.all_words(step.step.to - touch.vector * touch.search);
+        let block = format!("MEAS=1 G1{words} F{}", w.number(self.request.feeds.work));
+        w.line(&block);
+        w.line("STOPRE");
+        w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
+    }
+
+    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
+        Some(Kept {
+            variable: format!("R{}", self.registers.trigger(sample, axis)),
+            source: format!("$AA_MW[{}]", AXIS_NAMES[axis]),
+            brackets: ('(', ')'),
+            comment: format!(" ; {}", print::trigger_name(sample, axis)),
+        })
+    }
+
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        w.straight("G1", step.step.to, false, Some(rate_of(self.request, step.step)));
+    }
+
+    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
+        let assignment = &formula.assignments[index];
+        let value = print::print(&RParameters { registers: &self.registers }, formula, &assignment.expr, self.request.scale);
+        w.line(&format!("R{}={value} ; {}", self.registers.variables[index], assignment.name));
+    }
+
+    fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
+        for &(copy, variable) in &self.registers.copies {
+            w.line(&format!("R{copy}=R{}", self.registers.variables[variable]));
         }
-        at = Some(step.to);
     }
-    let notation = RParameters { registers: &registers };
-    for (i, assignment) in formula.assignments.iter().enumerate() {
-        let value = expr::print(&notation, &formula, &assignment.expr, request.scale);
-        w.line(&format!("R{}={value} ; {}", registers.variables[i], assignment.name));
+
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+        write_datum(w, self.request, formula, &self.registers, number, datum);
     }
-    for &(copy, variable) in &registers.copies {
-        w.line(&format!("R{copy}=R{}", registers.variables[variable]));
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        end(w, self.request);
     }
-    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
-        write_datum(&mut w, request, &formula, &registers, n, datum);
-    }
-    end(&mut w, request);
-    w.finish()
 }
 
 /// What stands before the first move. Nothing has moved when one of the checks says no.
@@ -184,12 +225,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     for note in notes {
         w.comment(note);
     }
-    if let Some(job) = request.job {
-        w.comment(&format!("{MADE_BY}{} from this job, every value, defaults too:", env!("CARGO_PKG_VERSION")));
-        for line in job_lines(job, DIALECT.comment_width - 2) {
-            w.comment(&line);
-        }
-    }
+    w.says_job();
     w.line("DEF INT TP_MOVE");
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
     w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
@@ -228,25 +264,23 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
 
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
 /// watched.
-fn position(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, at: Option<Vec3>) {
-    w.line(&format!("TP_MOVE={}", index + 1));
-    if comes_from_anywhere(request, index, step) {
-        return approach(w, request, step);
+fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
+    w.line(&format!("TP_MOVE={}", place.index + 1));
+    if comes_from_anywhere(request, place.index, place.step) {
+        return approach(w, request, place.step);
     }
-    let mut from = at;
     w.makes_move();
-    for to in pieces(request, step, at) {
+    each_piece(request, place, |from, to| {
         if request.protected {
             // On the way up an exit that lifts would push on against what was met.
             let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
             let words = w.place(to, false);
-            watched(w, &words, rate_of(request, step), exit);
+            watched(w, &words, rate_of(request, place.step), exit);
         } else {
-            let rate = rate(request, at, step);
+            let rate = rate(request, from, place.step);
             w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
         }
-        from = Some(to);
-    }
+    });
 }
 
 /// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
@@ -282,41 +316,12 @@ fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
     w.line(&format!("IF $AC_MEA[1]<>0 GOTOF {exit}"));
 }
 
-fn touch(w: &mut Writer<'_>, request: &Request<'_>, index: usize, step: &Move, k: usize) {
-    w.line(&format!("TP_MOVE={}", index + 1));
-    w.makes_move();
-    // MEAS takes the positions of the axes that its block names.
-    let touch = &request.path.touches[k];
-    let words = w.all_words(step.to - touch.vector * touch.search);
-    let block = format!("MEAS=1 G1{words} F{}", w.number(request.feeds.work));
-    w.line(&block);
-    w.line("STOPRE");
-    w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
-}
-
-/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, k: usize) {
-    let sample = request.path.samples(k);
-    for axis in (0..3).filter(|&axis| formula.uses(sample.index, axis)) {
-        let register = registers.trigger(sample.index, axis);
-        let name = AXIS_NAMES[axis];
-        w.line(&match (sample.first, sample.last) {
-            (true, _) => format!("R{register}=$AA_MW[{name}] ; {}", expr::trigger_name(sample.index, axis)),
-            (false, false) => format!("R{register}=R{register}+$AA_MW[{name}]"),
-            (false, true) => format!("R{register}=(R{register}+$AA_MW[{name}])/{}", sample.count),
-        });
-    }
-}
-
 /// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
 /// of the frame (about the tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is
 /// T + R(a)·measured − R(b)·nominal.
 fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, n: i32, datum: &Datum) {
-    if datum.measured() == [false; 3] && datum.rotation.is_none() {
-        return;
-    }
     let notation = RParameters { registers };
-    let value = |e: &Expr| expr::print(&notation, formula, e, request.scale);
+    let value = |e: &Expr| print::print(&notation, formula, e, request.scale);
     let constant = |mm: f64| decimal(mm / request.scale, 12);
     let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
     let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");

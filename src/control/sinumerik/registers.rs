@@ -1,6 +1,6 @@
 //! Which R parameter holds what.
 
-use crate::control::expr::Notation;
+use crate::control::iso::print::Notation;
 use crate::formula::{Expr, Formula};
 
 /// Which R parameter holds what: results first, from R1, in their order; then the triggers; then what is needed on the way, each

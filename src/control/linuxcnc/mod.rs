@@ -9,16 +9,20 @@
 //! M70 saves the modes that the program states and M72 gives them back, so that nothing leaks into the next program; the spindle and the
 //! coolant are off before M70, since M72 would start them again (issue 2764).
 
-use crate::control::words::{Dialect, Writer, comes_from_anywhere, highest, pieces, upwards};
+mod read;
+
+use crate::control::iso::print;
+use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
+use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, expr, work_offset_word,
-    written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, work_offset_word, written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
-use crate::path::{Move, Purpose, RAPID_RATE};
+use crate::path::{Move, Purpose, RAPID_RATE, Touch};
 
 pub static DEF: PostDef = PostDef {
     key: "linuxcnc",
@@ -28,8 +32,14 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     no_work_offset: "",
     first_length: false,
-    plain_arithmetic: true,
-    says_job: false,
+    computes: true,
+    watches: true,
+    shortest_probe: SHORTEST_PROBE,
+    dialect: Some(&DIALECT),
+    cannot: &[(
+        safety::MISS_LIFTS,
+        "G38.2 itself stops the program with an error where the ball stands: nothing behind it runs",
+    )],
     name: crate::control::comment_text,
     rate,
     serves: |_, form| match form {
@@ -38,6 +48,7 @@ pub static DEF: PostDef = PostDef {
     },
     check,
     emit,
+    read: Some(read::read),
 };
 
 static DIALECT: Dialect = Dialect {
@@ -104,48 +115,80 @@ fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> 
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    let path = request.path;
-    let formula = path.formula.plain();
-    let mut w = Writer::new(request, &DIALECT);
-    begin(&mut w, request, &formula);
-    let mut at = path.start;
-    let mut labels = Labels { next: FIRST_LABEL };
-    for (i, step) in path.moves.iter().enumerate() {
-        match step.purpose {
-            Purpose::Position if comes_from_anywhere(request, i, step) => approach(&mut w, request, step, &mut labels),
-            Purpose::Position if request.protected => watched(&mut w, request, (i, step), at, &mut labels),
-            Purpose::Position | Purpose::Back(_) => {
-                w.makes_move();
-                plain(&mut w, request, step, at);
-            }
-            Purpose::Touch(k) => {
-                w.makes_move();
-                w.touch("G38.2", step, &path.touches[k], request.protected, request.feeds.work);
-                latch(&mut w, request, &formula, k);
-            }
-        }
-        at = Some(step.to);
+    moves::write(request, &DIALECT, &mut LinuxCnc { request, labels: Labels { next: FIRST_LABEL } })
+}
+
+/// The program of one request.
+struct LinuxCnc<'a> {
+    request: &'a Request<'a>,
+    labels: Labels,
+}
+
+impl Moves for LinuxCnc<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        begin(w, self.request);
     }
-    for assignment in &formula.assignments {
-        let value = expr::print(&expr::Rs274, &formula, &assignment.expr, request.scale);
+
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
+        approach(w, self.request, first, &mut self.labels);
+    }
+
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        if self.request.protected {
+            watched(w, self.request, step, &mut self.labels);
+        } else {
+            plain(w, self.request, step);
+        }
+    }
+
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+        w.makes_move();
+        w.touch("G38.2", step.step, touch, self.request.protected, self.request.feeds.work);
+    }
+
+    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
+        Some(Kept {
+            variable: format!("#<{}>", print::trigger_name(sample, axis)),
+            source: format!("#{}", 5061 + axis),
+            brackets: ('[', ']'),
+            comment: String::new(),
+        })
+    }
+
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        plain(w, self.request, step);
+    }
+
+    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
+        let assignment = &formula.assignments[index];
+        let value = print::print(&print::Rs274, formula, &assignment.expr, self.request.scale);
         w.line(&format!("#<{}>=[{value}]", assignment.name));
     }
-    for result in &formula.results {
-        if let Some(variable) = result.variable {
-            let name = &formula.assignments[variable].name;
-            w.line(&format!("(PRINT,{}=#<{name}>)", result.code));
+
+    fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        for result in &formula.results {
+            if let Some(variable) = result.variable {
+                let name = &formula.assignments[variable].name;
+                w.line(&format!("(PRINT,{}=#<{name}>)", result.code));
+            }
         }
     }
-    if let (Some(n), Some(datum)) = (request.work_offset, &formula.datum) {
-        write_datum(&mut w, request, &formula, n, datum);
+
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+        write_datum(w, self.request, formula, number, datum);
     }
-    w.line("M72");
-    w.line("M2");
-    w.finish()
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        w.line("M72");
+        w.line("M2");
+    }
 }
 
 /// What stands before the first move.
-fn begin(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
+fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
+    let formula = &request.path.formula;
     let offset = match request.work_offset {
         Some(n) => {
             format!("Work offset: {} P{n} is selected first; {}", work_offset_word(n), written(request, formula.datum.as_ref()))
@@ -169,6 +212,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
     if request.scale != 1.0 && !formula.results.is_empty() {
         w.comment("PRINT shows a value below .0001 inch as 0; the named parameters hold it in full");
     }
+    w.says_job();
     if request.protected && !request.path.moves.is_empty() {
         exit(w, request);
     }
@@ -268,46 +312,30 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
 }
 
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked.
-fn watched(w: &mut Writer<'_>, request: &Request<'_>, (index, step): (usize, &Move), at: Option<Vec3>, labels: &mut Labels) {
-    let rate = rate(request, at, step);
-    w.makes_move();
-    let mut from = at;
-    for to in pieces(request, step, at) {
+fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &mut Labels) {
+    let rate = rate(request, place.from, place.step);
+    each_piece(request, place, |from, to| {
         if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
             w.straight("G1", to, true, rate);
-        } else {
-            w.straight("G38.3", to, true, rate);
-            let label = labels.take();
-            // On the way up a lift would push on against what was met.
-            let free = u8::from(upwards(request, from, to) <= 0);
-            w.line(&format!("o{label} if [#5070 NE 0]"));
-            w.line(&format!("o<tp_exit> call [{}] [{free}]", index + 1));
-            w.line(&format!("o{label} endif"));
+            return;
         }
-        from = Some(to);
-    }
+        w.straight("G38.3", to, true, rate);
+        let label = labels.take();
+        // On the way up a lift would push on against what was met.
+        let free = u8::from(upwards(request, from, to) <= 0);
+        w.line(&format!("o{label} if [#5070 NE 0]"));
+        w.line(&format!("o<tp_exit> call [{}] [{free}]", place.index + 1));
+        w.line(&format!("o{label} endif"));
+    });
 }
 
 /// A move that is not watched.
-fn plain(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, at: Option<Vec3>) {
-    let rate = rate(request, at, step);
-    if let (Some(arc), Some(from)) = (&step.arc, at) {
+fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Step<'_>) {
+    let rate = rate(request, from, step);
+    if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);
     }
     w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, request.protected, rate);
-}
-
-/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, k: usize) {
-    let sample = request.path.samples(k);
-    for axis in (0..3).filter(|&axis| formula.uses(sample.index, axis)) {
-        let (name, source) = (expr::trigger_name(sample.index, axis), 5061 + axis);
-        w.line(&match (sample.first, sample.last) {
-            (true, _) => format!("#<{name}>=#{source}"),
-            (false, false) => format!("#<{name}>=[#<{name}>+#{source}]"),
-            (false, true) => format!("#<{name}>=[[#<{name}>+#{source}]/{}]", sample.count),
-        });
-    }
 }
 
 /// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal
@@ -316,7 +344,7 @@ fn latch(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, k: usize)
 /// is counted.
 fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: i32, datum: &Datum) {
     let axes = request.plane.axes();
-    let name = |e: &Expr| expr::print(&expr::Rs274, formula, e, request.scale);
+    let name = |e: &Expr| print::print(&print::Rs274, formula, e, request.scale);
     let current = axes.map(|axis| CURRENT[axis]);
     let turned = datum.rotation.as_ref().map(name);
     if let Some(turn) = &turned {

@@ -3,26 +3,25 @@
 mod codes;
 mod dump;
 mod klartext;
-mod sinumerik;
+mod program;
 
 pub use dump::recognises as is_dump;
+pub use program::{TraceMove, TraceRow};
 
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
-use crate::job::JobError;
-use crate::job::sections::SECTIONS;
+use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
 
 /// A job made of a text, and what had to be said about it.
 #[derive(Debug)]
 pub struct Imported {
-    /// The job.
+    /// The job; `null` where a program of moves says none.
     pub job: Value,
+    /// The moves of a program that says no job.
+    pub trace: Option<TraceRow>,
     /// Notes: what was passed over, what could not be known.
     pub findings: Vec<Finding>,
 }
-
-/// The longest text that is read, in bytes. A longer one is refused: half of a program would be another.
-pub const LONGEST_TEXT: usize = 2_000_000;
 
 /// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a SINUMERIK program of
 /// ours, or a Klartext or ISO program with cycle 1411.
@@ -30,7 +29,7 @@ pub const LONGEST_TEXT: usize = 2_000_000;
 pub fn import(text: &str) -> Result<Imported, JobError> {
     check_length(text)?;
     let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
-    import_with(plain, super::from_json(plain).ok().as_ref())
+    import_with(plain, crate::job::from_json(plain).ok().as_ref())
 }
 
 fn check_length(text: &str) -> Result<(), JobError> {
@@ -53,20 +52,20 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         let dump = codes.iter().any(|e| e.code == -1);
         // What says it is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
         if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || !dump) {
-            return Ok(Imported { job: json.clone(), findings: super::check(json) });
+            return Ok(Imported { job: json.clone(), trace: None, findings: crate::job::check(json) });
         }
         if dump {
             return dump::import(&codes);
         }
     }
-    if sinumerik::says_job(text) {
-        sinumerik::import(text)
-    } else if dump::recognises(text) {
-        dump::import(&codes::entries(text))
-    } else {
-        // What only looks like a SINUMERIK program may be a Klartext one whose comments mention it.
-        klartext::import(text).or_else(|error| if sinumerik::recognises(text) { sinumerik::import(text) } else { Err(error) })
+    if program::says_job(text) {
+        return if klartext::recognises(text) { klartext::import_with_header(text) } else { program::import(text) };
     }
+    if dump::recognises(text) {
+        return dump::import(&codes::entries(text));
+    }
+    // What only looks like a program of moves may be a Klartext one whose comments mention them.
+    klartext::import(text).or_else(|error| if program::recognises(text) { program::trace(text) } else { Err(error) })
 }
 
 /// Whether a job with this cycle has a place for a value at `path`, such as `cycle.touches[2].point`.

@@ -5,7 +5,7 @@
 
 use crate::cycle::{CYCLES, CycleDef};
 use crate::form::{Field, Kind, Value};
-use crate::job::sections::{FORMAT, SECTIONS};
+use crate::job::{FORMAT, SECTIONS};
 use crate::path::MAX_TOUCHES;
 
 /// JSON Schema (2020-12) of a job.

@@ -1,9 +1,9 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
 use crate::form::{Checker, Value};
+use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::catalog::default_job_in;
-use crate::job::import::{Imported, set};
+use crate::job::default_job_in;
 
 /// Which parameter is which key of the cycle, and its default on the control.
 const PARAMETERS: &[(u32, &str, f64)] = &[
@@ -31,6 +31,41 @@ const PARAMETERS: &[(u32, &str, f64)] = &[
 const PREDEFINED: &[(u32, &str)] = &[(320, "setUpClearancePredef"), (260, "clearanceHeightPredef")];
 const EXTRUSION: &[(u32, &str, f64)] =
     &[(1140, "direction", 3.0), (1145, "points", 1.0), (1146, "length", 0.0), (1149, "modal", 0.0)];
+
+/// Whether a text is a Klartext program.
+pub fn recognises(text: &str) -> bool {
+    text.contains("BEGIN PGM") || text.contains("TCH PROBE")
+}
+
+/// Makes a job of a program whose header says it. Where its blocks were changed, what they say counts; the rest is the header's.
+pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
+    let Ok(said) = program::import(text) else { return import(text) };
+    if !said.findings.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
+        return Ok(said);
+    }
+    let blocks = import(text)?;
+    let (mut job, read) = (said.job, blocks.job);
+    let mut keys: Vec<String> = PARAMETERS
+        .iter()
+        .map(|(_, key, _)| format!("cycle.{}", key.split('[').next().unwrap_or(key)))
+        .chain(PREDEFINED.iter().map(|(_, key)| format!("cycle.{key}")))
+        .chain(["cycle.extrusion", "control.tool", "units", "name", "plane"].map(str::to_owned))
+        .collect();
+    keys.dedup();
+    for key in keys {
+        let value = key.split('.').try_fold(&read, |value, key| value.get(key)).cloned();
+        if let Some(value) = value {
+            set(&mut job, &key, value);
+        }
+    }
+    let mut checker = Checker::default();
+    let message =
+        "The blocks are not those that the job of the header makes: what the blocks say is taken, the rest is the header's";
+    checker.warning("program-differs", "", message);
+    let findings =
+        checker.findings().into_iter().chain(blocks.findings.into_iter().filter(|f| f.code != "not-in-program")).collect();
+    Ok(Imported { job, trace: None, findings })
+}
 
 /// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
 /// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
@@ -146,7 +181,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
                    the defaults are taken, and for the stylus at least the clearance height";
     checker.info("not-in-program", "stylus", unknown);
-    Ok(Imported { job, findings: checker.findings() })
+    Ok(Imported { job, trace: None, findings: checker.findings() })
 }
 
 /// A program does not say where the stylus stands before the cycle: the default, but not below what the program goes to.

@@ -1,14 +1,14 @@
 //! Reads a dump of CmdPrm codes, as it was exported here or as somebody copied it out of a log.
 //!
-//! The codes are found by [`codes`](crate::job::import::codes); here they become a job.
+//! The codes are found by [`codes`](crate::import::codes); here they become a job.
 
 use crate::cycle::{CYCLES, CycleDef, Pick, code_of, only_angular};
 use crate::form::{Checker, Field, Kind, Section, Value};
 use crate::geom::{Plane, Vec3};
+use crate::import::codes::{Entry, entries};
+use crate::import::{Imported, set};
 use crate::job::JobError;
-use crate::job::catalog::default_job;
-use crate::job::import::codes::{Entry, entries};
-use crate::job::import::{Imported, set};
+use crate::job::default_job;
 use crate::path::{Accessor, MAX_TOUCHES};
 
 /// How near the touches of the dimensions must be to those of the dump to be the same, mm.
@@ -16,7 +16,7 @@ const SAME: f64 = 1e-6;
 
 /// Whether a text names a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
-    text.len() <= super::LONGEST_TEXT && entries(text).iter().any(|e| e.code == -1)
+    text.len() <= crate::job::LONGEST_TEXT && entries(text).iter().any(|e| e.code == -1)
 }
 
 /// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the
@@ -116,7 +116,7 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
         let silent = "A dump does not say the stylus: the default ball is taken";
         checker.info("not-in-dump", "stylus", silent);
     }
-    Imported { job, findings: checker.findings() }
+    Imported { job, trace: None, findings: checker.findings() }
 }
 
 fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) -> Option<Value> {

@@ -1,11 +1,12 @@
-//! Reads SINUMERIK programs back: the subset of the language that the post writes, and its structure.
+//! Reads SINUMERIK programs back, and shares nothing with the crate's own reader: a second opinion on the subset of the language that is
+//! written, and its structure.
 //!
 //! [`read`] gives blocks, or every line that is not of the subset. [`Program::troubles`] looks at what a control does not: that
 //! every protected move is checked, every jump has its label, and nothing moves unwatched. [`Program::moves`] gives the path.
 
 use std::collections::HashMap;
 
-use crate::geom::AXIS_NAMES;
+use touchpath::geom::AXIS_NAMES;
 
 /// Deepest nesting of brackets.
 const DEEPEST: usize = 40;

@@ -1,6 +1,6 @@
 //! The word-address writer that posts share: blocks of G words, axis words and feeds.
 
-use crate::control::{Program, Request, comment_text};
+use crate::control::{Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
 use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
@@ -119,6 +119,14 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// The job, the version and the hash over what follows, as comments.
+    pub fn says_job(&mut self) {
+        let (open, close) = self.dialect.comment;
+        for line in header::lines(self.request, self.dialect.comment_width - open.len() - close.len()) {
+            self.comment(&line);
+        }
+    }
+
     /// Units and modes: stated, never inherited.
     pub fn modes(&mut self) {
         let request = self.request;
@@ -202,7 +210,8 @@ impl<'a> Writer<'a> {
     }
 
     /// The finished program.
-    pub fn finish(self) -> Program {
+    pub fn finish(mut self) -> Program {
+        header::seal(&mut self.text);
         Program { text: self.text, move_lines: self.move_lines }
     }
 
@@ -291,7 +300,7 @@ pub fn highest(request: &Request<'_>) -> Vec3 {
 
 /// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
 /// ball has free before its touches.
-const CHORD_SAG: f64 = 0.02;
+pub const CHORD_SAG: f64 = 0.02;
 
 /// The ends of the straight moves that make a positioning move.
 pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {

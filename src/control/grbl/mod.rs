@@ -4,11 +4,16 @@
 //! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest. It does not watch the probe during
 //! positioning moves.
 
-use crate::control::words::{Dialect, Writer, comes_from_anywhere, upwards};
+mod read;
+
+use crate::control::iso::writer::{Dialect, Writer, upwards};
+use crate::control::moves::{self, Kept, Moves, Step};
+use crate::control::safety;
 use crate::control::{Form, PostDef, Program, Request, check_plain_moves};
 use crate::form::Checker;
+use crate::formula::{Datum, Formula};
 use crate::geom::Vec3;
-use crate::path::{Move, Purpose};
+use crate::path::{Move, Touch};
 
 pub static DEF: PostDef = PostDef {
     key: "grbl",
@@ -18,13 +23,24 @@ pub static DEF: PostDef = PostDef {
     work_offset_word: |_| String::new(),
     no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
     first_length: false,
-    plain_arithmetic: false,
-    says_job: false,
+    computes: false,
+    watches: false,
+    shortest_probe: 0.0,
+    dialect: Some(&DIALECT),
+    cannot: &[
+        (safety::WATCHED, "grbl has no conditions: a program cannot ask whether a positioning move met something"),
+        (safety::CONTACT_LIFTS, "grbl does not watch positioning moves: nothing follows a contact there"),
+        (safety::MISS_LIFTS, "G38.2 raises alarm 5 and stops where the ball stands: nothing behind it runs"),
+        (safety::LOW_START, "grbl cannot ask where the stylus stands: it must be above the first place, as the header says"),
+        (safety::ONE_WRITE, "grbl has no variables: the sender writes the work offset"),
+        (safety::WRITE_LAST, "grbl has no variables: the sender writes the work offset"),
+    ],
     name: crate::control::comment_text,
     rate,
     serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
     check,
     emit,
+    read: Some(read::read),
 };
 
 static DIALECT: Dialect = Dialect {
@@ -65,36 +81,62 @@ fn rate(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    let path = request.path;
-    let mut w = Writer::new(request, &DIALECT);
-    w.header("Measures only: each touch is reported as PRB in machine coordinates");
-    if let (Some(first), None) = (path.moves.first(), path.start) {
-        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
-        w.comment(&format!(
-            "The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second down \
-             to {place}. That way must be free"
-        ));
-    }
-    w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
-    w.modes();
-    w.line("M5 M9");
-    let mut at = path.start;
-    for (i, step) in path.moves.iter().enumerate() {
-        match step.purpose {
-            Purpose::Position if comes_from_anywhere(request, i, step) => approach(&mut w, request, step),
-            Purpose::Position | Purpose::Back(_) => {
-                w.makes_move();
-                plain(&mut w, request, step, at);
-            }
-            Purpose::Touch(k) => {
-                w.makes_move();
-                w.touch("G38.2", step, &path.touches[k], false, request.feeds.work);
-            }
+    moves::write(request, &DIALECT, &mut Grbl { request })
+}
+
+/// The program of one request.
+struct Grbl<'a> {
+    request: &'a Request<'a>,
+}
+
+impl Moves for Grbl<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        let path = self.request.path;
+        w.header("Measures only: each touch is reported as PRB in machine coordinates");
+        if let (Some(first), None) = (path.moves.first(), path.start) {
+            let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+            w.comment(&format!(
+                "The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
+                 down to {place}. That way must be free"
+            ));
         }
-        at = Some(step.to);
+        w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
+        w.says_job();
+        w.modes();
+        w.line("M5 M9");
     }
-    w.line("M2");
-    w.finish()
+
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
+        approach(w, self.request, first);
+    }
+
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        plain(w, self.request, step);
+    }
+
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+        w.makes_move();
+        w.touch("G38.2", step.step, touch, false, self.request.feeds.work);
+    }
+
+    fn keeps(&self, _sample: usize, _axis: usize) -> Option<Kept> {
+        None
+    }
+
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        self.position(w, step);
+    }
+
+    fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
+
+    fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
+
+    fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        w.line("M2");
+    }
 }
 
 /// To the first place: in the plane at the height where the stylus stands, then down. grbl cannot ask where that is.
@@ -113,9 +155,9 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     w.line(&format!("{word}{down}{rate}"));
 }
 
-fn plain(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, at: Option<Vec3>) {
-    let rate = rate(request, at, step);
-    if let (Some(arc), Some(from)) = (&step.arc, at) {
+fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Step<'_>) {
+    let rate = rate(request, from, step);
+    if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);
     }
     w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, false, rate);

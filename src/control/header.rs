@@ -1,0 +1,189 @@
+//! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
+
+use crate::control::{Header, Request, comment_text};
+use crate::form::Value;
+
+/// What begins a comment that says values of the job.
+pub const JOB_LINE: &str = "job ";
+
+/// What begins the comment that says who wrote the program.
+pub const MADE_BY: &str = "Made by Touchpath ";
+
+/// What begins the comment that says the hash over the lines below it.
+pub const HASH: &str = "Blocks below: ";
+
+/// Stands for the hash until the blocks are written: as long as it.
+pub const NO_HASH: &str = "0000000000000000";
+
+/// The comments: in a full header all of the job but its name and the virtual part, in a short one the version alone; then the hash.
+/// `width` is the most characters of one.
+pub fn lines(request: &Request<'_>, width: usize) -> Vec<String> {
+    let version = env!("CARGO_PKG_VERSION");
+    let mut lines = match (request.header, request.job) {
+        (Header::Full, Some(job)) => {
+            let mut lines = vec![format!("{MADE_BY}{version} from this job, every value, defaults too:")];
+            lines.extend(job_lines(job, width));
+            lines
+        }
+        _ => vec![format!("{MADE_BY}{version}")],
+    };
+    lines.push(format!("{HASH}{NO_HASH}"));
+    lines
+}
+
+/// Puts the hash in, where the header has its place.
+pub fn seal(text: &mut String) {
+    let mark = format!("{HASH}{NO_HASH}");
+    let Some(at) = text.find(&mark) else { return };
+    let below = text[at..].find('\n').map_or("", |end| &text[at + end + 1..]);
+    let hash = hash(below);
+    let digits = at + HASH.len();
+    text.replace_range(digits..digits + NO_HASH.len(), &hash);
+}
+
+/// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.
+pub fn hash(text: &str) -> String {
+    let mut state = xxhash_rust::xxh64::Xxh64::new(0);
+    for line in text.lines().map(str::trim_end).filter(|line| !line.is_empty()) {
+        state.update(line.as_bytes());
+        state.update(b"\n");
+    }
+    format!("{:016x}", state.digest())
+}
+
+/// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
+fn job_lines(job: &Value, width: usize) -> Vec<String> {
+    let most = width - JOB_LINE.len();
+    let mut words = Vec::new();
+    if let Value::Map(entries) = job {
+        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
+            push_words(key, value, most, &mut words);
+        }
+    }
+    let mut lines: Vec<String> = Vec::new();
+    for word in words {
+        match lines.last_mut().filter(|line| line.len() + 1 + word.len() <= width) {
+            Some(line) => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            None => lines.push(format!("{JOB_LINE}{word}")),
+        }
+    }
+    lines
+}
+
+fn push_words(path: &str, value: &Value, most: usize, words: &mut Vec<String>) {
+    match value {
+        Value::Map(entries) if !entries.is_empty() => {
+            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, most, words));
+        }
+        Value::List(items) => {
+            let word = format!("{path}={}", value_word(value));
+            let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
+            // A list that is too long for a line is said value by value.
+            if items.is_empty() || (!nested && word.len() <= most) {
+                words.push(word);
+            } else {
+                items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, most, words));
+            }
+        }
+        value => words.push(format!("{path}={}", value_word(value))),
+    }
+}
+
+/// A value as a word: no spaces, nothing that could end a comment.
+fn value_word(value: &Value) -> String {
+    match value {
+        Value::Map(_) => "{}".to_owned(),
+        Value::List(items) => format!("[{}]", items.iter().map(value_word).collect::<Vec<_>>().join(",")),
+        Value::Null | Value::Other(_) => "null".to_owned(),
+        Value::Flag(on) => on.to_string(),
+        // In full, so that it reads back as the same number; never -0.
+        Value::Number(x) => format!("{:?}", x + 0.0).trim_end_matches(".0").to_owned(),
+        Value::Text(text) => text
+            .chars()
+            .filter(|c| *c != ' ')
+            .map(|c| match c {
+                ',' => ".".to_owned(),
+                '@' | '?' => c.to_string(),
+                c => comment_text(&c.to_string()),
+            })
+            .collect(),
+    }
+}
+
+/// What the header of a program says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Said<'t> {
+    /// The version that wrote it.
+    pub version: Option<&'t str>,
+    /// The name of the job.
+    pub name: Option<&'t str>,
+    /// Paths and values of the job.
+    pub values: Vec<(&'t str, &'t str)>,
+    /// Whether the lines below are those that it was written for; none where it says no hash.
+    pub unchanged: Option<bool>,
+}
+
+/// The most words of a header that are read.
+const MOST_WORDS: usize = 20_000;
+
+/// Reads the comments of a program, whatever control it is for.
+pub fn read(text: &str) -> Said<'_> {
+    let mut said = Said::default();
+    let mut rest = text;
+    while let Some((line, below)) = rest.split_once('\n').or_else(|| (!rest.is_empty()).then_some((rest, ""))) {
+        rest = below;
+        let Some(comment) = comment(line) else { continue };
+        if let Some(words) = comment.strip_prefix(JOB_LINE) {
+            if said.values.len() > MOST_WORDS {
+                continue;
+            }
+            // Version 0.1.0 wrote a line for each value: `job path = value`.
+            match words.split_once(" = ") {
+                Some((path, value)) => said.values.push((path.trim(), value.trim())),
+                None => said.values.extend(words.split(' ').filter_map(|word| word.split_once('='))),
+            }
+        } else if let Some(made) = comment.strip_prefix(MADE_BY) {
+            said.version = said.version.or(made.split(' ').next());
+        } else if let Some(name) = comment.strip_prefix("Job: ") {
+            said.name = said.name.or(Some(name));
+        } else if let Some(stated) = comment.strip_prefix(HASH).filter(|_| said.unchanged.is_none()) {
+            said.unchanged = Some(stated.trim() == hash(below));
+        }
+    }
+    said
+}
+
+/// The comment that a line is, without its sign: `(…)`, `; …`, or `12 ; …` as Klartext numbers it.
+fn comment(line: &str) -> Option<&str> {
+    let line = line.trim();
+    let line = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    if let Some(inner) = line.strip_prefix('(') {
+        return inner.strip_suffix(')');
+    }
+    Some(line.strip_prefix(';')?.trim_start())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_does_not_see_line_ends_and_sees_every_digit() {
+        // XXH64 of the bytes "G1 X1\n" and seed 0, by the reference implementation's definition: equal texts, equal hash.
+        assert_eq!(hash("G1 X1\n"), hash("G1 X1  \r\n\r\n"));
+        assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
+        assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
+        assert_eq!(hash(""), "ef46db3751d8e999");
+    }
+
+    #[test]
+    fn comments_of_every_control() {
+        assert_eq!(comment("(job a=1)\r"), Some("job a=1"));
+        assert_eq!(comment("; job a=1"), Some("job a=1"));
+        assert_eq!(comment("12 ; job a=1"), Some("job a=1"));
+        assert_eq!(comment("G1 X1"), None);
+    }
+}

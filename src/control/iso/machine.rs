@@ -1,0 +1,484 @@
+//! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
+
+use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Part, Script, System, Trouble, Unary, What, Words};
+use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write, Written};
+use crate::geom::Plane;
+
+/// The most blocks that are followed after a probing move that went the other way: an exit is short.
+const LONGEST_EXIT: usize = 200;
+
+/// The most motions of an exit.
+const MOST_LIFTS: usize = 3;
+
+/// The length that the tool has along the tool axis, in units of the program: any number that is not 0.
+const TOOL_LENGTH: f64 = 97.25;
+
+/// The work offset as it is before the program writes it: any origin that is not 0, turned where the control can.
+const ORIGIN: Place = [311.5, -207.25, 43.75];
+const TURN: f64 = 25.0;
+
+/// What a probing move meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Met {
+    /// Something: where the axes stop, and what the control reads as the trigger.
+    Something(Place, Place),
+    /// Nothing.
+    Nothing,
+    /// Not known: what the program does not take for a fault.
+    Unknown,
+}
+
+/// What a probing move meets in the world of a run.
+pub type World<'w> = dyn FnMut(&Step) -> Met + 'w;
+
+/// How a run begins, and how far it goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Run {
+    /// Where the ball is.
+    pub start: Place,
+    /// Whether the probe is deflected from the start.
+    pub deflected: bool,
+    /// The run ends when the ball has come as near as this to a place.
+    pub until: Option<(Place, f64)>,
+}
+
+#[derive(Clone, Debug, Default)]
+struct State {
+    pc: usize,
+    slots: Vec<f64>,
+    stack: Vec<Called>,
+    at: Place,
+    /// Which axes a block has named.
+    stated: [bool; 3],
+    trigger: Place,
+    contact: bool,
+    deflected: bool,
+    feed: Option<f64>,
+    modes: Modes,
+    origins: Vec<(Part, f64)>,
+    reading: Option<[Option<f64>; 3]>,
+    warned: bool,
+}
+
+/// A subroutine that is not done.
+#[derive(Clone, Debug)]
+struct Called {
+    /// Where to go back to.
+    back: usize,
+    /// The line of the outermost call.
+    line: usize,
+    /// The arguments of the caller.
+    arguments: Vec<(usize, f64)>,
+}
+
+struct Machine<'s, 't> {
+    script: &'s Script<'t>,
+    state: State,
+    /// Whether the program is in millimetres, as the basic system of the control is taken to be: 1 or 0.
+    metric: f64,
+}
+
+/// What a block leads to.
+enum Flow {
+    Next,
+    Moved(Words, Motion),
+    Output(String, f64),
+    Wrote(i32, [bool; 3], bool),
+    Native,
+    Alarm,
+    End,
+}
+
+/// Follows a program to its end.
+pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace, Trouble> {
+    let mut machine = Machine::new(script, run);
+    let mut trace = Trace::default();
+    let mut scratch = State::default();
+    let mut budget = 10_000 + 20 * script.blocks.len();
+    while let Some(block) = script.blocks.get(machine.state.pc) {
+        budget = budget.checked_sub(1).ok_or_else(|| trouble(block.line, "the program does not come to an end"))?;
+        let line = machine.line(block.line);
+        match machine.step()? {
+            Flow::Next => {}
+            Flow::Output(code, value) => trace.outputs.push((code, value)),
+            Flow::Native => trace.natives.push(line),
+            Flow::Wrote(number, axes, turn) => {
+                let after = trace.steps.len();
+                let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
+                trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
+            }
+            Flow::Alarm => return Err(trouble(line, "the program stops here with an alarm though nothing is wrong")),
+            Flow::End => {
+                trace.ends = true;
+                break;
+            }
+            Flow::Moved(words, motion) => {
+                if trace.steps.is_empty() {
+                    trace.modes = machine.state.modes;
+                }
+                let mut step = machine.motion(line, &words, motion)?;
+                machine.go(&mut step, motion, world, &mut scratch)?;
+                trace.steps.push(step);
+                if run.until.is_some_and(|(place, off)| near(place, machine.state.at, off)) {
+                    return Ok(trace);
+                }
+            }
+        }
+    }
+    if trace.steps.is_empty() {
+        trace.modes = machine.state.modes;
+    }
+    trace.written = machine.written(&trace);
+    Ok(trace)
+}
+
+/// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
+pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
+    let mut machine = Machine::new(script, Run { deflected: true, ..run });
+    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, true)
+}
+
+fn trouble(line: usize, message: &str) -> Trouble {
+    Trouble { line, message: message.to_owned(), understood: true }
+}
+
+/// Whether two places are as near as this along every axis.
+pub fn near(a: Place, b: Place, off: f64) -> bool {
+    (0..3).all(|axis| (a[axis] - b[axis]).abs() <= off)
+}
+
+impl<'s, 't> Machine<'s, 't> {
+    fn new(script: &'s Script<'t>, run: Run) -> Self {
+        let state = State {
+            slots: vec![f64::NAN; script.slots.len()],
+            at: script.start.unwrap_or(run.start),
+            stated: [script.start.is_some(); 3],
+            trigger: [f64::NAN; 3],
+            deflected: run.deflected,
+            ..State::default()
+        };
+        let units = script.blocks.iter().find_map(|block| match &block.what {
+            What::Words(words) => words.modes.metric,
+            _ => None,
+        });
+        Machine { script, state, metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))) }
+    }
+
+    /// The line of a block: inside a subroutine that of the outermost call.
+    fn line(&self, own: usize) -> usize {
+        self.state.stack.first().map_or(own, |called| called.line)
+    }
+
+    fn tool_axis(&self) -> usize {
+        self.state.modes.plane.unwrap_or(Plane::G17).axes()[2]
+    }
+
+    /// Carries out a block, but for its motion.
+    fn step(&mut self) -> Result<Flow, Trouble> {
+        let block = &self.script.blocks[self.state.pc];
+        self.state.pc += 1;
+        match &block.what {
+            What::Nothing => {}
+            What::Words(words) => {
+                self.state.modes = self.state.modes.then(words.modes);
+                if let Some(motion) = words.motion {
+                    return Ok(Flow::Moved(words.clone(), motion));
+                }
+            }
+            What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            What::SetOffset(part, node) => {
+                let value = self.value(*node);
+                self.set_part(*part, value);
+                return Ok(match part {
+                    Part::Origin(number, axis) => Flow::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false),
+                    Part::Turn(number, _) => Flow::Wrote(*number, [false; 3], true),
+                });
+            }
+            What::Jump(target) => self.state.pc = *target,
+            What::JumpIf(node, target) if self.value(*node) != 0.0 => self.state.pc = *target,
+            What::JumpUnless(node, target) if self.value(*node) == 0.0 => self.state.pc = *target,
+            What::JumpIf(..) | What::JumpUnless(..) => {}
+            What::Call(target, arguments) => {
+                let values: Vec<(usize, f64)> = arguments
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(i, node)| Some((self.script.find(ARGUMENTS.get(i)?)? as usize, self.value(*node))))
+                    .collect();
+                let before = values.iter().map(|(slot, _)| (*slot, self.state.slots[*slot])).collect();
+                if self.state.stack.len() >= ARGUMENTS.len() {
+                    return Err(trouble(block.line, "subroutines call each other too deeply"));
+                }
+                let called = Called { back: self.state.pc, line: self.line(block.line), arguments: before };
+                self.state.stack.push(called);
+                values.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+                self.state.pc = *target;
+            }
+            What::Return => {
+                let Some(called) = self.state.stack.pop() else {
+                    return Err(trouble(block.line, "a subroutine ends that was not called"));
+                };
+                called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+                self.state.pc = called.back;
+            }
+            What::Output(code, node) => return Ok(Flow::Output(code.clone(), self.value(*node))),
+            What::Reading(number, axes) => {
+                self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
+                return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), false));
+            }
+            What::Origin(number, axes, turn) => {
+                for (axis, node) in axes.iter().enumerate() {
+                    if let Some(value) = node.map(|node| self.value(node)) {
+                        self.set_part(Part::Origin(*number, axis), value);
+                    }
+                }
+                if let Some(value) = turn.map(|node| self.value(node)) {
+                    let axis = self.tool_axis();
+                    self.set_part(Part::Turn(*number, axis), value);
+                }
+                return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), turn.is_some()));
+            }
+            What::Alarm => return Ok(Flow::Alarm),
+            What::Warned => self.state.warned = true,
+            What::Native => return Ok(Flow::Native),
+            What::End if self.state.warned => return Ok(Flow::Alarm),
+            What::End => return Ok(Flow::End),
+        }
+        Ok(Flow::Next)
+    }
+
+    /// A motion from where the ball is.
+    fn motion(&mut self, line: usize, words: &Words, motion: Motion) -> Result<Step, Trouble> {
+        let from = [0, 1, 2].map(|axis| if self.state.stated[axis] { self.state.at[axis] } else { f64::NAN });
+        let mut to = self.state.at;
+        for (axis, node) in words.to.iter().enumerate() {
+            if let Some(node) = node {
+                to[axis] = self.value(*node);
+                self.state.stated[axis] = true;
+            }
+        }
+        if to.iter().any(|x| !x.is_finite()) {
+            return Err(trouble(line, "this motion has a place that is no number"));
+        }
+        if let Some(node) = words.feed {
+            self.state.feed = Some(self.value(node));
+        }
+        let feed = if motion == Motion::Rapid { None } else { self.state.feed };
+        if feed.is_some_and(|feed| feed.is_nan() || feed <= 0.0) {
+            return Err(trouble(line, "a feed must be more than 0"));
+        }
+        let arc = match motion {
+            Motion::Clockwise | Motion::Counter => {
+                let center =
+                    [0, 1, 2].map(|axis| self.state.at[axis] + words.center[axis].map_or(0.0, |node| self.value(node)));
+                Some((center, motion == Motion::Clockwise))
+            }
+            _ => None,
+        };
+        let kind = if motion == Motion::Rapid { Kind::Rapid } else { Kind::Feed };
+        let (contact, miss) = (Ending::GoesOn, Ending::GoesOn);
+        let known = self.state.stated;
+        Ok(Step { line, from, to, known, kind, feed, own_feed: words.feed.is_some(), arc, contact, miss })
+    }
+
+    /// Makes a motion. Of a probing one the way that it does not take is followed, too.
+    fn go(&mut self, step: &mut Step, motion: Motion, world: &mut World<'_>, scratch: &mut State) -> Result<(), Trouble> {
+        let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
+        if !probes {
+            self.state.at = step.to;
+            return Ok(());
+        }
+        let from = self.state.at;
+        let half = [0, 1, 2].map(|axis| (from[axis] + step.to[axis]) / 2.0);
+        let met = match (world(step), motion) {
+            (Met::Something(stops, reads), _) => Some((stops, reads)),
+            (Met::Nothing, _) | (Met::Unknown, Motion::MustBeFree) => None,
+            (Met::Unknown, Motion::MayTouch) => {
+                let free = self.other_way(step.to, Some((half, half)), scratch)?.stops();
+                (!free).then_some((half, half))
+            }
+            (Met::Unknown, _) => Some((half, half)),
+        };
+        let other = if met.is_some() { None } else { Some((half, half)) };
+        let ending = match (motion, other) {
+            (Motion::MustTouch, None) | (Motion::MustBeFree, Some(_)) => Ending::ControlStops,
+            _ => self.other_way(step.to, other, scratch)?,
+        };
+        (step.kind, step.contact, step.miss) = match (met, ending) {
+            (_, Ending::GoesOn) => (Kind::Unchecked, ending, ending),
+            (Some(_), _) => (Kind::Touch, Ending::GoesOn, ending),
+            (None, _) => (Kind::Watched, ending, Ending::GoesOn),
+        };
+        match (motion, met) {
+            (Motion::MustTouch, None) => return Err(trouble(step.line, "this touch meets nothing")),
+            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, "this move meets something")),
+            _ => self.arrive(step.to, met),
+        }
+        Ok(())
+    }
+
+    /// What a probing move leads to that meets this, without making it.
+    fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
+        scratch.clone_from(&self.state);
+        self.arrive(to, met);
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, false);
+        std::mem::swap(&mut self.state, scratch);
+        ending
+    }
+
+    /// The ball stops where it met something, or at the end.
+    fn arrive(&mut self, to: Place, met: Option<(Place, Place)>) {
+        (self.state.at, self.state.trigger) = met.unwrap_or((to, to));
+        self.state.contact = met.is_some();
+    }
+
+    /// Follows the program until it stops, or shows that it goes on.
+    fn ending(&mut self, most_moves: usize, most_blocks: usize, deflected: bool) -> Result<Ending, Trouble> {
+        let up = self.tool_axis();
+        let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
+        let mut fresh = deflected;
+        for _ in 0..most_blocks {
+            let Some(block) = self.script.blocks.get(self.state.pc) else { break };
+            let line = block.line;
+            match self.step()? {
+                Flow::Next | Flow::Output(..) => {}
+                Flow::Wrote(..) => writes = true,
+                Flow::Native | Flow::End => return Ok(Ending::GoesOn),
+                Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
+                Flow::Moved(words, motion) => {
+                    let from = self.state.at;
+                    let step = self.motion(line, &words, motion)?;
+                    match motion {
+                        Motion::MustTouch | Motion::MustBeFree if fresh => return Ok(Ending::ControlStops),
+                        // A deflected probe ends a probing move where it begins.
+                        Motion::MayTouch if fresh => {
+                            self.arrive(from, Some((from, from)));
+                            fresh = false;
+                        }
+                        Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
+                        Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
+                            moves += 1;
+                            let across = (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
+                            let rises = step.to[up] > from[up];
+                            if !fresh {
+                                lifts |= rises && !across;
+                                strays |= across || step.to[up] < from[up];
+                            }
+                            if moves > most_moves {
+                                return Ok(Ending::GoesOn);
+                            }
+                            self.state.at = step.to;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(Ending::GoesOn)
+    }
+
+    fn part(&self, part: Part) -> f64 {
+        if let Part::Turn(_, axis) = part
+            && axis != self.tool_axis()
+        {
+            return 0.0;
+        }
+        let known = self.state.origins.iter().find(|(known, _)| *known == part);
+        known.map_or_else(|| before(part), |(_, value)| *value)
+    }
+
+    fn set_part(&mut self, part: Part, value: f64) {
+        match self.state.origins.iter_mut().find(|(known, _)| *known == part) {
+            Some((_, place)) => *place = value,
+            None => self.state.origins.push((part, value)),
+        }
+    }
+
+    /// What the written work offset comes to, for the place where the ball is.
+    fn written(&self, trace: &Trace) -> Option<Written> {
+        let number = trace.writes.first()?.number;
+        let plane = self.state.modes.plane.unwrap_or(Plane::G17);
+        let [a, o, tool] = plane.axes();
+        let turn = Part::Turn(number, tool);
+        let (was, is) = (before(turn), self.part(turn));
+        let place = self.state.at;
+        // From the machine into the system as it is now.
+        let turned = |degrees: f64, x: f64, y: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            (x * cos - y * sin, x * sin + y * cos)
+        };
+        let shift = |axis: usize| before(Part::Origin(number, axis)) - self.part(Part::Origin(number, axis));
+        let (x, y) = turned(was, place[a], place[o]);
+        let mut reading = place;
+        (reading[a], reading[o]) = turned(-is, x + shift(a), y + shift(o));
+        reading[tool] += shift(tool);
+        if let Some(stated) = self.state.reading {
+            for axis in 0..3 {
+                reading[axis] = stated[axis].unwrap_or(reading[axis]);
+            }
+        }
+        Some(Written { place, reading, turn: is - was })
+    }
+
+    fn value(&self, node: Node) -> f64 {
+        match self.script.nodes[node as usize] {
+            Expr::Number(x) => x,
+            Expr::Slot(slot) => self.state.slots[slot as usize],
+            Expr::System(system) => self.system(system),
+            Expr::Unary(unary, inner) => {
+                let x = self.value(inner);
+                match unary {
+                    Unary::Minus => -x,
+                    Unary::Abs => x.abs(),
+                    Unary::Sin => x.to_radians().sin(),
+                    Unary::Cos => x.to_radians().cos(),
+                    Unary::Sqrt => x.sqrt(),
+                }
+            }
+            Expr::Binary(binary, left, right) => {
+                let (x, y) = (self.value(left), self.value(right));
+                let truth = |is: bool| f64::from(u8::from(is));
+                match binary {
+                    Binary::Add => x + y,
+                    Binary::Subtract => x - y,
+                    Binary::Multiply => x * y,
+                    Binary::Divide => x / y,
+                    Binary::Atan => x.atan2(y).to_degrees(),
+                    Binary::Equal => truth(x == y),
+                    Binary::Unequal => truth(x != y),
+                    Binary::Less => truth(x < y),
+                    Binary::AtMost => truth(x <= y),
+                    Binary::Greater => truth(x > y),
+                    Binary::AtLeast => truth(x >= y),
+                    Binary::And => truth(x != 0.0 && y != 0.0),
+                    Binary::Or => truth(x != 0.0 || y != 0.0),
+                }
+            }
+        }
+    }
+
+    fn system(&self, system: System) -> f64 {
+        let length = |axis: usize| if axis == self.tool_axis() { TOOL_LENGTH } else { 0.0 };
+        let truth = |is: bool| f64::from(u8::from(is));
+        match system {
+            System::Place(axis) => self.state.at[axis],
+            System::Trigger(axis) => self.state.trigger[axis],
+            System::PlaceWithLength(axis) => self.state.at[axis] + length(axis),
+            System::TriggerWithLength(axis) => self.state.trigger[axis] + length(axis),
+            System::Contact => truth(self.state.contact),
+            System::Deflected => truth(self.state.deflected),
+            System::Metric => self.metric,
+            System::Fixed(x) => x,
+            System::Offset(part) => self.part(part),
+        }
+    }
+}
+
+/// The arguments of a subroutine.
+const ARGUMENTS: [&str; 9] = ["#1", "#2", "#3", "#4", "#5", "#6", "#7", "#8", "#9"];
+
+/// A part of a work offset before the program.
+fn before(part: Part) -> f64 {
+    match part {
+        Part::Origin(_, axis) => ORIGIN[axis],
+        Part::Turn(..) => TURN,
+    }
+}

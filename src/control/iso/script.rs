@@ -1,0 +1,307 @@
+//! A program as it is read: blocks with resolved jumps, over one arena of expressions.
+
+use std::collections::HashMap;
+
+use crate::geom::Plane;
+
+/// A line that is not understood, or does not work where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trouble {
+    /// 0-based.
+    pub line: usize,
+    /// What is wrong with it.
+    pub message: String,
+    /// Whether the line itself is understood, and does not work where it stands.
+    pub understood: bool,
+}
+
+/// A value, by its place in [`Script::nodes`].
+pub type Node = u32;
+
+/// A variable, by its place in [`Script::slots`].
+pub type Slot = u32;
+
+/// A value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Expr {
+    /// A number.
+    Number(f64),
+    /// A variable.
+    Slot(Slot),
+    /// What the control knows.
+    System(System),
+    /// A function of one value.
+    Unary(Unary, Node),
+    /// Two values and what stands between them.
+    Binary(Binary, Node, Node),
+}
+
+/// A function of one value. Angles are in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unary {
+    /// −
+    Minus,
+    /// The value without its sign.
+    Abs,
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Square root.
+    Sqrt,
+}
+
+/// What stands between two values. Truth is 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binary {
+    /// +
+    Add,
+    /// −
+    Subtract,
+    /// ×
+    Multiply,
+    /// ÷
+    Divide,
+    /// The angle of the vector (second, first), degrees.
+    Atan,
+    /// Equal.
+    Equal,
+    /// Not equal.
+    Unequal,
+    /// Less.
+    Less,
+    /// Less or equal.
+    AtMost,
+    /// Greater.
+    Greater,
+    /// Greater or equal.
+    AtLeast,
+    /// Both.
+    And,
+    /// One or both.
+    Or,
+}
+
+/// What the control knows, in the units of the program and the work coordinate system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum System {
+    /// Where the ball is, along an axis.
+    Place(usize),
+    /// Where it was at the trigger.
+    Trigger(usize),
+    /// The same two with the length of the tool along the tool axis.
+    PlaceWithLength(usize),
+    /// See there.
+    TriggerWithLength(usize),
+    /// Whether the last probing move met something: 1 or 0.
+    Contact,
+    /// Whether the probe is deflected now: 1 or 0.
+    Deflected,
+    /// Whether the basic system of the control is metric, as the program's units: 1 or 0.
+    Metric,
+    /// A value that is this, for a program that is rightly started.
+    Fixed(f64),
+    /// A part of a work offset, which a program may write.
+    Offset(Part),
+}
+
+/// A part of a work offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The number of the offset, 1 = G54, and the axis of its origin.
+    Origin(i32, usize),
+    /// Its rotation about an axis, degrees: only that about the tool axis can be any.
+    Turn(i32, usize),
+}
+
+/// A block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// 0-based line.
+    pub line: usize,
+    /// What it says.
+    pub what: What,
+}
+
+/// What a block says. Targets are places in [`Script::blocks`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum What {
+    /// Nothing that matters here: a label, a declaration, a wait.
+    Nothing,
+    /// Modes, and a motion where it has axis words.
+    Words(Words),
+    /// A variable gets a value.
+    Set(Slot, Node),
+    /// A part of a work offset gets a value.
+    SetOffset(Part, Node),
+    /// Goes on elsewhere.
+    Jump(usize),
+    /// Goes on elsewhere where a value is true.
+    JumpIf(Node, usize),
+    /// Goes on elsewhere where a value is not true.
+    JumpUnless(Node, usize),
+    /// Calls a subroutine with arguments.
+    Call(usize, Vec<Node>),
+    /// Back from a subroutine.
+    Return,
+    /// A result goes out: its code and its value.
+    Output(String, Node),
+    /// The current place of the ball reads so in a work offset from here on (G10 L20).
+    Reading(i32, [Option<Node>; 3]),
+    /// The origin or the turn of a work offset is set (G10 L2).
+    Origin(i32, [Option<Node>; 3], Option<Node>),
+    /// Stops with an alarm; nothing after it runs.
+    Alarm,
+    /// An alarm that shows, and lets the next blocks run until the end.
+    Warned,
+    /// A cycle of the control's own.
+    Native,
+    /// The end.
+    End,
+}
+
+/// A block of words.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Words {
+    /// The motion it names.
+    pub motion: Option<Motion>,
+    /// X, Y, Z.
+    pub to: [Option<Node>; 3],
+    /// I, J, K: from where the arc begins to its centre.
+    pub center: [Option<Node>; 3],
+    /// F.
+    pub feed: Option<Node>,
+    /// The modes it sets.
+    pub modes: Modes,
+}
+
+/// How a block moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// As fast as the control can.
+    Rapid,
+    /// Straight at the feed.
+    Straight,
+    /// Clockwise.
+    Clockwise,
+    /// Counter-clockwise.
+    Counter,
+    /// Straight until something is met; to meet nothing is an alarm of the control.
+    MustTouch,
+    /// Straight until something is met, or to the end.
+    MayTouch,
+    /// Straight; to meet something is an alarm of the control.
+    MustBeFree,
+}
+
+/// Modes that a block states.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Modes {
+    /// Millimetres (true) or inches.
+    pub metric: Option<bool>,
+    /// The plane.
+    pub plane: Option<Plane>,
+    /// Absolute (true) or incremental places.
+    pub absolute: Option<bool>,
+    /// Feeds per minute.
+    pub per_minute: Option<bool>,
+    /// Centres of arcs from where the arc begins.
+    pub arcs_incremental: Option<bool>,
+    /// Whether the spindle turns.
+    pub spindle: Option<bool>,
+    /// The work offset that is selected, 1 = G54.
+    pub offset: Option<i32>,
+}
+
+impl Modes {
+    /// None stated.
+    pub const NONE: Modes = Modes {
+        metric: None,
+        plane: None,
+        absolute: None,
+        per_minute: None,
+        arcs_incremental: None,
+        spindle: None,
+        offset: None,
+    };
+
+    /// These modes after those of a later block.
+    pub fn then(self, later: Modes) -> Modes {
+        Modes {
+            metric: later.metric.or(self.metric),
+            plane: later.plane.or(self.plane),
+            absolute: later.absolute.or(self.absolute),
+            per_minute: later.per_minute.or(self.per_minute),
+            arcs_incremental: later.arcs_incremental.or(self.arcs_incremental),
+            spindle: later.spindle.or(self.spindle),
+            offset: later.offset.or(self.offset),
+        }
+    }
+}
+
+/// A program that was read.
+#[derive(Clone, Debug, Default)]
+pub struct Script<'t> {
+    /// Its blocks, in order.
+    pub blocks: Vec<Block>,
+    /// Its values.
+    pub nodes: Vec<Expr>,
+    /// The names of its variables.
+    pub slots: Vec<&'t str>,
+    /// The same by name.
+    names: HashMap<&'t str, Slot>,
+    /// Where it takes the ball to be before the start, where it says so, in its units.
+    pub start: Option<[f64; 3]>,
+    /// The variables that hold results: code and name, from the header.
+    pub results: Vec<(&'t str, Slot)>,
+}
+
+impl<'t> Script<'t> {
+    /// The variable of this name, a new one where there is none yet.
+    pub fn slot(&mut self, name: &'t str) -> Slot {
+        *self.names.entry(name).or_insert_with(|| {
+            self.slots.push(name);
+            self.slots.len() as Slot - 1
+        })
+    }
+
+    /// The variable of this name, where there is one.
+    pub fn find(&self, name: &str) -> Option<Slot> {
+        self.names.get(name).copied()
+    }
+
+    /// Keeps a value.
+    pub fn node(&mut self, expr: Expr) -> Node {
+        self.nodes.push(expr);
+        self.nodes.len() as Node - 1
+    }
+
+    /// The number that a value is, where it is one.
+    pub fn number(&self, node: Node) -> Option<f64> {
+        match self.nodes[node as usize] {
+            Expr::Number(x) => Some(x),
+            _ => None,
+        }
+    }
+
+    /// Puts blocks in before the one at `at`; whatever jumps there comes to them first.
+    pub fn insert(&mut self, at: usize, line: usize, blocks: Vec<What>) {
+        let more = blocks.len();
+        for block in &mut self.blocks {
+            match &mut block.what {
+                What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _)
+                    if *target > at =>
+                {
+                    *target += more;
+                }
+                _ => {}
+            }
+        }
+        self.blocks.splice(at..at, blocks.into_iter().map(|what| Block { line, what }));
+    }
+
+    /// Adds a block.
+    pub fn push(&mut self, line: usize, what: What) {
+        self.blocks.push(Block { line, what });
+    }
+}

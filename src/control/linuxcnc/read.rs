@@ -1,0 +1,158 @@
+//! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
+
+use crate::control::iso::codes;
+use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
+use crate::control::iso::script::{Part, Script, System, Trouble, What};
+
+static GRAMMAR: Grammar =
+    Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code: codes::rs274 };
+
+/// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
+fn system(name: &str) -> Option<System> {
+    match name {
+        "#<_x>" => return Some(System::Place(0)),
+        "#<_y>" => return Some(System::Place(1)),
+        "#<_z>" => return Some(System::Place(2)),
+        _ => {}
+    }
+    let number: i32 = name[1..].parse().ok()?;
+    match number {
+        5061..=5063 => Some(System::Trigger(number as usize - 5061)),
+        5070 => Some(System::Contact),
+        5220..=5389 => {
+            let (offset, place) = ((number - 5201) / 20, (number - 5201) % 20);
+            match place {
+                0..=2 => Some(System::Offset(Part::Origin(offset, place as usize))),
+                9 => Some(System::Offset(Part::Turn(offset, 2))),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// O words that are open.
+enum Open<'t> {
+    Sub,
+    /// The jump of the `if`, and that of its `else`.
+    If(&'t str, usize, Option<usize>),
+}
+
+/// Reads a program.
+pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    let mut script = Script::default();
+    let mut targets = Targets::default();
+    let mut open: Vec<Open<'_>> = Vec::new();
+    parse::lines(text, b'(', &mut script, |script, line, code, comment| {
+        if let Some(comment) = comment {
+            active(script, line, comment)?;
+        }
+        if code.is_empty() || code == "%" {
+            return Ok(());
+        }
+        let mut cursor = Cursor::new(code);
+        if code.starts_with(['o', 'O']) {
+            return o_word(script, line, &mut cursor, &mut open, &mut targets);
+        }
+        if let Some(name) = cursor.variable(Names::Hash) {
+            cursor.expect("=")?;
+            if system(name).is_some() {
+                return Err("the control's own parameters are not written".to_owned());
+            }
+            let value = cursor.value(&GRAMMAR, script)?;
+            cursor.end()?;
+            let slot = script.slot(name);
+            script.push(line, What::Set(slot, value));
+            return Ok(());
+        }
+        let what = parse::words(&mut cursor, &GRAMMAR, script)?;
+        script.push(line, what);
+        Ok(())
+    })?;
+    if !open.is_empty() {
+        let line = text.lines().count().saturating_sub(1);
+        let message = "a subroutine or an if is not closed".to_owned();
+        return Err(vec![Trouble { line, message, understood: true }]);
+    }
+    targets.resolve(&mut script, false)?;
+    Ok(script)
+}
+
+/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`.
+fn active<'t>(script: &mut Script<'t>, line: usize, comment: &'t str) -> Parsed<()> {
+    if let Some(rest) = comment.strip_prefix("PRINT,") {
+        let (code, value) = rest.split_once('=').ok_or("a PRINT without its value")?;
+        let mut cursor = Cursor::new(value);
+        let value = cursor.operand(&GRAMMAR, script)?;
+        cursor.end()?;
+        script.push(line, What::Output(code.to_owned(), value));
+    } else if comment.starts_with("ABORT,") {
+        script.push(line, What::Alarm);
+    }
+    Ok(())
+}
+
+/// `o<name> sub`, `endsub`, `call`; `o1 if`, `else`, `endif`.
+fn o_word<'t>(
+    script: &mut Script<'t>,
+    line: usize,
+    cursor: &mut Cursor<'t>,
+    open: &mut Vec<Open<'t>>,
+    targets: &mut Targets<'t>,
+) -> Parsed<()> {
+    cursor.expect("o")?;
+    let label = cursor.label().ok_or("an O word without a name")?;
+    let here = script.blocks.len();
+    match cursor.name().unwrap_or("").to_ascii_lowercase().as_str() {
+        "sub" => {
+            // The main program passes by.
+            script.push(line, What::Jump(0));
+            targets.known.push((label, here + 1));
+            open.push(Open::Sub);
+        }
+        "endsub" => {
+            script.push(line, What::Return);
+            let Some(Open::Sub) = open.pop() else { return Err("an endsub without its sub".to_owned()) };
+            let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
+            script.blocks[begin].what = What::Jump(here + 1);
+        }
+        "call" => {
+            let mut arguments = Vec::new();
+            while !cursor.is_done() {
+                arguments.push(cursor.bracketed(&GRAMMAR, script)?);
+            }
+            script.push(line, What::Call(0, arguments));
+            targets.wanted.push((here, label));
+        }
+        "if" => {
+            let condition = cursor.bracketed(&GRAMMAR, script)?;
+            script.push(line, What::JumpUnless(condition, 0));
+            open.push(Open::If(label, here, None));
+        }
+        "else" => {
+            script.push(line, What::Jump(0));
+            match open.last_mut() {
+                Some(Open::If(own, begin, middle @ None)) if *own == label => {
+                    jump_to(script, *begin, here + 1);
+                    *middle = Some(here);
+                }
+                _ => return Err("an else without its if".to_owned()),
+            }
+        }
+        "endif" => {
+            script.push(line, What::Nothing);
+            match open.pop() {
+                Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
+                _ => return Err("an endif without its if".to_owned()),
+            }
+        }
+        _ => return Err("this O word is not understood".to_owned()),
+    }
+    cursor.end()
+}
+
+fn jump_to(script: &mut Script<'_>, from: usize, to: usize) {
+    if let What::Jump(target) | What::JumpUnless(_, target) = &mut script.blocks[from].what {
+        *target = to;
+    }
+}

@@ -1,0 +1,123 @@
+//! A program of moves, walked once: whatever differs between controls is a hook of [`Moves`].
+
+use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, pieces};
+use crate::control::{Program, Request};
+use crate::formula::{Datum, Formula};
+use crate::geom::Vec3;
+use crate::path::{Move, Purpose, Touch};
+
+/// A move of the path, and its place in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Step<'a> {
+    /// From 0.
+    pub index: usize,
+    /// The move.
+    pub step: &'a Move,
+    /// Where the ball is before it, once that is known.
+    pub from: Option<Vec3>,
+}
+
+/// What a control writes of its own. The hooks are called in the order of the program.
+pub trait Moves {
+    /// Everything before the first move: the header, checks of the control's state, modes.
+    fn begin(&mut self, w: &mut Writer<'_>);
+
+    /// To the first place, from wherever the stylus stands.
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
+
+    /// A positioning move from a known place.
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>);
+
+    /// The touch with index `k`, and what a miss leads to.
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, k: usize, touch: &Touch);
+
+    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: written and read. None where it keeps none.
+    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept>;
+
+    /// The way back from a touch.
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
+
+    /// One assignment of the formula.
+    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize);
+
+    /// Whatever shows the results.
+    fn results(&mut self, w: &mut Writer<'_>, formula: &Formula);
+
+    /// The one write of a work offset.
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum);
+
+    /// The end, and the exits behind it.
+    fn end(&mut self, w: &mut Writer<'_>);
+}
+
+/// Where a control keeps a coordinate of a trigger.
+#[derive(Clone, Debug)]
+pub struct Kept {
+    /// The variable it is kept in.
+    pub variable: String,
+    /// What the control has it in after a touch.
+    pub source: String,
+    /// The brackets that group.
+    pub brackets: (char, char),
+    /// A comment behind the block.
+    pub comment: String,
+}
+
+/// Writes the program of a path: header, moves, arithmetic, one write, end.
+pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn Moves) -> Program {
+    let path = request.path;
+    let formula = &path.formula;
+    let mut w = Writer::new(request, dialect);
+    hooks.begin(&mut w);
+    let mut from = path.start;
+    for (index, step) in path.moves.iter().enumerate() {
+        let place = Step { index, step, from };
+        match step.purpose {
+            Purpose::Position if comes_from_anywhere(request, index, step) => hooks.approach(&mut w, step),
+            Purpose::Position => hooks.position(&mut w, place),
+            Purpose::Touch(k) => {
+                hooks.touch(&mut w, place, k, &path.touches[k]);
+                latch(&mut w, request, hooks, k);
+            }
+            Purpose::Back(_) => hooks.back(&mut w, place),
+        }
+        from = Some(step.to);
+    }
+    for index in 0..formula.assignments.len() {
+        hooks.assign(&mut w, formula, index);
+    }
+    hooks.results(&mut w, formula);
+    if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
+        && (datum.measured() != [false; 3] || datum.rotation.is_some())
+    {
+        hooks.write(&mut w, formula, number, datum);
+    }
+    hooks.end(&mut w);
+    w.finish()
+}
+
+/// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
+fn latch(w: &mut Writer<'_>, request: &Request<'_>, hooks: &dyn Moves, k: usize) {
+    let sample = request.path.samples(k);
+    for axis in (0..3).filter(|&axis| request.path.formula.uses(sample.index, axis)) {
+        let Some(Kept { variable, source, brackets: (open, close), comment }) = hooks.keeps(sample.index, axis) else {
+            continue;
+        };
+        w.line(&match (sample.first, sample.last) {
+            (true, _) => format!("{variable}={source}{comment}"),
+            (false, false) if open == '[' => format!("{variable}=[{variable}+{source}]"),
+            (false, false) => format!("{variable}={variable}+{source}"),
+            (false, true) if open == '[' => format!("{variable}=[[{variable}+{source}]/{}]", sample.count),
+            (false, true) => format!("{variable}={open}{variable}+{source}{close}/{}", sample.count),
+        });
+    }
+}
+
+/// The straight pieces of a positioning move, each with where it begins.
+pub fn each_piece(request: &Request<'_>, place: Step<'_>, mut piece: impl FnMut(Option<Vec3>, Vec3)) {
+    let mut from = place.from;
+    for to in pieces(request, place.step, place.from) {
+        piece(from, to);
+        from = Some(to);
+    }
+}

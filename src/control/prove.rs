@@ -1,0 +1,403 @@
+//! The proof that a program of moves is its path: it is read back, followed move by move, and its arithmetic is held against the formula.
+
+use crate::control::iso::machine::{self, Met, Run};
+use crate::control::iso::script::Script;
+use crate::control::trace::{Kind, Place, Step, Trace};
+use crate::control::{Form, Request};
+use crate::formula::{Dual, Expr};
+use crate::geom::Vec3;
+use crate::path::{Arc, Move, Purpose, Touch};
+
+/// What was proven of a program. There is no way to make one but [`prove`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Proof {
+    moves: usize,
+    touches: usize,
+    arithmetic: bool,
+}
+
+impl Proof {
+    /// How many moves of the path the program makes, each where, as and in the line it should.
+    pub fn moves(self) -> usize {
+        self.moves
+    }
+
+    /// How many of them are touches.
+    pub fn touches(self) -> usize {
+        self.touches
+    }
+
+    /// Whether the program computes the results itself, and the right ones.
+    pub fn arithmetic(self) -> bool {
+        self.arithmetic
+    }
+}
+
+/// Where a program is not its path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// The 0-based line, where it is one line's.
+    pub line: Option<usize>,
+    /// What is wrong.
+    pub message: String,
+    /// Whether its line is understood.
+    pub understood: bool,
+}
+
+impl Fault {
+    fn at(line: usize, message: impl Into<String>) -> Self {
+        Fault { line: Some(line), message: message.into(), understood: true }
+    }
+
+    fn of(message: impl Into<String>) -> Self {
+        Fault { line: None, message: message.into(), understood: true }
+    }
+}
+
+/// How far above and beside its first place a stylus is taken to stand, mm: along abscissa, ordinate and tool axis.
+const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
+
+/// A program that was read and followed.
+#[derive(Clone, Debug)]
+pub struct Followed<'t> {
+    /// The program.
+    pub script: Script<'t>,
+    /// From above the first place to the end.
+    pub trace: Trace,
+    /// From below the first place up to it; none where the job says where the stylus is, or nothing moves.
+    pub below: Option<Trace>,
+    /// The triggers that the touches were given, by their order.
+    triggers: Vec<Vec3>,
+}
+
+/// What a program is followed on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The part of the path: its touches trigger anywhere along their search, and no other move meets anything.
+    Path,
+    /// An unknown one: a probing move meets something where the program takes that for no fault.
+    Unknown,
+}
+
+/// Reads a program for the control of a request, and follows it.
+pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Followed<'t>, Vec<Fault>> {
+    let read = request.post.read.ok_or_else(|| vec![Fault::of("programs of this control are not read back")])?;
+    let faults = |troubles: Vec<crate::control::iso::script::Trouble>| -> Vec<Fault> {
+        troubles.into_iter().map(|t| Fault { line: Some(t.line), message: t.message, understood: t.understood }).collect()
+    };
+    let script = read(text).map_err(faults)?;
+    let triggers: Vec<Vec3> = (0..request.path.touches.len()).map(|k| trigger(request, k)).collect();
+    let expected = Expected::of(request);
+    let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
+    let [a, o, w] = request.plane.basis();
+    let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
+    let run = Run { start: away(AWAY[2]), deflected: false, until: None };
+    let mut next = 0;
+    let trace = machine::run(&script, run, &mut |step: &Step| {
+        if part == Part::Unknown {
+            return Met::Unknown;
+        }
+        let Some((k, (begin, end))) = expected.touches.get(next) else { return Met::Nothing };
+        if !(expected.near(step.to, *end) && expected.near(step.from, *begin)) {
+            return Met::Nothing;
+        }
+        next += 1;
+        let stops = triggers[*k] - aside(*k);
+        Met::Something(expected.place(stops), expected.place(triggers[*k]))
+    })
+    .map_err(|t| faults(vec![t]))?;
+    let below = match (request.path.start, request.path.moves.first()) {
+        (None, Some(step)) => {
+            let run = Run { start: away(-AWAY[2]), until: Some((expected.place(step.to), expected.digit)), ..run };
+            Some(
+                machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown })
+                    .map_err(|t| faults(vec![t]))?,
+            )
+        }
+        _ => None,
+    };
+    Ok(Followed { script, trace, below, triggers })
+}
+
+/// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
+pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usize>]) -> Result<Proof, Vec<Fault>> {
+    debug_assert!(request.form == Form::Moves, "a control's own cycle is not proven");
+    let mut faults = Vec::new();
+    let expected = Expected::of(request);
+    if let Err(fault) = expected.path(request, &followed.trace, lines) {
+        faults.push(fault);
+    }
+    let arithmetic = request.post.computes;
+    if let Err(fault) = results(request, followed, &expected) {
+        faults.push(fault);
+    }
+    if !followed.trace.ends {
+        faults.push(Fault::of("the program has no end"));
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    Ok(Proof { moves: request.path.moves.len(), touches: request.path.touches.len(), arithmetic })
+}
+
+/// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each.
+fn trigger(request: &Request<'_>, k: usize) -> Vec3 {
+    let touch = &request.path.touches[k];
+    let along = touch.search * (0.55 * spread(k) - 0.05);
+    touch.contact(request.setup.radius) - touch.vector * along + aside(k)
+}
+
+/// By how much the trigger of touch `k` reads aside of where the axes stop: no coordinate is a round number, so that no term of a formula
+/// is nothing by chance.
+fn aside(k: usize) -> Vec3 {
+    Vec3::new(spread(3 * k + 7), spread(3 * k + 8), spread(3 * k + 9)) * 1e-3
+}
+
+/// The golden ratio spreads evenly over 0 to 1: the parts of its multiples never repeat.
+fn spread(n: usize) -> f64 {
+    ((n as f64 + 1.0) * 0.618_033_988_749_895).fract()
+}
+
+/// What the path asks of a program, in its units.
+struct Expected {
+    scale: f64,
+    /// Half of the last digit that a place is written with, and of a feed.
+    digit: f64,
+    /// The touches in the order of the path: which one, and begin and end of its probing move.
+    touches: Vec<(usize, (Place, Place))>,
+}
+
+impl Expected {
+    fn of(request: &Request<'_>) -> Self {
+        let path = request.path;
+        let decimals = request.post.decimals(request.scale) as i32;
+        let mut expected =
+            Expected { scale: request.scale, digit: 0.5 * 10f64.powi(-decimals) * (1.0 + 1e-6), touches: Vec::new() };
+        let mut at = path.start.unwrap_or(Vec3::NAN);
+        for step in &path.moves {
+            if let Purpose::Touch(k) = step.purpose {
+                let end = expected.place(search_end(step, &path.touches[k]));
+                expected.touches.push((k, (expected.place(at), end)));
+            }
+            at = step.to;
+        }
+        expected
+    }
+
+    fn place(&self, place: Vec3) -> Place {
+        (place / self.scale).to_array()
+    }
+
+    /// Equal but for the last digit.
+    fn near(&self, a: Place, b: Place) -> bool {
+        // A number of a million has no more digits than that behind the point.
+        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= self.digit + 1e-12 * b[axis].abs())
+    }
+
+    /// Every move of the path is in the program, in order, and no other.
+    fn path(&self, request: &Request<'_>, trace: &Trace, lines: &[Option<usize>]) -> Result<(), Fault> {
+        let mut steps = trace.steps.iter().peekable();
+        let mut from = request.path.start;
+        for (i, step) in request.path.moves.iter().enumerate() {
+            let wanted = self.place(match step.purpose {
+                Purpose::Touch(k) => search_end(step, &request.path.touches[k]),
+                Purpose::Position | Purpose::Back(_) => step.to,
+            });
+            let anywhere = from.is_none();
+            let mut first = None;
+            let last = loop {
+                let made = steps.next().ok_or_else(|| Fault::of(format!("move {} is missing", i + 1)))?;
+                first = first.or(Some(made.line));
+                let there = self.near(made.to, wanted);
+                if there || !(anywhere || step.arc.is_some()) {
+                    if !there {
+                        return Err(Fault::at(made.line, format!("move {} ends elsewhere than in the path", i + 1)));
+                    }
+                    self.step(request, (i, step), from, made)?;
+                    break made.line;
+                }
+                if let (Some(arc), Some(_)) = (step.arc, from) {
+                    self.on_arc(i, &arc, made)?;
+                    self.step(request, (i, step), from, made)?;
+                } else {
+                    self.step(request, (i, step), from, made)?;
+                }
+            };
+            let line = if anywhere { Some(last) } else { first };
+            if lines.get(i).copied().flatten() != line {
+                return Err(Fault::at(last, format!("move {} is said to be in another line", i + 1)));
+            }
+            from = Some(step.to);
+        }
+        match steps.next() {
+            Some(more) => Err(Fault::at(more.line, "this move is not in the path")),
+            None => Ok(()),
+        }
+    }
+
+    /// Kind and feed of one motion that makes a move, or a piece of it.
+    fn step(&self, request: &Request<'_>, (i, step): (usize, &Move), from: Option<Vec3>, made: &Step) -> Result<(), Fault> {
+        let number = i + 1;
+        let rate = match step.purpose {
+            Purpose::Touch(_) => Some(request.feeds.work),
+            Purpose::Position | Purpose::Back(_) => (request.post.rate)(request, from, step),
+        };
+        let way = (0..3).map(|axis| (made.to[axis] - made.from[axis]).powi(2)).sum::<f64>().sqrt() * self.scale;
+        let plain = if made.feed.is_some() { Kind::Feed } else { Kind::Rapid };
+        let wanted = match step.purpose {
+            Purpose::Touch(_) => Kind::Touch,
+            Purpose::Back(_) => plain,
+            Purpose::Position if !(request.protected && request.post.watches) => plain,
+            // Too short for a probe move.
+            Purpose::Position if made.kind == plain && way < request.post.shortest_probe => plain,
+            Purpose::Position => Kind::Watched,
+        };
+        if made.kind != wanted {
+            return Err(Fault::at(made.line, format!("move {number} is {}, not {}", words(made.kind), words(wanted))));
+        }
+        // The way to the first place goes down at a feed where a rapid there would not be watched.
+        let careful = from.is_none() && wanted != Kind::Watched && rate.is_none() && made.feed.is_some();
+        let rate = if careful { Some(request.feeds.work) } else { rate };
+        if !self.same_feed(made.feed, rate) {
+            return Err(Fault::at(made.line, format!("move {number} has another feed than in the path")));
+        }
+        match (step.arc, made.arc) {
+            (Some(arc), Some((center, clockwise))) => {
+                if clockwise != (arc.sweep < 0.0) || !self.near_arc(center, self.place(arc.center)) {
+                    return Err(Fault::at(made.line, format!("move {number} is another arc than in the path")));
+                }
+            }
+            (None, Some(_)) => return Err(Fault::at(made.line, format!("move {number} is an arc, and straight in the path"))),
+            (_, None) => {}
+        }
+        Ok(())
+    }
+
+    fn same_feed(&self, made: Option<f64>, wanted: Option<f64>) -> bool {
+        match (made, wanted) {
+            (Some(made), Some(wanted)) => (made - wanted / self.scale).abs() <= self.digit + 1e-12 * made,
+            (None, None) => true,
+            (Some(_), None) | (None, Some(_)) => false,
+        }
+    }
+
+    /// A centre is counted from where the arc begins, which is rounded itself.
+    fn near_arc(&self, a: Place, b: Place) -> bool {
+        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= 2.0 * self.digit + 1e-12 * b[axis].abs())
+    }
+
+    /// A straight piece of an arc ends on it, and leaves it by no more than chords may.
+    fn on_arc(&self, i: usize, arc: &Arc, made: &Step) -> Result<(), Fault> {
+        let center = self.place(arc.center);
+        let out = |place: Place| (0..3).map(|axis| (place[axis] - center[axis]).powi(2)).sum::<f64>().sqrt();
+        let middle = [0, 1, 2].map(|axis| (made.from[axis] + made.to[axis]) / 2.0);
+        let radius = out(made.to);
+        let begin = out(made.from);
+        let sag = crate::control::iso::writer::CHORD_SAG / self.scale;
+        if (radius - begin).abs() > 4.0 * self.digit || radius - out(middle) > sag + 4.0 * self.digit {
+            return Err(Fault::at(made.line, format!("move {} leaves its arc", i + 1)));
+        }
+        Ok(())
+    }
+}
+
+fn search_end(step: &Move, touch: &Touch) -> Vec3 {
+    step.to - touch.vector * touch.search
+}
+
+fn words(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Rapid => "a rapid that is not watched",
+        Kind::Feed => "a move that is not watched",
+        Kind::Watched => "watched",
+        Kind::Touch => "a touch",
+        Kind::Unchecked => "a probing move that nothing asks for",
+    }
+}
+
+/// The program's own arithmetic, and what it writes, on the triggers of the proof.
+fn results(request: &Request<'_>, followed: &Followed<'_>, expected: &Expected) -> Result<(), Fault> {
+    let (path, trace) = (request.path, &followed.trace);
+    if !request.post.computes {
+        let silent = trace.outputs.is_empty() && trace.writes.is_empty();
+        return if silent { Ok(()) } else { Err(Fault::of("this control computes nothing, and the program does")) };
+    }
+    let (samples, directions) = sampled(request, &followed.triggers);
+    let values = path.formula.evaluate(&samples, &directions);
+    let wanted = path.formula.results.iter().filter_map(|result| Some((result, values[result.variable?])));
+    let mut given = trace.outputs.iter();
+    for (result, value) in wanted {
+        let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
+        match given.next() {
+            Some((code, x)) if code == result.code && equal(*x, value, unit) => {}
+            Some((code, _)) if code == result.code => {
+                return Err(Fault::of(format!("the program computes another {code} than the formula")));
+            }
+            _ => return Err(Fault::of(format!("the program does not give {}", result.code))),
+        }
+    }
+    if let Some((code, _)) = given.next() {
+        return Err(Fault::of(format!("the program gives {code}, which is no result")));
+    }
+    write(request, trace, &values, expected)
+}
+
+/// The points of the formula: the means of the touches that measure each, and their probing directions.
+fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<Vec3>) {
+    let mut points: Vec<(Vec3, f64, Vec3)> = Vec::new();
+    for (touch, trigger) in request.path.touches.iter().zip(triggers) {
+        if touch.sample >= points.len() {
+            points.resize(touch.sample + 1, (Vec3::ZERO, 0.0, touch.vector));
+        }
+        let point = &mut points[touch.sample];
+        (point.0, point.1, point.2) = (point.0 + *trigger, point.1 + 1.0, touch.vector);
+    }
+    points.into_iter().map(|(sum, count, vector)| (Some(sum / count), vector)).unzip()
+}
+
+/// Equal but for rounding. What multiplies the errors of the triggers multiplies those of rounding.
+fn equal(given: f64, value: Dual, unit: f64) -> bool {
+    let reach = value.by_touch.iter().map(|d| d.abs()).sum::<f64>();
+    let off = (given - value.value / unit).abs();
+    off <= 1e-7 + 1e-9 * (given.abs() + reach) || (given.is_nan() && value.value.is_nan())
+}
+
+/// After the write the measured point reads its nominal place, and the system is turned by what was measured.
+fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expected) -> Result<(), Fault> {
+    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    let Some(datum) = datum.filter(|d| d.measured() != [false; 3] || d.rotation.is_some()) else {
+        return if trace.writes.is_empty() {
+            Ok(())
+        } else {
+            Err(Fault::at(trace.writes[0].line, "this writes a work offset, and nothing is to be written"))
+        };
+    };
+    let Some(written) = trace.written else { return Err(Fault::of("the work offset is not written")) };
+    if let Some(other) = trace.writes.iter().find(|w| Some(w.number) != request.work_offset) {
+        return Err(Fault::at(other.line, "this writes another work offset"));
+    }
+    let value = |expr: &Expr| expr.value(values);
+    let turn = datum.rotation.as_ref().map_or(Dual::constant(0.0), value);
+    if !equal(written.turn, turn, 1.0) {
+        return Err(Fault::of("the work offset is turned by another angle than was measured"));
+    }
+    // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
+    let axes = request.plane.axes();
+    let (sin, cos) = (-turn.value).to_radians().sin_cos();
+    let part = |i: usize| datum.place[i].as_ref().map(|(m, n)| (value(m), *n));
+    let away = |i: usize| part(i).map_or(0.0, |(m, _)| written.place[axes[i]] * expected.scale - m.value);
+    for (i, axis) in axes.into_iter().enumerate() {
+        let Some((measured, nominal)) = part(i) else { continue };
+        let way = match i {
+            0 => away(0) * cos - away(1) * sin,
+            1 => away(0) * sin + away(1) * cos,
+            _ => away(2),
+        };
+        let wanted = Dual { value: nominal + way, ..measured };
+        if !equal(written.reading[axis], wanted, expected.scale) {
+            let axis = crate::geom::AXIS_NAMES[axis];
+            return Err(Fault::of(format!("the work offset that is written does not bring {axis} to its nominal place")));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,404 @@
+//! The safety rules: named, each with a sentence why, held against what a program does and not against how it is written.
+
+use crate::control::Request;
+use crate::control::iso::machine::{self, Run};
+use crate::control::iso::writer::highest;
+use crate::control::prove::Followed;
+use crate::control::trace::{Ending, Kind, Step};
+use crate::geom::Vec3;
+
+/// A rule.
+#[derive(Debug)]
+pub struct Rule {
+    /// Its name.
+    pub name: &'static str,
+    /// What it asks, in a sentence.
+    pub says: &'static str,
+    /// Why.
+    pub why: &'static str,
+    /// Whether a program without it is refused. The others depend on what the job asks for.
+    pub must: bool,
+    /// Whether a cycle of the control's own answers for it, so that nothing can be said here.
+    pub own_cycle: bool,
+    /// The lines that break it, each with what is wrong there.
+    pub breaks: fn(&Case<'_>) -> Vec<Break>,
+}
+
+/// A line that breaks a rule: 0-based; none is the whole program.
+pub type Break = (Option<usize>, String);
+
+/// What a rule looks at.
+#[derive(Debug)]
+pub struct Case<'a> {
+    /// What was to be programmed.
+    pub request: &'a Request<'a>,
+    /// The program, followed.
+    pub followed: &'a Followed<'a>,
+}
+
+/// What a rule says of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// The rule.
+    pub rule: &'static str,
+    /// None where this control cannot hold it, or its own cycle answers for it.
+    pub holds: Option<bool>,
+    /// What the rule asks, what is wrong, or why the control cannot.
+    pub message: String,
+    /// The lines that break it, 0-based.
+    pub lines: Vec<usize>,
+}
+
+/// Positioning is watched.
+pub const WATCHED: &str = "positioning-watched";
+/// A contact in positioning lifts.
+pub const CONTACT_LIFTS: &str = "contact-lifts";
+/// A missed touch lifts.
+pub const MISS_LIFTS: &str = "missed-touch-lifts";
+/// A low stylus goes up first.
+pub const LOW_START: &str = "low-start-goes-up";
+/// A work offset is written once.
+pub const ONE_WRITE: &str = "one-write";
+/// A work offset is written last.
+pub const WRITE_LAST: &str = "offset-after-touches";
+
+/// Every rule, in the order of a program.
+pub static RULES: &[Rule] = &[
+    Rule {
+        name: "modes-stated",
+        says: "Units, plane, absolute places and feed per minute are stated before the first motion",
+        why: "A mode left over from another program moves the probe elsewhere.",
+        must: true,
+        own_cycle: false,
+        breaks: modes_stated,
+    },
+    Rule {
+        name: "spindle-off",
+        says: "The spindle is off before the first motion",
+        why: "A probe that turns breaks its cable or its stylus.",
+        must: true,
+        own_cycle: false,
+        breaks: spindle_off,
+    },
+    Rule {
+        name: "probe-asked",
+        says: "A probe that is deflected from the start ends the program before the first touch",
+        why: "A deflected probe reports nothing: the first move would run into the part.",
+        must: true,
+        own_cycle: true,
+        breaks: probe_asked,
+    },
+    Rule {
+        name: LOW_START,
+        says: "A stylus below the first place goes straight up, then in the plane, then down",
+        why: "In the plane at a low height stand fixtures and the part.",
+        must: true,
+        own_cycle: false,
+        breaks: low_start,
+    },
+    Rule {
+        name: WATCHED,
+        says: "Every positioning move is watched, and a contact in it ends the program",
+        why: "A contact that nothing asks for breaks the probe.",
+        must: false,
+        own_cycle: false,
+        breaks: positioning_watched,
+    },
+    Rule {
+        name: CONTACT_LIFTS,
+        says: "A contact in positioning leads to an exit that lifts where up is free, and moves in no other way",
+        why: "A probe left in contact is driven on by whatever runs next.",
+        must: true,
+        own_cycle: false,
+        breaks: contact_lifts,
+    },
+    Rule {
+        name: "missed-touch-stops",
+        says: "A touch that meets nothing ends the program with an alarm",
+        why: "What is computed without its touch is wrong, and would be written.",
+        must: true,
+        own_cycle: true,
+        breaks: missed_touch_stops,
+    },
+    Rule {
+        name: MISS_LIFTS,
+        says: "All missed touches lead to one exit that lifts, and moves in no other way",
+        why: "A ball that searched too far stands in a place that nothing has checked.",
+        must: true,
+        own_cycle: true,
+        breaks: missed_touch_lifts,
+    },
+    Rule {
+        name: "feeds-stated",
+        says: "Every probing block states its own feed",
+        why: "A feed left over from a rapid move is a hundred times too fast for a touch.",
+        must: true,
+        own_cycle: false,
+        breaks: feeds_stated,
+    },
+    Rule {
+        name: "no-low-rapid",
+        says: "No rapid goes below the clearance plane, but the way back from a touch",
+        why: "Below it is the part, and a rapid move does not stop in time.",
+        must: false,
+        own_cycle: false,
+        breaks: no_low_rapid,
+    },
+    Rule {
+        name: WRITE_LAST,
+        says: "No work offset is written before every touch has succeeded, and none on the way to an exit",
+        why: "A half-measured offset looks like a good one.",
+        must: true,
+        own_cycle: true,
+        breaks: offset_after_touches,
+    },
+    Rule {
+        name: ONE_WRITE,
+        says: "One work offset is written, each of its values once",
+        why: "A value written twice is corrected twice.",
+        must: true,
+        own_cycle: true,
+        breaks: one_write,
+    },
+    Rule {
+        name: "ends-above",
+        says: "The program comes to its end, and the ball ends no lower than its path",
+        why: "The next program starts where this one ends.",
+        must: true,
+        own_cycle: false,
+        breaks: ends_above,
+    },
+];
+
+/// What every rule says of a program of a control's own cycle that is not followed.
+pub fn not_followed() -> Vec<Verdict> {
+    let message = "The control's own cycle makes every move itself";
+    RULES.iter().map(|rule| Verdict { rule: rule.name, holds: None, message: message.to_owned(), lines: Vec::new() }).collect()
+}
+
+/// What every rule says of a followed program.
+pub fn check(request: &Request<'_>, followed: &Followed<'_>) -> Vec<Verdict> {
+    let case = Case { request, followed };
+    RULES.iter().map(|rule| verdict(rule, &case)).collect()
+}
+
+fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
+    let unable = case.request.post.cannot.iter().find(|(name, _)| *name == rule.name).map(|(_, why)| *why);
+    let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
+    let (holds, message, lines) = if let Some(why) = unable {
+        (None, why.to_owned(), Vec::new())
+    } else if own_cycle {
+        (None, "The control's own cycle touches and writes by itself".to_owned(), Vec::new())
+    } else {
+        let breaks = (rule.breaks)(case);
+        let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
+        match breaks.into_iter().next() {
+            None => (Some(true), rule.says.to_owned(), Vec::new()),
+            Some((_, what)) => (Some(false), what, lines),
+        }
+    };
+    Verdict { rule: rule.name, holds, message, lines }
+}
+
+impl Case<'_> {
+    fn steps(&self) -> &[Step] {
+        &self.followed.trace.steps
+    }
+
+    /// A height of the path along the tool axis, in units of the program.
+    fn level(&self, place: Vec3) -> f64 {
+        place[self.tool()] / self.request.scale
+    }
+
+    fn tool(&self) -> usize {
+        self.request.plane.axes()[2]
+    }
+
+    /// Half of the last digit of a place.
+    fn digit(&self) -> f64 {
+        0.5 * 10f64.powi(-(self.request.post.decimals(self.request.scale) as i32)) * 1.000_001
+    }
+
+    /// Motions that are not the way back from a touch: index and motion.
+    fn positioning(&self) -> impl Iterator<Item = (usize, &Step)> {
+        let steps = self.steps();
+        steps.iter().enumerate().filter(move |(i, step)| {
+            let after_touch = i.checked_sub(1).map(|before| &steps[before]).filter(|before| before.kind == Kind::Touch);
+            let leads_back =
+                after_touch.is_some_and(|touch| machine::near(touch.from, step.to, self.digit()) && step.arc.is_none());
+            step.kind != Kind::Touch && !leads_back
+        })
+    }
+}
+
+fn modes_stated(case: &Case<'_>) -> Vec<Break> {
+    let Some(first) = case.steps().first() else { return Vec::new() };
+    let modes = case.followed.trace.modes;
+    let arcs = case.steps().iter().any(|step| step.arc.is_some());
+    let right = [
+        ("units", modes.metric == Some(case.request.scale == 1.0)),
+        ("plane", modes.plane == Some(case.request.plane)),
+        ("absolute places", modes.absolute == Some(true)),
+        ("feed per minute", modes.per_minute == Some(true)),
+        ("centres of arcs", !arcs || modes.arcs_incremental == Some(true)),
+        ("work offset", modes.offset == case.request.work_offset),
+    ];
+    right
+        .iter()
+        .filter(|(_, right)| !right)
+        .map(|(what, _)| (Some(first.line), format!("This moves before its {what} are stated as the job has them")))
+        .collect()
+}
+
+fn spindle_off(case: &Case<'_>) -> Vec<Break> {
+    let Some(first) = case.steps().first() else { return Vec::new() };
+    if case.followed.trace.modes.spindle == Some(false) {
+        return Vec::new();
+    }
+    vec![(Some(first.line), "This moves before the spindle is switched off".to_owned())]
+}
+
+fn probe_asked(case: &Case<'_>) -> Vec<Break> {
+    let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else { return Vec::new() };
+    let run = Run { start: case.steps()[0].to, deflected: true, until: None };
+    match machine::deflected(&case.followed.script, run) {
+        Ok(Ending::ControlStops) => Vec::new(),
+        Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
+        _ => {
+            vec![(Some(touch.line), "With a probe that is deflected from the start the program comes to this touch".to_owned())]
+        }
+    }
+}
+
+fn low_start(case: &Case<'_>) -> Vec<Break> {
+    let (Some(below), Some(first)) = (&case.followed.below, case.request.path.moves.first()) else { return Vec::new() };
+    let (tool, height) = (case.tool(), case.level(first.to));
+    let low = |step: &&Step| {
+        let across = (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
+        across && step.to[tool] < height - case.digit()
+    };
+    below
+        .steps
+        .iter()
+        .filter(low)
+        .map(|step| (Some(step.line), "From below the first place this moves in the plane".to_owned()))
+        .collect()
+}
+
+fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
+    let shortest = case.request.post.shortest_probe / case.request.scale;
+    case.positioning()
+        .filter(|(_, step)| {
+            let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();
+            step.kind != Kind::Watched && (way.is_nan() || way >= shortest)
+        })
+        .map(|(_, step)| (Some(step.line), "A contact in this move goes unnoticed".to_owned()))
+        .collect()
+}
+
+fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
+    let top = case.level(highest(case.request));
+    let tool = case.tool();
+    let bad = |step: &&Step| {
+        // Half-way is where the contact was taken to be.
+        let met = (step.from[tool] + step.to[tool]) / 2.0;
+        let rises = step.to[tool] > step.from[tool] + crate::path::ONE_LEVEL / case.request.scale;
+        let free = !rises && met < top - case.digit();
+        match step.contact {
+            Ending::Exit { lifts, strays, writes, .. } => strays || writes || (lifts != free && !step.from[tool].is_nan()),
+            Ending::ControlStops | Ending::GoesOn => true,
+        }
+    };
+    case.steps()
+        .iter()
+        .filter(|step| step.kind == Kind::Watched)
+        .filter(bad)
+        .map(|step| (Some(step.line), "A contact in this move does not lead to an exit that lifts where up is free".to_owned()))
+        .collect()
+}
+
+fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
+    let loose = case.steps().iter().filter(|step| step.kind == Kind::Unchecked);
+    let mut breaks: Vec<Break> =
+        loose.map(|step| (Some(step.line), "Whether this met something is not asked for".to_owned())).collect();
+    let touches = case.steps().iter().filter(|step| step.kind == Kind::Touch).count();
+    if breaks.is_empty() && touches < case.request.path.touches.len() {
+        breaks.push((None, "Not every touch of the path is a touch of the program".to_owned()));
+    }
+    breaks
+}
+
+fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
+    let mut exit = None;
+    let top = case.level(highest(case.request));
+    let tool = case.tool();
+    let mut bad = |step: &&Step| match step.miss {
+        Ending::Exit { line, lifts, strays, writes } => {
+            let same = *exit.get_or_insert(line) == line;
+            let free = step.to[tool] < top - case.digit();
+            !same || strays || writes || lifts != free
+        }
+        Ending::ControlStops | Ending::GoesOn => true,
+    };
+    case.steps()
+        .iter()
+        .filter(|step| step.kind == Kind::Touch)
+        .filter(|step| bad(step))
+        .map(|step| (Some(step.line), "A miss of this touch does not lead to the one exit that lifts".to_owned()))
+        .collect()
+}
+
+fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
+    case.steps()
+        .iter()
+        .filter(|step| matches!(step.kind, Kind::Watched | Kind::Touch | Kind::Unchecked) && !step.own_feed)
+        .map(|step| (Some(step.line), "This probing block has no feed of its own".to_owned()))
+        .collect()
+}
+
+fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
+    let (tool, top) = (case.tool(), case.level(highest(case.request)));
+    let low = |step: &Step| step.known[tool] && step.from[tool].min(step.to[tool]) < top - case.digit();
+    case.positioning()
+        .filter(|(_, step)| step.kind == Kind::Rapid && low(step))
+        .map(|(_, step)| (Some(step.line), "This rapid goes below the clearance plane".to_owned()))
+        .collect()
+}
+
+fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
+    let trace = &case.followed.trace;
+    let last = trace.steps.iter().rposition(|step| step.kind == Kind::Touch).map_or(0, |at| at + 1);
+    let early = trace.writes.iter().filter(|write| write.after < last);
+    let mut breaks: Vec<Break> =
+        early.map(|write| (Some(write.line), "This writes a work offset before the last touch".to_owned())).collect();
+    let writes = |ending: Ending| matches!(ending, Ending::Exit { writes: true, .. });
+    let exits = trace.steps.iter().filter(|step| writes(step.contact) || writes(step.miss));
+    breaks.extend(exits.map(|step| (Some(step.line), "On the way to the exit a work offset is written".to_owned())));
+    breaks
+}
+
+fn one_write(case: &Case<'_>) -> Vec<Break> {
+    let writes = &case.followed.trace.writes;
+    writes
+        .iter()
+        .enumerate()
+        .filter(|(i, write)| {
+            writes[..*i].iter().any(|before| before.axis == write.axis) || Some(write.number) != case.request.work_offset
+        })
+        .map(|(_, write)| (Some(write.line), "This writes a value of a work offset again, or another work offset".to_owned()))
+        .collect()
+}
+
+fn ends_above(case: &Case<'_>) -> Vec<Break> {
+    let trace = &case.followed.trace;
+    if !trace.ends {
+        return vec![(None, "The program has no end".to_owned())];
+    }
+    let Some(last) = trace.steps.last() else { return Vec::new() };
+    // 1411 may end where its last touch began: as high as the path itself does.
+    let end = case.request.path.moves.last().map_or(f64::NEG_INFINITY, |step| case.level(step.to));
+    if last.to[case.tool()] < end - case.digit() {
+        return vec![(Some(last.line), "The program ends lower than its path".to_owned())];
+    }
+    Vec::new()
+}

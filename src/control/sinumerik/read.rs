@@ -1,0 +1,173 @@
+//! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
+
+use crate::control::iso::codes;
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, Targets};
+use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
+use crate::geom::AXIS_NAMES;
+
+static GRAMMAR: Grammar = Grammar { brackets: (b'(', b')'), names: Names::Words, operators: SIGN_OPERATORS, system, code };
+
+fn axis_of(name: &str) -> Option<usize> {
+    AXIS_NAMES.iter().position(|axis| *axis == name.trim())
+}
+
+fn system(name: &str) -> Option<System> {
+    let (head, inner) = match name.split_once('[') {
+        Some((head, inner)) => (head, inner.strip_suffix(']')?),
+        None => (name, ""),
+    };
+    Some(match (head, inner) {
+        ("$AA_IW", axis) => System::Place(axis_of(axis)?),
+        ("$AA_MW", axis) => System::Trigger(axis_of(axis)?),
+        ("$AC_MEA", "1") => System::Contact,
+        ("$A_PROBE", "1") => System::Deflected,
+        ("$MN_SCALING_SYSTEM_IS_METRIC", "") => System::Metric,
+        ("$P_UIFR", inner) => {
+            let mut parts = inner.split(',');
+            let number = parts.next()?.trim().parse().ok()?;
+            let axis = axis_of(parts.next()?)?;
+            match parts.next()?.trim() {
+                "TR" => System::Offset(Part::Origin(number, axis)),
+                "RT" => System::Offset(Part::Turn(number, axis)),
+                part => none_of(part)?,
+            }
+        }
+        ("$P_PFRAME" | "$P_TOOLFRAME" | "$P_WPFRAME", inner) => none_of(inner.split(',').nth(1)?.trim())?,
+        _ => return None,
+    })
+}
+
+/// A part of a frame that does nothing.
+fn none_of(part: &str) -> Option<System> {
+    match part {
+        "TR" | "RT" | "MI" => Some(System::Fixed(0.0)),
+        "SC" => Some(System::Fixed(1.0)),
+        _ => None,
+    }
+}
+
+fn code(letter: u8, tenths: i32) -> Option<Code> {
+    const NONE: Modes = Modes::NONE;
+    Some(match (letter, tenths) {
+        (b'G', 700) => Code::Mode(Modes { metric: Some(false), ..NONE }),
+        (b'G', 710) => Code::Mode(Modes { metric: Some(true), ..NONE }),
+        (b'G', 540 | 550 | 560 | 570) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
+        (b'G', 5050..=5990) if tenths % 10 == 0 => Code::Mode(Modes { offset: Some(tenths / 10 - 500), ..NONE }),
+        (b'G', 600) | (b'M', 0) => Code::Nothing(""),
+        _ => return codes::common(letter, tenths),
+    })
+}
+
+/// Reads a program.
+pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    let mut script = Script::default();
+    let mut targets = Targets::default();
+    parse::lines(text, b';', &mut script, |script, line, code, comment| {
+        if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
+            results(script, list);
+        }
+        let code = without_number(code);
+        // What stands before a program in an archive.
+        if code.is_empty() || code.starts_with('%') {
+            return Ok(());
+        }
+        block(script, line, code, &mut targets)
+    })?;
+    targets.resolve(&mut script, true)?;
+    // The results go out where they stand at the end.
+    let end = script.blocks.iter().position(|block| block.what == What::End).unwrap_or(script.blocks.len());
+    let line = script.blocks.get(end).map_or(0, |block| block.line);
+    let outputs: Vec<What> = std::mem::take(&mut script.results)
+        .into_iter()
+        .map(|(code, slot)| What::Output(code.to_owned(), script.node(crate::control::iso::script::Expr::Slot(slot))))
+        .collect();
+    script.insert(end, line, outputs);
+    Ok(script)
+}
+
+/// `R1 = center.x, R2 = center.y`.
+fn results<'t>(script: &mut Script<'t>, list: &'t str) {
+    for (register, code) in list.split(", ").filter_map(|entry| entry.split_once(" = ")) {
+        let slot = script.slot(register);
+        script.results.push((code, slot));
+    }
+}
+
+/// A block without its number, `N10`.
+fn without_number(code: &str) -> &str {
+    let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    match rest {
+        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start(),
+        _ => code,
+    }
+}
+
+fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut Targets<'t>) -> Parsed<()> {
+    let here = script.blocks.len();
+    if let Some(label) = code.strip_suffix(':') {
+        if Cursor::new(label).name() != Some(label) {
+            return Err("this is no label".to_owned());
+        }
+        targets.known.push((label, here));
+        script.push(line, What::Nothing);
+        return Ok(());
+    }
+    let mut cursor = Cursor::new(code);
+    let what = if cursor.eat("STOPRE") || cursor.eat("TRANS") {
+        What::Nothing
+    } else if cursor.eat("DEF INT ") {
+        cursor.name().ok_or("a declaration without a name")?;
+        What::Nothing
+    } else if cursor.eat("GOTOF ") {
+        targets.wanted.push((here, cursor.name().ok_or("a jump without a label")?));
+        What::Jump(0)
+    } else if cursor.eat("IF ") {
+        let condition = cursor.value(&GRAMMAR, script)?;
+        cursor.expect("GOTOF ")?;
+        targets.wanted.push((here, cursor.name().ok_or("a jump without a label")?));
+        What::JumpIf(condition, 0)
+    } else if cursor.eat("MEAS=1 ") {
+        match parse::words(&mut cursor, &GRAMMAR, script)? {
+            What::Words(mut words) if words.motion == Some(Motion::Straight) => {
+                words.motion = Some(Motion::MayTouch);
+                What::Words(words)
+            }
+            _ => return Err("MEAS=1 stands in a block with G1".to_owned()),
+        }
+    } else if let Some((name, arguments)) = code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name)) {
+        return call(script, line, name, arguments);
+    } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
+        let name = cursor.variable(Names::Words).ok_or("nothing can be assigned to this")?;
+        cursor.expect("=")?;
+        let value = cursor.value(&GRAMMAR, script)?;
+        match system(name) {
+            None if name.starts_with('$') => return Err("this is not understood".to_owned()),
+            None => What::Set(script.slot(name), value),
+            Some(System::Offset(part)) => What::SetOffset(part, value),
+            Some(_) => return Err("the control's own values are not written".to_owned()),
+        }
+    } else {
+        match parse::words(&mut cursor, &GRAMMAR, script)? {
+            What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
+                return Err("arcs are not understood".to_owned());
+            }
+            what => what,
+        }
+    };
+    cursor.end()?;
+    script.push(line, what);
+    Ok(())
+}
+
+/// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)` with its 29 arguments.
+fn call(script: &mut Script<'_>, line: usize, name: &str, arguments: &str) -> Parsed<()> {
+    let arguments = arguments.strip_suffix(')').ok_or("a bracket is not closed")?;
+    let what = match name {
+        "MSG" => What::Nothing,
+        "SETAL" => What::Warned,
+        "CYCLE977" if arguments.split(',').count() == 29 => What::Native,
+        _ => return Err("this call is not known, or not with so many arguments".to_owned()),
+    };
+    script.push(line, what);
+    Ok(())
+}

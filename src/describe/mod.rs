@@ -1,0 +1,10 @@
+//! What the house says of itself and of a plan: the catalog, the JSON Schema of a job, the parameter table as text. Readers of the one list of
+//! fields and of the controls.
+
+mod catalog;
+mod schema;
+mod table;
+
+pub use catalog::{Catalog, DefaultEntry, catalog};
+pub use schema::job_schema;
+pub use table::export_table;

@@ -1,0 +1,283 @@
+//! Reads back a program that was written here, whatever control it is for: its header says the job, and its blocks are compared with those
+//! that the job makes. Of a program that says no job the moves are read.
+
+use serde::Serialize;
+
+use crate::control::header::{self, Said};
+use crate::control::iso::machine::{self, Met, Run};
+use crate::control::trace::Kind;
+use crate::control::{self, POSTS, PostDef};
+use crate::cycle;
+use crate::form::{Checker, Value, printable};
+use crate::import::{Imported, has_place, set};
+use crate::job::{FORMAT, JobError, Plan};
+
+/// How many lines that are not understood, or not safe, are listed.
+const MOST_LISTED: usize = 20;
+
+/// The moves of a program that says no job.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TraceRow {
+    /// The control that it was read for.
+    pub control: &'static str,
+    /// `mm`, `inch`, or null where it does not say.
+    pub units: Option<&'static str>,
+    /// Its moves, in its units.
+    pub moves: Vec<TraceMove>,
+}
+
+/// One move of a program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TraceMove {
+    /// Where it ends; null along an axis that no block has named yet.
+    pub to: [Option<f64>; 3],
+    /// `rapid`, `feed`, `watched`, `touch` or `unchecked`.
+    pub kind: Kind,
+    /// Null is a rapid, or a feed that no block has stated.
+    pub feed: Option<f64>,
+    /// The 0-based line.
+    pub line: usize,
+}
+
+/// Whether the header of a text says a job.
+pub fn says_job(text: &str) -> bool {
+    header::read(text).values.iter().any(|(path, _)| *path == "cycle.type")
+}
+
+/// Makes a job of a program whose header says it.
+pub fn import(text: &str) -> Result<Imported, JobError> {
+    let mut checker = Checker::default();
+    let said = header::read(text);
+    let Some(mut job) = job_of(&said, &mut checker) else {
+        checker.error("nothing-to-import", "", "The header says a job of a cycle that is not known here");
+        return Err(JobError { findings: checker.findings() });
+    };
+    if let Some(name) = said.name {
+        set(&mut job, "name", Value::Text(name.to_owned()));
+    }
+    if let Some(version) = said.version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
+        let message = format!(
+            "Version {} wrote this program, and {} reads it: blocks may differ where only the versions do",
+            printable(version),
+            env!("CARGO_PKG_VERSION")
+        );
+        checker.info("other-version", "", message);
+    }
+    match crate::job::examine(&job, text) {
+        Some(Err(_)) if written_for_another(&job, text) => {
+            let message = "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
+                           job's, and may have been changed";
+            checker.warning("program-differs", "control.post", message);
+            return Ok(Imported { job, trace: None, findings: checker.findings() });
+        }
+        Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
+            for fault in faults.iter().take(MOST_LISTED) {
+                checker.warning("unsafe-program", "", with_line(fault.line, &fault.message));
+            }
+        }
+        Some(Err(faults)) => {
+            for fault in faults.iter().filter(|fault| !fault.understood).take(MOST_LISTED) {
+                checker.error("not-understood", "", with_line(fault.line, &fault.message));
+            }
+            return Err(JobError { findings: checker.findings() });
+        }
+        Some(Ok(rules)) => {
+            for rule in rules.iter().filter(|rule| rule.holds == Some(false)).take(MOST_LISTED) {
+                let message = format!("{} (rule {})", rule.message, rule.rule);
+                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), &message));
+            }
+        }
+        None => {}
+    }
+    match crate::job::plan(&job) {
+        Ok(plan) => compare(text, &said, &plan, &mut checker),
+        Err(_) => checker.warning("header-unsound", "", "The job that the header says has errors: see its findings"),
+    }
+    checker.info("part-not-in-program", "part", "A program does not say how the part lies: the nominal one is taken");
+    Ok(Imported { job, trace: None, findings: checker.findings() })
+}
+
+fn with_line(line: Option<usize>, message: &str) -> String {
+    line.map_or_else(|| message.to_owned(), |line| format!("Line {}: {message}", line + 1))
+}
+
+/// Whether another control than the job's understands the program.
+fn written_for_another(job: &Value, text: &str) -> bool {
+    let own = job.get("control").and_then(|control| control.get("post"));
+    POSTS
+        .iter()
+        .filter(|post| own != Some(&Value::Text(post.key.to_owned())))
+        .any(|post| post.read.is_some_and(|read| read(text).is_ok()))
+}
+
+/// The job that a header says: `job path=value path=value`.
+fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
+    let find = |path: &str| said.values.iter().find(|(p, _)| *p == path).map(|(_, v)| *v);
+    let def = cycle::find(find("cycle.type")?)?;
+    let format = find("format").and_then(|v| v.parse::<f64>().ok()).unwrap_or(FORMAT);
+    let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
+    let mut unknown = 0;
+    for (path, text) in said.values.iter().filter(|(path, _)| *path != "format") {
+        if has_place(def, path) {
+            set(&mut job, path, value(text));
+        } else {
+            unknown += 1;
+        }
+    }
+    if unknown > 0 {
+        let message =
+            format!("The header has {unknown} values that a job of this cycle has no place for: they are passed over");
+        checker.warning("header-unknown", "", message);
+    }
+    Some(job)
+}
+
+/// A value of the header. A number is finite; whatever is none is text, and the check reports it.
+fn value(text: &str) -> Value {
+    match text {
+        "true" => Value::Flag(true),
+        "false" => Value::Flag(false),
+        "null" => Value::Null,
+        "{}" => Value::Map(Vec::new()),
+        "[]" => Value::List(Vec::new()),
+        _ => match text.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')) {
+            Some(inner) => Value::List(inner.split(',').take(3).map(value).collect()),
+            None => match text.parse::<f64>() {
+                Ok(x) if x.is_finite() => Value::Number(x),
+                _ => Value::Text(text.to_owned()),
+            },
+        },
+    }
+}
+
+/// Reports the first block that is not the one which the header's job makes: the program was changed, or its header was.
+fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
+    let post = control::find(plan.program.post);
+    let (given, wanted) = (blocks(post, text), blocks(post, &plan.program.text));
+    let differs = given.iter().zip(&wanted).find(|((_, a), (_, b))| a != b).map(|((line, _), _)| *line);
+    let line = differs.or_else(|| given.get(wanted.len()).map(|(line, _)| *line));
+    let by_hash = match said.unchanged {
+        Some(true) => " The hash in the header is that of these blocks: the header was changed, or another version wrote them.",
+        Some(false) => " The hash in the header is that of other blocks: they were changed.",
+        None => "",
+    };
+    let message = match line {
+        Some(line) => format!(
+            "Line {} is not what the job of the header makes there.{by_hash} The job is the header's, and what was changed in the program \
+             is not in it",
+            line + 1
+        ),
+        None if given.len() < wanted.len() => {
+            format!("The end of the program is missing.{by_hash} The job is the header's")
+        }
+        None => return,
+    };
+    checker.warning("program-differs", "", message);
+}
+
+/// One sign of a block, or one number of it: `X1.0` and `X 1` are the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Token {
+    Sign(u8),
+    Number(f64),
+}
+
+/// The blocks of a program with their 0-based lines: without comments that only speak, numbers of blocks and blanks.
+fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
+    let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
+    text.lines()
+        .enumerate()
+        .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
+        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
+        .collect()
+}
+
+/// A line without its comment. Some comments do something.
+fn code(line: &str, round: bool) -> &str {
+    let sign = if round { '(' } else { ';' };
+    let mut quoted = false;
+    let at = line.find(|c| {
+        quoted ^= c == '"';
+        c == sign && !quoted
+    });
+    let Some(at) = at else { return line };
+    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| line[at + 1..].starts_with(word));
+    // The text of an alarm belongs to its block.
+    let alarm = line.trim_start().starts_with("#3000");
+    if round && (does || alarm) { line } else { &line[..at] }
+}
+
+/// A block without its number: `N10 G1`, or `12 TCH PROBE` of Klartext.
+fn without_number(code: &str) -> &str {
+    let code = code.trim();
+    let rest = code.strip_prefix('N').unwrap_or(code).trim_start_matches(|c: char| c.is_ascii_digit());
+    if rest.len() < code.len() && rest.starts_with(' ') { rest } else { code }
+}
+
+fn tokens(code: &str) -> Vec<Token> {
+    let bytes = code.as_bytes();
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        let end = bytes[at..].iter().position(|b| !(b.is_ascii_digit() || *b == b'.')).map_or(bytes.len(), |n| at + n);
+        match code.get(at..end).and_then(|word| word.parse::<f64>().ok()) {
+            Some(number) if end > at => {
+                tokens.push(Token::Number(number));
+                at = end;
+            }
+            _ => {
+                if !bytes[at].is_ascii_whitespace() {
+                    tokens.push(Token::Sign(bytes[at].to_ascii_uppercase()));
+                }
+                at += 1;
+            }
+        }
+    }
+    tokens
+}
+
+/// Whether a text looks like a program of moves.
+pub fn recognises(text: &str) -> bool {
+    ["G38.", "G31", "MEAS=1", "$AC_MEA", "CYCLE977", "G1 ", "G0 "].iter().any(|word| text.contains(word))
+}
+
+/// Reads the moves of a program that says no job: for the first control that understands all of it.
+pub fn trace(text: &str) -> Result<Imported, JobError> {
+    let mut checker = Checker::default();
+    let mut least: Option<(&PostDef, Vec<crate::control::iso::script::Trouble>)> = None;
+    for post in POSTS {
+        let Some(read) = post.read else { continue };
+        let start = Run { start: [0.0; 3], deflected: false, until: None };
+        let made = read(text).and_then(|script| machine::run(&script, start, &mut |_| Met::Unknown).map_err(|t| vec![t]));
+        match made {
+            Ok(trace) if trace.steps.is_empty() => {}
+            Ok(trace) => {
+                let message = "The program says no job: its moves are read, and a job cannot be made of them";
+                checker.info("no-job-in-program", "", message);
+                let moves = trace.steps.iter().map(|step| TraceMove {
+                    to: [0, 1, 2].map(|axis| step.known[axis].then_some(step.to[axis])),
+                    kind: step.kind,
+                    feed: step.feed,
+                    line: step.line,
+                });
+                let units = trace.modes.metric.map(|metric| if metric { "mm" } else { "inch" });
+                let trace = TraceRow { control: post.key, units, moves: moves.collect() };
+                return Ok(Imported { job: Value::Null, trace: Some(trace), findings: checker.findings() });
+            }
+            Err(troubles) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
+                least = Some((post, troubles))
+            }
+            Err(_) => {}
+        }
+    }
+    match least {
+        Some((post, troubles)) => {
+            for trouble in troubles.iter().take(MOST_LISTED) {
+                let message = format!("Line {}, read as a program for {}: {}", trouble.line + 1, post.title, trouble.message);
+                checker.error("not-understood", "", message);
+            }
+        }
+        None => checker.error("nothing-to-import", "", "Nothing in this text moves"),
+    }
+    Err(JobError { findings: checker.findings() })
+}
