@@ -1,4 +1,5 @@
-//! Every job of `tests/jobs/` as a snapshot: path, table, results and program. A changed byte is seen in review.
+//! Every job of `tests/jobs/` as snapshots: path, table and results in `tests/snapshots/<job>.snap`, and the program for every control in
+//! `tests/snapshots/<control>/<job>.snap`. A changed byte is seen in review.
 //! New snapshots are made by `INSTA_UPDATE=always cargo test --test golden`.
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -6,12 +7,26 @@ mod common;
 
 use std::fmt::Write;
 
+use touchpath::control::{Form, POSTS};
+use touchpath::form::{Finding, Value};
+
 fn triple(p: [f64; 3]) -> String {
     p.map(|x| touchpath::num::decimal(x, 6)).join(" ")
 }
 
 fn value(x: Option<f64>) -> String {
     x.map_or("null".to_owned(), |x| touchpath::num::decimal(x, 6))
+}
+
+fn listed(findings: &[Finding]) -> String {
+    let lines = findings.iter().map(|f| format!("{:?} {} {}: {}\n", f.level, f.code, f.path, f.message));
+    lines.collect()
+}
+
+fn snapshot(name: &str, text: &str) {
+    insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+        insta::assert_snapshot!(name, text);
+    });
 }
 
 #[test]
@@ -41,12 +56,39 @@ fn jobs_as_they_were() {
             let numbers = [row.nominal, row.value, row.deviation, row.uncertainty, row.truth].map(value).join(" ");
             writeln!(text, "{} {} {numbers}", row.code, row.unit).unwrap();
         }
-        for finding in &plan.findings {
-            writeln!(text, "{:?} {} {}: {}", finding.level, finding.code, finding.path, finding.message).unwrap();
-        }
+        text.push_str(&listed(&plan.findings));
         text.push_str(&plan.program.text);
-        insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
-            insta::assert_snapshot!(name, text);
-        });
+        snapshot(&name, &text);
+    }
+}
+
+/// The job for another control, in the form that it takes; its work offset where it has one.
+fn put_out_for(job: &Value, post: &touchpath::control::PostDef) -> Value {
+    let cycle = job.get("cycle").and_then(|c| c.get("type"));
+    let def = touchpath::cycle::CYCLES.iter().find(|c| cycle == Some(&Value::Text(c.key.to_owned()))).unwrap();
+    let form = Form::ALL.into_iter().find(|form| (post.serves)(def.probes, *form).is_ok()).unwrap_or(Form::Moves);
+    let mut job = common::with(job, "control.post", Value::Text(post.key.to_owned()));
+    job = common::with(&job, "control.form", Value::Text(form.word().to_owned()));
+    if post.work_offsets == 0 {
+        job = common::with(&job, "control.workOffset", Value::Null);
+    }
+    job
+}
+
+#[test]
+fn programs_of_every_control_as_they_were() {
+    for (name, job) in common::jobs() {
+        for post in POSTS {
+            let text = match touchpath::job::plan(&put_out_for(&job, post)) {
+                Ok(plan) => {
+                    let rules = plan.safety.iter().filter(|row| row.holds != Some(true));
+                    let rules: String =
+                        rules.map(|row| format!("rule {} {:?}: {}\n", row.rule, row.holds, row.message)).collect();
+                    format!("{:?}\n{rules}{}", plan.program.proof, plan.program.text)
+                }
+                Err(error) => listed(&error.findings),
+            };
+            insta::with_settings!({ snapshot_path => format!("snapshots/{}", post.key) }, { snapshot(&name, &text) });
+        }
     }
 }

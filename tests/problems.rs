@@ -68,7 +68,7 @@ fn each_problem_is_found_where_it_is() {
         // Words.
         (with(&pocket(), "units", text("cm")), "unknown-value units"),
         (with(&pocket(), "plane", text("G20")), "unknown-value plane"),
-        (with(&pocket(), "control.post", text("fanuc")), "unknown-value control.post"),
+        (with(&pocket(), "control.post", text("mazatrol")), "unknown-value control.post"),
         // Numbers that are none.
         (with(&pocket(), "cycle.width1", number(f64::NAN)), "not-finite cycle.width1"),
         (with(&pocket(), "cycle.width1", number(f64::INFINITY)), "not-finite cycle.width1"),
@@ -150,7 +150,7 @@ fn all_problems_come_at_once() {
     job = with(&job, "bogus", number(1.0));
     job = with(&job, "cycle.depth", number(-1.0));
     job = with(&job, "feeds.work", Value::Null);
-    job = with(&job, "control.post", text("fanuc"));
+    job = with(&job, "control.post", text("mazatrol"));
     job = with(&job, "cycle.width2", number(1e9));
     job = with(&job, "part.rotation", number(f64::NAN));
     let mut errors = found(&job, Level::Error);

@@ -16,13 +16,13 @@ pub const HASH: &str = "Blocks below: ";
 pub const NO_HASH: &str = "0000000000000000";
 
 /// The comments: in a full header all of the job but its name and the virtual part, in a short one the version alone; then the hash.
-/// `width` is the most characters of one.
-pub fn lines(request: &Request<'_>, width: usize) -> Vec<String> {
+/// `width` is the most characters of one; where only capitals can be written, a small letter of a text is a capital behind a plus.
+pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = match (request.header, request.job) {
         (Header::Full, Some(job)) => {
             let mut lines = vec![format!("{MADE_BY}{version} from this job, every value, defaults too:")];
-            lines.extend(job_lines(job, width));
+            lines.extend(job_lines(job, width, capitals));
             lines
         }
         _ => vec![format!("{MADE_BY}{version}")],
@@ -33,12 +33,22 @@ pub fn lines(request: &Request<'_>, width: usize) -> Vec<String> {
 
 /// Puts the hash in, where the header has its place.
 pub fn seal(text: &mut String) {
-    let mark = format!("{HASH}{NO_HASH}");
-    let Some(at) = text.find(&mark) else { return };
-    let below = text[at..].find('\n').map_or("", |end| &text[at + end + 1..]);
-    let hash = hash(below);
-    let digits = at + HASH.len();
-    text.replace_range(digits..digits + NO_HASH.len(), &hash);
+    let mut at = 0;
+    while let Some(end) = text[at..].find('\n') {
+        let (line, below) = (&text[at..at + end], at + end + 1);
+        if let Some(digits) = comment(line).and_then(|comment| after(comment, HASH)).and_then(|_| line.find(NO_HASH)) {
+            let hash = hash(&text[below..]);
+            text.replace_range(at + digits..at + digits + NO_HASH.len(), &hash);
+            return;
+        }
+        at = below;
+    }
+}
+
+/// What stands behind a beginning, in small letters or capitals.
+fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
+    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
+    same.then(|| &text[beginning.len()..])
 }
 
 /// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.
@@ -48,16 +58,16 @@ pub fn hash(text: &str) -> String {
         state.update(line.as_bytes());
         state.update(b"\n");
     }
-    format!("{:016x}", state.digest())
+    format!("{:016X}", state.digest())
 }
 
 /// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
-fn job_lines(job: &Value, width: usize) -> Vec<String> {
+fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
     let most = width - JOB_LINE.len();
     let mut words = Vec::new();
     if let Value::Map(entries) = job {
         for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
-            push_words(key, value, most, &mut words);
+            push_words(key, value, (most, capitals), &mut words);
         }
     }
     let mut lines: Vec<String> = Vec::new();
@@ -73,30 +83,35 @@ fn job_lines(job: &Value, width: usize) -> Vec<String> {
     lines
 }
 
-fn push_words(path: &str, value: &Value, most: usize, words: &mut Vec<String>) {
+fn push_words(path: &str, value: &Value, limits: (usize, bool), words: &mut Vec<String>) {
+    let (most, capitals) = limits;
+    // The words outside the cycle are those of choices: the reader knows them in capitals, too.
+    let marked = capitals && path.starts_with("cycle.") && path != "cycle.type";
     match value {
         Value::Map(entries) if !entries.is_empty() => {
-            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, most, words));
+            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, limits, words));
         }
         Value::List(items) => {
-            let word = format!("{path}={}", value_word(value));
+            let word = format!("{path}={}", value_word(value, marked));
             let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
             // A list that is too long for a line is said value by value.
             if items.is_empty() || (!nested && word.len() <= most) {
                 words.push(word);
             } else {
-                items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, most, words));
+                items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, limits, words));
             }
         }
-        value => words.push(format!("{path}={}", value_word(value))),
+        value => words.push(format!("{path}={}", value_word(value, marked))),
     }
 }
 
 /// A value as a word: no spaces, nothing that could end a comment.
-fn value_word(value: &Value) -> String {
+fn value_word(value: &Value, capitals: bool) -> String {
     match value {
         Value::Map(_) => "{}".to_owned(),
-        Value::List(items) => format!("[{}]", items.iter().map(value_word).collect::<Vec<_>>().join(",")),
+        Value::List(items) => {
+            format!("[{}]", items.iter().map(|item| value_word(item, capitals)).collect::<Vec<_>>().join(","))
+        }
         Value::Null | Value::Other(_) => "null".to_owned(),
         Value::Flag(on) => on.to_string(),
         // In full, so that it reads back as the same number; never -0.
@@ -107,6 +122,7 @@ fn value_word(value: &Value) -> String {
             .map(|c| match c {
                 ',' => ".".to_owned(),
                 '@' | '?' => c.to_string(),
+                'a'..='z' if capitals => format!("+{}", c.to_ascii_uppercase()),
                 c => comment_text(&c.to_string()),
             })
             .collect(),
@@ -136,7 +152,7 @@ pub fn read(text: &str) -> Said<'_> {
     while let Some((line, below)) = rest.split_once('\n').or_else(|| (!rest.is_empty()).then_some((rest, ""))) {
         rest = below;
         let Some(comment) = comment(line) else { continue };
-        if let Some(words) = comment.strip_prefix(JOB_LINE) {
+        if let Some(words) = after(comment, JOB_LINE) {
             if said.values.len() > MOST_WORDS {
                 continue;
             }
@@ -145,11 +161,11 @@ pub fn read(text: &str) -> Said<'_> {
                 Some((path, value)) => said.values.push((path.trim(), value.trim())),
                 None => said.values.extend(words.split(' ').filter_map(|word| word.split_once('='))),
             }
-        } else if let Some(made) = comment.strip_prefix(MADE_BY) {
+        } else if let Some(made) = after(comment, MADE_BY) {
             said.version = said.version.or(made.split(' ').next());
-        } else if let Some(name) = comment.strip_prefix("Job: ") {
+        } else if let Some(name) = after(comment, "Job: ") {
             said.name = said.name.or(Some(name));
-        } else if let Some(stated) = comment.strip_prefix(HASH).filter(|_| said.unchanged.is_none()) {
+        } else if let Some(stated) = after(comment, HASH).filter(|_| said.unchanged.is_none()) {
             said.unchanged = Some(stated.trim() == hash(below));
         }
     }
@@ -176,7 +192,7 @@ mod tests {
         assert_eq!(hash("G1 X1\n"), hash("G1 X1  \r\n\r\n"));
         assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
         assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
-        assert_eq!(hash(""), "ef46db3751d8e999");
+        assert_eq!(hash(""), "EF46DB3751D8E999");
     }
 
     #[test]

@@ -117,7 +117,7 @@ fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
     }
     lines.push("Reset cycles 8, 11 and 26 first; FUNCTION MODE MILL only".to_owned());
     lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
-    lines.extend(header::lines(request, COMMENT_WIDTH));
+    lines.extend(header::lines(request, COMMENT_WIDTH, false));
     lines.iter().flat_map(|line| wrapped(line, COMMENT_WIDTH)).collect()
 }
 

@@ -3,6 +3,7 @@
 //! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
 //! each, and every touch runs on past its nominal contact by the overtravel.
 
+mod fanuc;
 mod grbl;
 pub mod header;
 mod heidenhain;
@@ -19,10 +20,10 @@ use crate::control::iso::writer::Dialect;
 use crate::form::{Checker, Value};
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::path::{Feeds, Move, Path, Setup, Subject};
+use crate::path::{Feeds, Move, Path, Purpose, RAPID_RATE, Setup, Subject};
 
 /// Every control, in the order of the form.
-pub static POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF];
+pub const POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF, &fanuc::FANUC, &fanuc::HAAS];
 
 /// How a program probes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -259,6 +260,14 @@ fn written(request: &Request<'_>, datum: Option<&Datum>) -> String {
         [one] => format!("its {one} is written once, at the very end"),
         [rest @ .., last] => format!("its {} and {last} are written once, at the very end", rest.join(", ")),
     }
+}
+
+/// The feed of a move on controls whose watched moves need one, mm/min: a watched move has one, and so have the straight moves that make an
+/// arc.
+fn feed_rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let stated = request.feeds.rate(step.feed);
+    let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
+    stated.or(needed.then_some(RAPID_RATE))
 }
 
 /// How a work offset is called in the RS274 family: G54 … G59, G59.1 ….

@@ -62,6 +62,8 @@ const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 pub struct Followed<'t> {
     /// The program.
     pub script: Script<'t>,
+    /// Where the ball was taken to be before it.
+    pub start: Place,
     /// From above the first place to the end.
     pub trace: Trace,
     /// From below the first place up to it; none where the job says where the stylus is, or nothing moves.
@@ -116,7 +118,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         }
         _ => None,
     };
-    Ok(Followed { script, trace, below, triggers })
+    Ok(Followed { start: run.start, script, trace, below, triggers })
 }
 
 /// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
@@ -329,8 +331,8 @@ fn results(request: &Request<'_>, followed: &Followed<'_>, expected: &Expected) 
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
         match given.next() {
-            Some((code, x)) if code == result.code && equal(*x, value, unit) => {}
-            Some((code, _)) if code == result.code => {
+            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit) => {}
+            Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
                 return Err(Fault::of(format!("the program computes another {code} than the formula")));
             }
             _ => return Err(Fault::of(format!("the program does not give {}", result.code))),

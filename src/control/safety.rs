@@ -260,7 +260,7 @@ fn spindle_off(case: &Case<'_>) -> Vec<Break> {
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {
     let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else { return Vec::new() };
-    let run = Run { start: case.steps()[0].to, deflected: true, until: None };
+    let run = Run { start: case.followed.start, deflected: true, until: None };
     match machine::deflected(&case.followed.script, run) {
         Ok(Ending::ControlStops) => Vec::new(),
         Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),

@@ -77,6 +77,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("picks-out-of-range", "Picked touches give a size outside of what is allowed."),
     ("plane-from-dump", "The plane was found from the points of a dump."),
     ("plane-unknown", "The points of a dump fit several planes, or none."),
+    ("plane-unsupported", "The control takes no program for this plane."),
     (
         "points-differ",
         "The used points of a dump (-100 and following) differ from the original ones (-200): the used ones are taken.",
@@ -91,6 +92,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("rotary-unsupported", "A program of moves does not turn a rotary table."),
     ("rotation-unsupported", "The control cannot turn its work offset in this plane."),
     ("rule-broken", "A program breaks a safety rule that must hold: it is refused. A fault of Touchpath, worth a report."),
+    (
+        "search-too-short",
+        "A touch searches so little past its nominal contact that the control could not tell its contact from its end.",
+    ),
     ("semi-automatic", "1411: the operator moves the probe to this object; no path can be shown."),
     ("semi-automatic-unsupported", "A semi-automatic object needs the control's own cycle."),
     ("several-cycles", "The text holds several cycles: the first is taken."),

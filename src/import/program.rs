@@ -5,12 +5,13 @@ use serde::Serialize;
 
 use crate::control::header::{self, Said};
 use crate::control::iso::machine::{self, Met, Run};
-use crate::control::trace::Kind;
+use crate::control::iso::script::Trouble;
+use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
-use crate::cycle;
-use crate::form::{Checker, Value, printable};
+use crate::cycle::{self, CycleDef};
+use crate::form::{self, Checker, Value, printable};
 use crate::import::{Imported, has_place, set};
-use crate::job::{FORMAT, JobError, Plan};
+use crate::job::{FORMAT, JobError, Plan, SECTIONS};
 
 /// How many lines that are not understood, or not safe, are listed.
 const MOST_LISTED: usize = 20;
@@ -41,7 +42,7 @@ pub struct TraceMove {
 
 /// Whether the header of a text says a job.
 pub fn says_job(text: &str) -> bool {
-    header::read(text).values.iter().any(|(path, _)| *path == "cycle.type")
+    header::read(text).values.iter().any(|(path, _)| path.eq_ignore_ascii_case("cycle.type"))
 }
 
 /// Makes a job of a program whose header says it.
@@ -63,6 +64,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         );
         checker.info("other-version", "", message);
     }
+    let plan = crate::job::plan(&job);
     match crate::job::examine(&job, text) {
         Some(Err(_)) if written_for_another(&job, text) => {
             let message = "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
@@ -82,14 +84,18 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
             return Err(JobError { findings: checker.findings() });
         }
         Some(Ok(rules)) => {
-            for rule in rules.iter().filter(|rule| rule.holds == Some(false)).take(MOST_LISTED) {
+            // What the job itself asks for is no change.
+            let asked = |rule: &str| {
+                plan.as_ref().is_ok_and(|p| p.safety.iter().any(|own| own.rule == rule && own.holds == Some(false)))
+            };
+            for rule in rules.iter().filter(|rule| rule.holds == Some(false) && !asked(rule.rule)).take(MOST_LISTED) {
                 let message = format!("{} (rule {})", rule.message, rule.rule);
                 checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), &message));
             }
         }
         None => {}
     }
-    match crate::job::plan(&job) {
+    match plan {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
         Err(_) => checker.warning("header-unsound", "", "The job that the header says has errors: see its findings"),
     }
@@ -112,14 +118,16 @@ fn written_for_another(job: &Value, text: &str) -> bool {
 
 /// The job that a header says: `job path=value path=value`.
 fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
-    let find = |path: &str| said.values.iter().find(|(p, _)| *p == path).map(|(_, v)| *v);
-    let def = cycle::find(find("cycle.type")?)?;
+    let find = |path: &str| said.values.iter().find(|(p, _)| p.eq_ignore_ascii_case(path)).map(|(_, v)| *v);
+    let def = cycle::find(&find("cycle.type")?.to_ascii_lowercase())?;
     let format = find("format").and_then(|v| v.parse::<f64>().ok()).unwrap_or(FORMAT);
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
-    for (path, text) in said.values.iter().filter(|(path, _)| *path != "format") {
-        if has_place(def, path) {
-            set(&mut job, path, value(text));
+    for (path, text) in said.values.iter().filter(|(path, _)| !path.eq_ignore_ascii_case("format")) {
+        // On controls that know no small letters all is in capitals.
+        let path = if has_place(def, path) { (*path).to_owned() } else { spelled(def, path) };
+        if has_place(def, &path) {
+            set(&mut job, &path, value(&word(def, &path, text)));
         } else {
             unknown += 1;
         }
@@ -130,6 +138,59 @@ fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
         checker.warning("header-unknown", "", message);
     }
     Some(job)
+}
+
+/// A path as the fields spell it.
+fn spelled(def: &CycleDef, path: &str) -> String {
+    let keys = || {
+        let sections =
+            SECTIONS.iter().flat_map(|(section, fields)| std::iter::once(*section).chain(fields.iter().map(|f| f.key)));
+        let own = def.fields.iter().map(|f| f.key);
+        let inner = def.sections.iter().flat_map(|s| std::iter::once(s.key).chain(s.fields.iter().map(|f| f.key)));
+        const OTHERS: [&str; 11] =
+            ["cycle", "type", "touches", "point", "vector", "custom", "code", "value", "frame", "rot", "mirror"];
+        sections.chain(own).chain(inner).chain(OTHERS)
+    };
+    let spelled = |word: &str| keys().find(|key| key.eq_ignore_ascii_case(word)).unwrap_or(word).to_owned();
+    let words = path.split('.').map(|word| match word.split_once('[') {
+        Some((word, index)) => format!("{}[{index}", spelled(word)),
+        None => spelled(word),
+    });
+    words.collect::<Vec<_>>().join(".")
+}
+
+/// A value as the field spells it: the word of a choice, a cycle's type, true, false, null; a capital behind a plus is a small letter.
+fn word(def: &CycleDef, path: &str, text: &str) -> String {
+    if text.bytes().any(|b| b.is_ascii_lowercase()) {
+        return text.to_owned();
+    }
+    let choices = SECTIONS.iter().find_map(|(section, fields)| {
+        let key = if section.is_empty() { Some(path) } else { path.strip_prefix(section)?.strip_prefix('.') };
+        fields.iter().find(|f| Some(f.key) == key).map(|field| field.kind)
+    });
+    if let Some(form::Kind::Choice(choices)) = choices
+        && let Some(choice) = choices.iter().find(|choice| choice.value.eq_ignore_ascii_case(text))
+    {
+        return choice.value.to_owned();
+    }
+    if path == "cycle.type" {
+        return def.key.to_owned();
+    }
+    if matches!(text, "TRUE" | "FALSE" | "NULL") {
+        return text.to_ascii_lowercase();
+    }
+    let mut small = String::new();
+    let mut signs = text.chars().peekable();
+    while let Some(c) = signs.next() {
+        match signs.peek() {
+            Some(next) if c == '+' && next.is_ascii_uppercase() => {
+                small.push(next.to_ascii_lowercase());
+                signs.next();
+            }
+            _ => small.push(c),
+        }
+    }
+    small
 }
 
 /// A value of the header. A number is finite; whatever is none is text, and the check reports it.
@@ -244,31 +305,20 @@ pub fn recognises(text: &str) -> bool {
 /// Reads the moves of a program that says no job: for the first control that understands all of it.
 pub fn trace(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
-    let mut least: Option<(&PostDef, Vec<crate::control::iso::script::Trouble>)> = None;
+    let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
+    let mut read: Option<(&PostDef, Trace)> = None;
     for post in POSTS {
-        let Some(read) = post.read else { continue };
-        let start = Run { start: [0.0; 3], deflected: false, until: None };
-        let made = read(text).and_then(|script| machine::run(&script, start, &mut |_| Met::Unknown).map_err(|t| vec![t]));
-        match made {
-            Ok(trace) if trace.steps.is_empty() => {}
-            Ok(trace) => {
-                let message = "The program says no job: its moves are read, and a job cannot be made of them";
-                checker.info("no-job-in-program", "", message);
-                let moves = trace.steps.iter().map(|step| TraceMove {
-                    to: [0, 1, 2].map(|axis| step.known[axis].then_some(step.to[axis])),
-                    kind: step.kind,
-                    feed: step.feed,
-                    line: step.line,
-                });
-                let units = trace.modes.metric.map(|metric| if metric { "mm" } else { "inch" });
-                let trace = TraceRow { control: post.key, units, moves: moves.collect() };
-                return Ok(Imported { job: Value::Null, trace: Some(trace), findings: checker.findings() });
+        match followed(post, text) {
+            Some(Ok(trace)) if read.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => read = Some((post, trace)),
+            Some(Err(troubles)) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
+                least = Some((post, troubles));
             }
-            Err(troubles) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
-                least = Some((post, troubles))
-            }
-            Err(_) => {}
+            _ => {}
         }
+    }
+    if let Some((post, trace)) = read {
+        checker.info("no-job-in-program", "", "The program says no job: its moves are read, and a job cannot be made of them");
+        return Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings: checker.findings() });
     }
     match least {
         Some((post, troubles)) => {
@@ -280,4 +330,22 @@ pub fn trace(text: &str) -> Result<Imported, JobError> {
         None => checker.error("nothing-to-import", "", "Nothing in this text moves"),
     }
     Err(JobError { findings: checker.findings() })
+}
+
+/// A text followed as a program for a control, on a part that is not known.
+fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
+    let start = Run { start: [0.0; 3], deflected: false, until: None };
+    let script = (post.read?)(text);
+    Some(script.and_then(|script| machine::run(&script, start, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])))
+}
+
+fn row(post: &PostDef, trace: &Trace) -> TraceRow {
+    let moves = trace.steps.iter().map(|step| TraceMove {
+        to: [0, 1, 2].map(|axis| step.known[axis].then_some(step.to[axis])),
+        kind: step.kind,
+        feed: step.feed,
+        line: step.line,
+    });
+    let units = trace.modes.metric.map(|metric| if metric { "mm" } else { "inch" });
+    TraceRow { control: post.key, units, moves: moves.collect() }
 }

@@ -333,6 +333,9 @@ fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>)
     }
 }
 
+/// How many faults of a program are listed.
+const MOST_FAULTS: usize = 5;
+
 /// No program leaves without its proof: one of moves is read back and proven equal to its path, and every rule that must hold holds.
 fn handed_out(
     request: &Request<'_>,
@@ -344,7 +347,10 @@ fn handed_out(
         _ => match judged(request, &program) {
             Ok(judged) => judged,
             Err(faults) => {
-                faults.iter().for_each(|fault| checker.error("not-proven", "control.post", not_proven(fault)));
+                faults
+                    .iter()
+                    .take(MOST_FAULTS)
+                    .for_each(|fault| checker.error("not-proven", "control.post", not_proven(fault)));
                 return None;
             }
         },

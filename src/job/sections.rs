@@ -1,6 +1,6 @@
 //! The job's own form: everything around the cycle.
 
-use crate::control::{self, Form, Header, PostDef};
+use crate::control::{self, Form, Header, POSTS, PostDef};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
@@ -18,12 +18,19 @@ const PLANES: &[Choice] = &[
     Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
     Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
 ];
-pub const POST_CHOICES: &[Choice] = &[
-    Choice { value: "linuxcnc", label: "LinuxCNC" },
-    Choice { value: "grbl", label: "grbl" },
-    Choice { value: "sinumerik", label: "SINUMERIK" },
-    Choice { value: "heidenhain", label: "HEIDENHAIN TNC7" },
-];
+/// The registered controls.
+pub const POST_CHOICES: &[Choice] = &post_choices();
+
+const fn post_choices() -> [Choice; POSTS.len()] {
+    let mut choices = [Choice { value: "", label: "" }; POSTS.len()];
+    let mut i = 0;
+    while i < POSTS.len() {
+        choices[i] = Choice { value: POSTS[i].key, label: POSTS[i].title };
+        i += 1;
+    }
+    choices
+}
+
 const FORMS: &[Choice] = &[
     Choice { value: Form::Moves.word(), label: "Plain moves" },
     Choice { value: Form::Cycle.word(), label: "The control's own cycle" },

@@ -1,6 +1,7 @@
 //! What the tests share: the jobs in `tests/jobs/`, and LinuxCNC's own interpreter.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod fanuc;
 pub mod mpf;
 pub mod owed;
 

@@ -72,7 +72,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
     JSON.stringify({
       format: 1,
       units: "cm",
-      control: { post: "fanuc", workOffset: "G54" },
+      control: { post: "mazatrol", workOffset: "G54" },
       cycle: { type: "boss", depth: "ten", diameter: true, rotation: null, variant: 7 },
     }),
   );
@@ -84,7 +84,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
   assert.equal(await field("cycle.rotation").inputValue(), "", "null is not the default");
   for (const [path, shown] of [
     ["units", "cm"],
-    ["control.post", "fanuc"],
+    ["control.post", "mazatrol"],
     ["control.workOffset", "G54"],
     ["cycle.variant", "7"],
   ]) {

@@ -635,7 +635,7 @@ export interface Job {
   };
   control?: {
     /** Which control the program is for. */
-    post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain";
+    post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain" | "fanuc" | "haas";
     /** Plain moves, or the control's own cycle where it has one. */
     form?: "moves" | "cycle";
     /** The work offset that the program writes at its end: 1 is G54. Empty measures only. `null`: measure only. */

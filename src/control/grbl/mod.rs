@@ -50,6 +50,8 @@ static DIALECT: Dialect = Dialect {
     // grbl 1.1 takes about 80 characters a line, its kin 256.
     comment_width: 78,
     longest_block: 78,
+    points: false,
+    capitals: false,
     units: ("G21", "G20"),
     modes: "G40 G61 G80 G90",
     arcs: " G91.1",

@@ -335,7 +335,7 @@ impl<'s, 't> Machine<'s, 't> {
     fn ending(&mut self, most_moves: usize, most_blocks: usize, deflected: bool) -> Result<Ending, Trouble> {
         let up = self.tool_axis();
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
-        let mut fresh = deflected;
+        let (mut fresh, mut probes) = (deflected, 0);
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
@@ -349,10 +349,10 @@ impl<'s, 't> Machine<'s, 't> {
                     let step = self.motion(line, &words, motion)?;
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if fresh => return Ok(Ending::ControlStops),
-                        // A deflected probe ends a probing move where it begins.
-                        Motion::MayTouch if fresh => {
+                        // A deflected probe ends every probing move where it begins.
+                        Motion::MayTouch if deflected && probes < MOST_LIFTS => {
                             self.arrive(from, Some((from, from)));
-                            fresh = false;
+                            (fresh, probes) = (false, probes + 1);
                         }
                         Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
                         Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
@@ -382,7 +382,7 @@ impl<'s, 't> Machine<'s, 't> {
             return 0.0;
         }
         let known = self.state.origins.iter().find(|(known, _)| *known == part);
-        known.map_or_else(|| before(part), |(_, value)| *value)
+        known.map_or_else(|| before(part, self.script.straight), |(_, value)| *value)
     }
 
     fn set_part(&mut self, part: Part, value: f64) {
@@ -398,6 +398,7 @@ impl<'s, 't> Machine<'s, 't> {
         let plane = self.state.modes.plane.unwrap_or(Plane::G17);
         let [a, o, tool] = plane.axes();
         let turn = Part::Turn(number, tool);
+        let before = |part: Part| before(part, self.script.straight);
         let (was, is) = (before(turn), self.part(turn));
         let place = self.state.at;
         // From the machine into the system as it is now.
@@ -463,9 +464,11 @@ impl<'s, 't> Machine<'s, 't> {
             System::Trigger(axis) => self.state.trigger[axis],
             System::PlaceWithLength(axis) => self.state.at[axis] + length(axis),
             System::TriggerWithLength(axis) => self.state.trigger[axis] + length(axis),
+            System::Length => TOOL_LENGTH,
             System::Contact => truth(self.state.contact),
             System::Deflected => truth(self.state.deflected),
             System::Metric => self.metric,
+            System::UnitsCode => 20.0 + self.metric,
             System::Fixed(x) => x,
             System::Offset(part) => self.part(part),
         }
@@ -476,9 +479,10 @@ impl<'s, 't> Machine<'s, 't> {
 const ARGUMENTS: [&str; 9] = ["#1", "#2", "#3", "#4", "#5", "#6", "#7", "#8", "#9"];
 
 /// A part of a work offset before the program.
-fn before(part: Part) -> f64 {
+fn before(part: Part, straight: bool) -> f64 {
     match part {
         Part::Origin(_, axis) => ORIGIN[axis],
+        Part::Turn(..) if straight => 0.0,
         Part::Turn(..) => TURN,
     }
 }

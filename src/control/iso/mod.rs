@@ -7,5 +7,6 @@ pub mod codes;
 pub mod machine;
 pub mod parse;
 pub mod print;
+pub mod registers;
 pub mod script;
 pub mod writer;

@@ -44,6 +44,8 @@ pub enum Code {
     Setting,
     /// Ends the program.
     End,
+    /// Selects a work offset by its number P, counted on from here.
+    Extended(i32),
     /// Nothing that matters here; it may have these letters.
     Nothing(&'static str),
 }
@@ -144,7 +146,7 @@ impl<'t> Cursor<'t> {
     pub fn label(&mut self) -> Option<&'t str> {
         let end = match self.rest.bytes().next()? {
             b'<' => self.rest.find('>')? + 1,
-            _ => self.rest.bytes().position(|b| !b.is_ascii_digit())?,
+            _ => self.rest.bytes().position(|b| !b.is_ascii_digit()).unwrap_or(self.rest.len()),
         };
         (end > 0).then(|| self.take(end))
     }
@@ -166,6 +168,7 @@ impl<'t> Cursor<'t> {
         let bytes = self.rest.as_bytes();
         let end = match (names, bytes.first()?) {
             (Names::Hash, b'#') if bytes.get(1) == Some(&b'<') => self.rest.find('>')? + 1,
+            (Names::Hash, b'#') if bytes.get(1) == Some(&b'[') => self.rest.find(']')? + 1,
             (Names::Hash, b'#') => bytes[1..].iter().position(|b| !b.is_ascii_digit()).unwrap_or(bytes.len() - 1) + 1,
             (Names::Words, b'$') => {
                 let end = bytes[1..]
@@ -314,6 +317,7 @@ struct Block {
     setting: bool,
     ends: bool,
     allowed: &'static str,
+    extended: Option<i32>,
     /// L, P, R and whatever else stands there.
     others: [Option<Node>; 26],
 }
@@ -374,12 +378,21 @@ impl Block {
             Code::Mode(modes) => self.words.modes = self.words.modes.then(modes),
             Code::Setting => self.setting = true,
             Code::End => self.ends = true,
+            Code::Extended(from) => {
+                self.extended = Some(from);
+                self.allowed = "P";
+            }
             Code::Nothing(letters) => self.allowed = letters,
         }
         Ok(())
     }
 
-    fn finish(self, script: &mut Script<'_>) -> Parsed<What> {
+    fn finish(mut self, script: &mut Script<'_>) -> Parsed<What> {
+        if let Some(from) = self.extended {
+            let number = self.others[usize::from(b'P' - b'A')].and_then(|node| script.number(node));
+            let number = number.filter(|n| (1.0..=99.0).contains(n)).ok_or("a work offset without its number")?;
+            self.words.modes.offset = Some(from + number as i32);
+        }
         let other = |letter: u8| self.others[usize::from(letter - b'A')];
         let allowed = if self.setting { "LPR" } else { self.allowed };
         for (i, _) in self.others.iter().enumerate().filter(|(_, value)| value.is_some()) {
@@ -431,7 +444,8 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
 
 /// Where the header says that the ball is before the start: `The stylus is taken to be at X0 Y0 Z100 before the start`.
 pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
-    let words = comment.strip_prefix("The stylus is taken to be at ")?;
+    const HEAD: &str = "The stylus is taken to be at ";
+    let words = comment.get(HEAD.len()..).filter(|_| comment[..HEAD.len()].eq_ignore_ascii_case(HEAD))?;
     let mut place = [None; 3];
     for word in words.split(' ').take(3) {
         let axis = AXIS_NAMES.iter().position(|name| word.starts_with(name))?;

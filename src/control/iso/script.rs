@@ -93,12 +93,16 @@ pub enum System {
     PlaceWithLength(usize),
     /// See there.
     TriggerWithLength(usize),
+    /// The length of the active tool.
+    Length,
     /// Whether the last probing move met something: 1 or 0.
     Contact,
     /// Whether the probe is deflected now: 1 or 0.
     Deflected,
     /// Whether the basic system of the control is metric, as the program's units: 1 or 0.
     Metric,
+    /// The active code of the units: 21 or 20, as the program's.
+    UnitsCode,
     /// A value that is this, for a program that is rightly started.
     Fixed(f64),
     /// A part of a work offset, which a program may write.
@@ -252,6 +256,8 @@ pub struct Script<'t> {
     names: HashMap<&'t str, Slot>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
+    /// Whether the work offsets of its control have no rotation.
+    pub straight: bool,
     /// The variables that hold results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
 }
@@ -298,6 +304,16 @@ impl<'t> Script<'t> {
             }
         }
         self.blocks.splice(at..at, blocks.into_iter().map(|what| Block { line, what }));
+    }
+
+    /// The results go out where they stand at the end.
+    pub fn give_results(&mut self) {
+        let end = self.blocks.iter().position(|block| block.what == What::End).unwrap_or(self.blocks.len());
+        let line = self.blocks.get(end).map_or(0, |block| block.line);
+        let results = std::mem::take(&mut self.results);
+        let outputs =
+            results.into_iter().map(|(code, slot)| What::Output(code.to_owned(), self.node(Expr::Slot(slot)))).collect();
+        self.insert(end, line, outputs);
     }
 
     /// Adds a block.

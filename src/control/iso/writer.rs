@@ -18,6 +18,10 @@ pub struct Dialect {
     pub comment_width: usize,
     /// The most characters of a block.
     pub longest_block: usize,
+    /// Whether numbers always have a decimal point: without one they count in the smallest step of the control.
+    pub points: bool,
+    /// Whether comments are in capitals.
+    pub capitals: bool,
     /// The words for mm and inch.
     pub units: (&'static str, &'static str),
     /// Exact stop, and everything modal that must not leak in, but for plane and units.
@@ -72,14 +76,21 @@ impl<'a> Writer<'a> {
     pub fn comment(&mut self, text: &str) {
         debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
         let (open, close) = self.dialect.comment;
-        for line in wrapped(text, self.dialect.comment_width - open.len() - close.len()) {
+        for mut line in wrapped(text, self.dialect.comment_width - open.len() - close.len()) {
+            if self.dialect.capitals {
+                line.make_ascii_uppercase();
+            }
             self.line(&format!("{open}{line}{close}"));
         }
     }
 
     /// A length or feed in the program's units, with the decimals the control takes.
     pub fn number(&self, mm: f64) -> String {
-        decimal(mm / self.request.scale, self.decimals())
+        let mut text = decimal(mm / self.request.scale, self.decimals());
+        if self.dialect.points && !text.contains('.') {
+            text.push('.');
+        }
+        text
     }
 
     /// A place by its axis words: `X0 Y0 Z30`.
@@ -122,7 +133,7 @@ impl<'a> Writer<'a> {
     /// The job, the version and the hash over what follows, as comments.
     pub fn says_job(&mut self) {
         let (open, close) = self.dialect.comment;
-        for line in header::lines(self.request, self.dialect.comment_width - open.len() - close.len()) {
+        for line in header::lines(self.request, self.dialect.comment_width - open.len() - close.len(), self.dialect.capitals) {
             self.comment(&line);
         }
     }

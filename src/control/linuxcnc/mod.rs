@@ -58,6 +58,8 @@ static DIALECT: Dialect = Dialect {
     // A line may have 255 characters; more than this is hard to read.
     comment_width: 160,
     longest_block: 255,
+    points: false,
+    capitals: false,
     units: ("G21", "G20"),
     // G8: X is a radius. Under G7, the lathe's diameters, half of every X would be run.
     modes: "G8 G40 G61 G80 G90",

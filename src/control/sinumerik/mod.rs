@@ -12,18 +12,19 @@
 
 mod cycle977;
 mod read;
-mod registers;
 
-use crate::control::iso::print;
+use crate::control::iso::print::{self, Notation};
+use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
-use crate::control::sinumerik::registers::{RParameters, Registers};
-use crate::control::{Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, written};
+use crate::control::{
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, written,
+};
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
-use crate::geom::{AXIS_NAMES, Vec3};
+use crate::geom::AXIS_NAMES;
 use crate::num::decimal;
-use crate::path::{Move, Purpose, RAPID_RATE, Subject, Touch};
+use crate::path::{Move, RAPID_RATE, Subject, Touch};
 
 pub static DEF: PostDef = PostDef {
     key: "sinumerik",
@@ -39,7 +40,7 @@ pub static DEF: PostDef = PostDef {
     dialect: Some(&DIALECT),
     cannot: &[],
     name: crate::control::comment_text,
-    rate,
+    rate: feed_rate,
     serves,
     check,
     emit,
@@ -53,6 +54,8 @@ static DIALECT: Dialect = Dialect {
     comment_width: 120,
     // Recalled: a block has at most 512 characters.
     longest_block: 512,
+    points: false,
+    capitals: false,
     units: ("G71", "G70"),
     modes: "G40 G60 G90",
     arcs: "",
@@ -112,16 +115,9 @@ fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
     if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
 }
 
-/// The feed of a move, mm/min: a watched move has one, and an arc is made of straight moves at one.
-fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
-    let stated = request.feeds.rate(step.feed);
-    let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
-    stated.or(needed.then_some(RAPID_RATE))
-}
-
 /// The same where there is one.
 fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
-    rate(request, None, step).unwrap_or(RAPID_RATE)
+    feed_rate(request, None, step).unwrap_or(RAPID_RATE)
 }
 
 fn emit(request: &Request<'_>) -> Program {
@@ -142,7 +138,9 @@ struct Sinumerik<'a> {
 impl Moves for Sinumerik<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let formula = &self.request.path.formula;
-        let lines = self.registers.lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2);
+        let lines = self
+            .registers
+            .lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
         begin(w, self.request, &written(self.request, formula.datum.as_ref()), &notes);
     }
@@ -277,7 +275,7 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
             let words = w.place(to, false);
             watched(w, &words, rate_of(request, place.step), exit);
         } else {
-            let rate = rate(request, from, place.step);
+            let rate = feed_rate(request, from, place.step);
             w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
         }
     });
@@ -288,7 +286,7 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     let height = w.height_word(step.to);
     let (axis, level) = height.split_at(1);
     w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
-    let stated = rate(request, None, step);
+    let stated = feed_rate(request, None, step);
     let up = w.tool_word(step.to);
     let feed = stated.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
     let word = if stated.is_some() { "G1" } else { "G0" };
@@ -411,4 +409,26 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("TP_FRAME:");
     w.line(&format!("MSG(\"{frame}\")"));
     stop(w);
+}
+
+/// Writes expressions over these registers.
+#[derive(Debug)]
+struct RParameters<'a> {
+    registers: &'a Registers,
+}
+
+impl Notation for RParameters<'_> {
+    const BRACKETS: (char, char) = ('(', ')');
+
+    fn variable(&self, _: &Formula, index: usize) -> String {
+        format!("R{}", self.registers.variables[index])
+    }
+
+    fn trigger(&self, sample: usize, axis: usize) -> String {
+        format!("R{}", self.registers.trigger(sample, axis))
+    }
+
+    fn atan(&self, y: &str, x: &str) -> String {
+        format!("ATAN2({y},{x})")
+    }
 }

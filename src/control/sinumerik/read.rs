@@ -74,14 +74,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         block(script, line, code, &mut targets)
     })?;
     targets.resolve(&mut script, true)?;
-    // The results go out where they stand at the end.
-    let end = script.blocks.iter().position(|block| block.what == What::End).unwrap_or(script.blocks.len());
-    let line = script.blocks.get(end).map_or(0, |block| block.line);
-    let outputs: Vec<What> = std::mem::take(&mut script.results)
-        .into_iter()
-        .map(|(code, slot)| What::Output(code.to_owned(), script.node(crate::control::iso::script::Expr::Slot(slot))))
-        .collect();
-    script.insert(end, line, outputs);
+    script.give_results();
     Ok(script)
 }
 

@@ -1,9 +1,8 @@
-//! Which R parameter holds what.
+//! Which numbered variable holds what, on controls that have no named ones.
 
-use crate::control::iso::print::Notation;
 use crate::formula::{Expr, Formula};
 
-/// Which R parameter holds what: results first, from R1, in their order; then the triggers; then what is needed on the way, each
+/// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
 /// as long as it is needed.
 #[derive(Debug)]
 pub struct Registers {
@@ -91,13 +90,14 @@ impl Registers {
         self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
     }
 
-    /// What stands where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame.
-    pub fn lines(&self, formula: &Formula, more: usize, width: usize) -> Vec<String> {
+    /// What stands where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
+    /// the control calls one.
+    pub fn lines(&self, formula: &Formula, more: usize, width: usize, name: fn(usize) -> String) -> Vec<String> {
         const HEAD: &str = "Results: ";
         let mut lines: Vec<String> = Vec::new();
         let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code);
         for (i, code) in codes.enumerate() {
-            let entry = format!("R{} = {code}", i + 1);
+            let entry = format!("{} = {code}", name(i + 1));
             match lines.last_mut().filter(|line| line.len() + 2 + entry.len() <= width) {
                 Some(line) => {
                     line.push_str(", ");
@@ -108,31 +108,8 @@ impl Registers {
         }
         let last = self.last + more;
         if last > self.results {
-            lines.push(format!("Used on the way: R{} to R{last}", self.results + 1));
+            lines.push(format!("Used on the way: {} to {}", name(self.results + 1), name(last)));
         }
         lines
-    }
-}
-
-/// Writes expressions over these registers.
-#[derive(Debug)]
-pub struct RParameters<'a> {
-    /// What stands where.
-    pub registers: &'a Registers,
-}
-
-impl Notation for RParameters<'_> {
-    const BRACKETS: (char, char) = ('(', ')');
-
-    fn variable(&self, _: &Formula, index: usize) -> String {
-        format!("R{}", self.registers.variables[index])
-    }
-
-    fn trigger(&self, sample: usize, axis: usize) -> String {
-        format!("R{}", self.registers.trigger(sample, axis))
-    }
-
-    fn atan(&self, y: &str, x: &str) -> String {
-        format!("ATAN2({y},{x})")
     }
 }

@@ -1,0 +1,469 @@
+//! Fanuc 30i and its kin, and Haas NGC: plain moves with the skip function G31.
+//!
+//! Sources, as far as anything of this has one: posts for G31 inspection on Mazak, Fanuc and Haas, and what the Renishaw macros do. G31 moves
+//! until the skip signal, or to its end; #5061… hold the ball centre at the skip, or the end where there was none. So every probing move is
+//! followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a Haas M78 and M79 in the
+//! block of G31 raise the alarm in the control itself; the comparison stands behind them, too.
+//! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
+//! tool table, and the first move whose end it knows in Z shows which of the two it is.
+//!
+//! Ours, and marked [I] in the docs: that comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not
+//! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, #5221… as the origin that a program may write.
+
+mod read;
+
+use crate::control::iso::print::{self, Notation};
+use crate::control::iso::registers::Registers;
+use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
+use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::{
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, safety, written,
+};
+use crate::form::Checker;
+use crate::formula::{Datum, Expr, Formula};
+use crate::geom::{Plane, Vec3};
+use crate::num::decimal;
+use crate::path::{Move, RAPID_RATE, Subject, Touch};
+
+/// Fanuc 30i, 31i, 32i, 0i-F.
+pub static FANUC: PostDef = PostDef {
+    key: "fanuc",
+    title: "Fanuc 30i / 0i-F (G31)",
+    extension: "nc",
+    work_offsets: 6,
+    work_offset_word: |n| format!("G{}", 53 + n),
+    cannot: &[],
+    emit: |request| emit(request, &PLAIN),
+    read: Some(read::fanuc),
+    ..BASE
+};
+
+/// Haas Next Generation Control.
+pub static HAAS: PostDef = PostDef {
+    key: "haas",
+    title: "Haas NGC (G31)",
+    extension: "nc",
+    work_offsets: 99,
+    work_offset_word: |n| if n <= 6 { format!("G{}", 53 + n) } else { format!("G154 P{}", n - 6) },
+    cannot: &[
+        (safety::CONTACT_LIFTS, "M78 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+        (safety::MISS_LIFTS, "M79 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+    ],
+    emit: |request| emit(request, &WITH_ALARMS),
+    read: Some(read::haas),
+    ..BASE
+};
+
+const BASE: PostDef = PostDef {
+    key: "",
+    title: "",
+    extension: "",
+    work_offsets: 0,
+    work_offset_word: |_| String::new(),
+    no_work_offset: "",
+    first_length: false,
+    computes: true,
+    watches: true,
+    shortest_probe: 0.0,
+    dialect: Some(&DIALECT),
+    cannot: &[],
+    name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
+    rate: feed_rate,
+    serves,
+    check,
+    emit: |request| emit(request, &PLAIN),
+    read: None,
+};
+
+static DIALECT: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    comment: ("(", ")"),
+    // Ours: what is longer is hard to read on the screen of the control.
+    comment_width: 80,
+    longest_block: 255,
+    points: true,
+    capitals: true,
+    units: ("G21", "G20"),
+    modes: "G40 G80 G90",
+    arcs: "",
+};
+
+/// What differs between the two.
+#[derive(Debug)]
+struct Flavour {
+    /// The length of the active tool.
+    length: &'static str,
+    /// Behind a positioning move, in its block.
+    free: &'static str,
+    /// Behind a touch, in its block.
+    touch: &'static str,
+    /// A block that keeps the control from reading ahead of a comparison: behind every probing move.
+    halt: Option<&'static str>,
+    /// The same once, at the beginning and at the end.
+    halts: Option<(&'static str, &'static str)>,
+}
+
+static PLAIN: Flavour = Flavour { length: "#[2000+#4111]+#[2200+#4111]", free: "", touch: "", halt: Some("G53"), halts: None };
+static WITH_ALARMS: Flavour =
+    Flavour { length: "#5083", free: " M78", touch: " M79", halt: None, halts: Some(("G103 P1", "G103")) };
+
+/// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
+const IN_POSITION: f64 = 0.05;
+
+/// The least that a touch searches, mm: else its contact could not be told from its end.
+const SHORTEST_SEARCH: f64 = 0.2;
+
+/// Variables: 100 is the length, those behind it hold results and what is needed on the way, 148 is a place aside, 149 the move.
+const FIRST: usize = 100;
+const LAST: usize = 147;
+
+/// Labels. The exits stand behind the end.
+const FREE: &str = "9001";
+const MISSED: &str = "9002";
+const BLOCKED: &str = "9003";
+const STATE: &str = "9004";
+const ELSEWHERE: &str = "9005";
+
+fn serves(_subject: Subject, form: Form) -> Result<(), &'static str> {
+    match form {
+        Form::Moves => Ok(()),
+        Form::Cycle => Err("it has no probing cycles of its own; calls of installed macros (P98xx) are not printed"),
+    }
+}
+
+fn variable(n: usize) -> String {
+    format!("#{}", FIRST + n)
+}
+
+fn check(request: &Request<'_>, checker: &mut Checker) {
+    let unverified = "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
+                      was run on a control: try it with a hand on the feed override";
+    checker.info("not-verified", "control.post", unverified);
+    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+        let message = format!("G31 moves at a stated feed: rapids run as watched moves at {}/min", checker.length(RAPID_RATE));
+        checker.info("rapid-at-feed", "feeds", message);
+    }
+    check_watched(request, checker);
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    check_write(request, checker);
+    if request.plane != Plane::G17 && !request.path.moves.is_empty() {
+        let message = "The length of the tool is taken to act along Z: programs for another plane than G17 are not printed";
+        checker.error("plane-unsupported", "plane", message);
+    }
+    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        let message = "A work offset of this control has no rotation: none can be written";
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+    }
+    if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
+        let message = format!(
+            "Touch {} searches {} past its nominal contact: at least {} are needed, or its contact could not be told from its end",
+            k + 1,
+            checker.length(request.path.touches[k].search),
+            checker.length(SHORTEST_SEARCH)
+        );
+        checker.error("search-too-short", "overtravel", message);
+    }
+    let last = FIRST + Registers::allocate(&request.path.formula).last;
+    if last > LAST {
+        let message = format!(
+            "The program would need #{FIRST} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \
+             touches"
+        );
+        checker.error("too-many-registers", "control.post", message);
+    }
+}
+
+fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
+    let registers = Registers::allocate(&request.path.formula);
+    moves::write(request, &DIALECT, &mut Skip { request, flavour, registers, labels: 0 })
+}
+
+/// The program of one request.
+struct Skip<'a> {
+    request: &'a Request<'a>,
+    flavour: &'static Flavour,
+    registers: Registers,
+    labels: usize,
+}
+
+/// Writes expressions over these variables.
+struct Variables<'a>(&'a Registers);
+
+impl Notation for Variables<'_> {
+    const BRACKETS: (char, char) = ('[', ']');
+
+    fn variable(&self, _: &Formula, index: usize) -> String {
+        variable(self.0.variables[index])
+    }
+
+    fn trigger(&self, sample: usize, axis: usize) -> String {
+        variable(self.0.trigger(sample, axis))
+    }
+
+    fn atan(&self, y: &str, x: &str) -> String {
+        format!("ATAN[{y}]/[{x}]")
+    }
+}
+
+impl Skip<'_> {
+    /// A number of the program, as a value: with its point, and in brackets where it is negative.
+    fn number(w: &Writer<'_>, mm: f64) -> String {
+        let text = w.number(mm);
+        if text.starts_with('-') { format!("[{text}]") } else { text }
+    }
+
+    /// How far the ball stopped off a place, along the axes that are known, as a sum.
+    fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
+        let terms = axes.iter().map(|&axis| {
+            let length = if axis == 2 { format!("-{}", variable(0)) } else { String::new() };
+            let place = match Self::number(w, to[axis]) {
+                zero if zero == "0." => String::new(),
+                place => format!("-{place}"),
+            };
+            format!("ABS[#{}{length}{place}]", 5061 + axis)
+        });
+        terms.collect::<Vec<_>>().join("+")
+    }
+
+    fn in_position(w: &Writer<'_>) -> String {
+        w.number(IN_POSITION)
+    }
+
+    /// A probing move, and the block that keeps the control from reading ahead.
+    fn probe(&self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
+        let block = format!("G31{words} F{}{alarm}", w.number(rate));
+        w.line(&block);
+        if let Some(halt) = self.flavour.halt {
+            w.line(halt);
+        }
+    }
+
+    /// A watched move, or a plain one, and its check on the axes whose places are known.
+    fn goes(&self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
+        let rate = feed_rate(self.request, None, step);
+        if !self.request.protected {
+            let feed = rate.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
+            w.line(&format!("{}{words}{feed}", if rate.is_some() { "G1" } else { "G0" }));
+            return;
+        }
+        self.probe(w, words, rate.unwrap_or(RAPID_RATE), self.flavour.free);
+        if !axes.is_empty() {
+            let check = format!("IF [{} GT {}] GOTO {exit}", Self::off(w, to, axes), Self::in_position(w));
+            w.line(&check);
+        }
+    }
+
+    fn label(&mut self) -> String {
+        self.labels += 1;
+        self.labels.to_string()
+    }
+
+    /// After a move, or at a place, whose height is known: what #5043 reads more than that is the length of the tool or nothing. Anything
+    /// else is a contact on the way, or a stylus elsewhere.
+    fn settle(&mut self, w: &mut Writer<'_>, height: f64, exit: &str) {
+        let (near, good) = (Self::in_position(w), self.label());
+        let set = format!("#148=#5043-{}", Self::number(w, height));
+        w.line(&set);
+        if self.request.protected || self.request.path.start.is_some() {
+            w.line(&format!("IF [ABS[#148] LE {near}] GOTO {good}"));
+            w.line(&format!("IF [ABS[#148-{}] GT {near}] GOTO {exit}", variable(0)));
+            w.line(&format!("N{good}"));
+        }
+        w.line(&format!("{}=#148", variable(0)));
+    }
+
+    fn moving(&self) -> bool {
+        !self.request.path.moves.is_empty()
+    }
+}
+
+impl Moves for Skip<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        let request = self.request;
+        let formula = &request.path.formula;
+        w.line("%");
+        w.line("O1000");
+        let offset = match request.work_offset {
+            Some(n) => {
+                let word = (request.post.work_offset_word)(n);
+                format!("Work offset: {word} is selected first; {}", written(request, formula.datum.as_ref()))
+            }
+            None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
+        };
+        w.header(&offset);
+        w.comment("The number O1000 is any: give it a free one");
+        if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+            let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+            w.comment(&format!(
+                "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+            ));
+        }
+        w.comment("Not verified on a control: run it with a hand on the feed override");
+        if self.moving() {
+            w.comment(if request.protected {
+                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move"
+            } else {
+                "Touches are G31 with a check. Positioning is NOT watched. #149 is the move"
+            });
+        }
+        for line in self.registers.lines(formula, 0, DIALECT.comment_width - 2, variable) {
+            w.comment(&line);
+        }
+        w.says_job();
+        if self.moving() {
+            w.comment("Nothing moves in other units, without a tool length, or under a rotation or a scale");
+            let other_units = if request.scale == 1.0 { "#4006 EQ 20" } else { "#4006 EQ 21" };
+            for check in [other_units, "#4008 EQ 49", "#4016 EQ 68", "#4011 EQ 51"] {
+                w.line(&format!("IF [{check}] GOTO {STATE}"));
+            }
+        }
+        w.modes();
+        w.line("M5");
+        w.line("M9");
+        if !self.moving() {
+            return;
+        }
+        if let Some((begin, _)) = self.flavour.halts {
+            w.line(begin);
+        }
+        if let Some(n) = request.work_offset {
+            w.line(&(request.post.work_offset_word)(n));
+        }
+        w.line(&format!("{}={}", variable(0), self.flavour.length));
+        if let Some(start) = request.path.start {
+            self.settle(w, start.z, ELSEWHERE);
+        }
+    }
+
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
+        w.line("#149=1");
+        let above = self.label();
+        let height = Self::number(w, first.to.z);
+        w.line(&format!("IF [#5043-{} GE {height}] GOTO {above}", variable(0)));
+        let up = w.tool_word(first.to);
+        self.goes(w, &up, first.to, first, &[], BLOCKED);
+        self.settle(w, first.to.z, BLOCKED);
+        w.line(&format!("N{above}"));
+        let across = w.plane_words(first.to);
+        self.goes(w, &across, first.to, first, &[0, 1], FREE);
+        w.makes_move();
+        let down = w.tool_word(first.to);
+        self.goes(w, &down, first.to, first, &[], FREE);
+        self.settle(w, first.to.z, FREE);
+    }
+
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.line(&format!("#149={}", step.index + 1));
+        w.makes_move();
+        each_piece(self.request, step, |from, to| {
+            let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
+            let words = w.place(to, self.request.protected);
+            self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
+        });
+    }
+
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+        w.line(&format!("#149={}", step.index + 1));
+        w.makes_move();
+        let end = step.step.to - touch.vector * touch.search;
+        let words = w.all_words(end);
+        self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
+        let check = format!("IF [{} LE {}] GOTO {MISSED}", Self::off(w, end, &[0, 1, 2]), Self::in_position(w));
+        w.line(&check);
+    }
+
+    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
+        let length = if axis == 2 { format!("-{}", variable(0)) } else { String::new() };
+        Some(Kept {
+            variable: variable(self.registers.trigger(sample, axis)),
+            source: format!("#{}{length}", 5061 + axis),
+            brackets: ('[', ']'),
+            comment: String::new(),
+        })
+    }
+
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        let rate = feed_rate(self.request, step.from, step.step).unwrap_or(RAPID_RATE);
+        w.straight("G1", step.step.to, true, Some(rate));
+    }
+
+    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
+        let value = print::print(&Variables(&self.registers), formula, &formula.assignments[index].expr, self.request.scale);
+        w.line(&format!("{}={value}", variable(self.registers.variables[index])));
+    }
+
+    fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
+        for &(copy, index) in &self.registers.copies {
+            w.line(&format!("{}={}", variable(copy), variable(self.registers.variables[index])));
+        }
+    }
+
+    /// The origin moves by what was measured less what is nominal: a work offset has no rotation.
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+        w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
+        let axes = self.request.plane.axes();
+        for (i, place) in datum.place.iter().enumerate() {
+            let Some((measured, nominal)) = place else { continue };
+            if matches!(measured, Expr::Length(_)) {
+                continue;
+            }
+            let value = print::print(&Variables(&self.registers), formula, measured, self.request.scale);
+            let nominal = match decimal(nominal / self.request.scale, 12).as_str() {
+                "0" => String::new(),
+                text if text.starts_with('-') => format!("-[{text}]"),
+                text => format!("-{text}"),
+            };
+            let origin = format!("#{}", origin(number) + axes[i]);
+            w.line(&format!("{origin}={origin}+{value}{nominal}"));
+        }
+        w.line(&(self.request.post.work_offset_word)(number));
+    }
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        if let Some((_, end)) = self.flavour.halts.filter(|_| self.moving()) {
+            w.line(end);
+        }
+        w.line("M30");
+        if let Some(first) = self.request.path.moves.first() {
+            self.exits(w, first);
+        }
+        w.line("%");
+    }
+}
+
+impl Skip<'_> {
+    /// What stands behind the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
+    fn exits(&self, w: &mut Writer<'_>, first: &Move) {
+        let top = highest(self.request).z;
+        let height = Self::number(w, top);
+        let lift = format!("G1 Z{} F{}", w.number(top), w.number(feed_rate(self.request, None, first).unwrap_or(RAPID_RATE)));
+        let mut exit = |label: &str, lifts: Option<&str>, alarm: &str| {
+            w.line(&format!("N{label}"));
+            if let Some(stop) = lifts {
+                w.line(&format!("IF [#5043-{} GE {height}] GOTO {stop}", variable(0)));
+                w.line(&lift);
+                w.line(&format!("N{stop}"));
+            }
+            w.line(&format!("#3000={alarm}"));
+        };
+        if self.request.protected {
+            exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
+            exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
+        }
+        exit(MISSED, Some("9012"), "2(NO CONTACT IN TOUCH #149)");
+        exit(STATE, None, "3(OTHER UNITS, G49, G68 OR G51)");
+        if self.request.path.start.is_some() {
+            exit(ELSEWHERE, None, "4(STYLUS NOT AT STATED START)");
+        }
+    }
+}
+
+/// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, G154 P1 on from 14001.
+pub fn origin(number: i32) -> usize {
+    let number = usize::try_from(number).unwrap_or(1);
+    if number <= 6 { 5201 + 20 * number } else { 14_001 + 20 * (number - 7) }
+}

@@ -1,0 +1,130 @@
+//! Reads Fanuc and Haas programs with G31: the blocks that the writer uses, and their like.
+
+use crate::control::iso::codes;
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
+use crate::control::iso::script::{Expr, Modes, Motion, Part, Script, System, Trouble, What};
+
+static FANUC: Grammar = Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code };
+
+static HAAS: Grammar = Grammar { code: haas_code, ..FANUC_LIKE };
+const FANUC_LIKE: Grammar = Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code };
+
+/// System variables. The length of the active tool stands in the table at its number, #4111.
+fn system(name: &str) -> Option<System> {
+    match name {
+        "#[2000+#4111]" => return Some(System::Length),
+        "#[2200+#4111]" => return Some(System::Fixed(0.0)),
+        _ => {}
+    }
+    let number: i32 = name.get(1..)?.parse().ok()?;
+    let origin = |first: i32, offset: i32| {
+        let (place, axis) = ((number - first) / 20, (number - first) % 20);
+        (axis < 3).then(|| System::Offset(Part::Origin(place + offset, axis as usize)))
+    };
+    match number {
+        5041..=5042 => Some(System::Place(number as usize - 5041)),
+        5043 => Some(System::PlaceWithLength(2)),
+        5061..=5062 => Some(System::Trigger(number as usize - 5061)),
+        5063 => Some(System::TriggerWithLength(2)),
+        5083 => Some(System::Length),
+        // Length compensation is active, nothing is turned or scaled.
+        4006 => Some(System::UnitsCode),
+        4008 => Some(System::Fixed(43.0)),
+        4016 => Some(System::Fixed(69.0)),
+        4011 => Some(System::Fixed(50.0)),
+        5221..=5339 => origin(5221, 1),
+        14_001..=15_979 => origin(14_001, 7),
+        _ => None,
+    }
+}
+
+fn code(letter: u8, tenths: i32) -> Option<Code> {
+    const NONE: Modes = Modes::NONE;
+    Some(match (letter, tenths) {
+        (b'G', 310) => Code::Motion(Motion::MayTouch),
+        (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
+        (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
+        (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
+        (b'G', 530 | 800) => Code::Nothing(""),
+        _ => return codes::common(letter, tenths),
+    })
+}
+
+/// M78 and M79 in the block of G31; G103 limits how far the control reads ahead.
+fn haas_code(letter: u8, tenths: i32) -> Option<Code> {
+    match (letter, tenths) {
+        (b'M', 780) => Some(Code::Motion(Motion::MustBeFree)),
+        (b'M', 790) => Some(Code::Motion(Motion::MustTouch)),
+        (b'G', 1030) => Some(Code::Nothing("P")),
+        (b'G', 1540) => Some(Code::Extended(6)),
+        _ => code(letter, tenths),
+    }
+}
+
+/// Reads a program for a Fanuc.
+pub fn fanuc(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    read(text, &FANUC)
+}
+
+/// Reads a program for a Haas.
+pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    read(text, &HAAS)
+}
+
+fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
+    let mut script = Script::default();
+    script.straight = true;
+    let mut targets = Targets::default();
+    parse::lines(text, b'(', &mut script, |script, line, code, comment| {
+        let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
+        for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
+            let slot = script.slot(name);
+            script.results.push((code, slot));
+        }
+        let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
+        if code.is_empty() || code == "%" || code.strip_prefix('O').is_some_and(is_number) {
+            return Ok(());
+        }
+        block(script, line, code, grammar, &mut targets)
+    })?;
+    targets.resolve(&mut script, false)?;
+    script.give_results();
+    Ok(script)
+}
+
+fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Grammar, targets: &mut Targets<'t>) -> Parsed<()> {
+    let mut cursor = Cursor::new(code);
+    let here = script.blocks.len();
+    if cursor.eat("N") {
+        targets.known.push((cursor.label().ok_or("a label without its number")?, here));
+        if cursor.is_done() {
+            script.push(line, What::Nothing);
+            return Ok(());
+        }
+    }
+    let what = if cursor.eat("IF") {
+        let condition = cursor.bracketed(grammar, script)?;
+        cursor.expect("GOTO")?;
+        targets.wanted.push((here, cursor.label().ok_or("a jump without a label")?));
+        What::JumpIf(condition, 0)
+    } else if cursor.eat("GOTO") {
+        targets.wanted.push((here, cursor.label().ok_or("a jump without a label")?));
+        What::Jump(0)
+    } else if let Some(name) = cursor.variable(Names::Hash) {
+        cursor.expect("=")?;
+        let value = cursor.value(grammar, script)?;
+        match system(name) {
+            _ if name == "#3000" && matches!(script.nodes[value as usize], Expr::Number(_)) => What::Alarm,
+            None => What::Set(script.slot(name), value),
+            Some(System::Offset(part)) => What::SetOffset(part, value),
+            Some(_) => return Err("the control's own values are not written".to_owned()),
+        }
+    } else {
+        let what = parse::words(&mut cursor, grammar, script)?;
+        script.push(line, what);
+        return Ok(());
+    };
+    cursor.end()?;
+    script.push(line, what);
+    Ok(())
+}

@@ -1,0 +1,244 @@
+//! Programs for Fanuc and Haas, run on a control of our own (`common/fanuc.rs`): on the virtual part, with contacts where none may be, without
+//! those that must be, and in states in which nothing may move.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::fanuc::Control;
+use common::{number, with};
+use touchpath::form::Value;
+use touchpath::job::Plan;
+
+/// Every job of the repository that they take.
+fn plans() -> Vec<(String, Value, Plan)> {
+    let put = |job: &Value, post: &str, offset: f64| {
+        let job = with(job, "control", Value::Map(vec![("post".to_owned(), Value::Text(post.to_owned()))]));
+        with(&job, "control.workOffset", if offset > 0.0 { number(offset) } else { Value::Null })
+    };
+    common::jobs()
+        .into_iter()
+        .flat_map(|(name, job)| {
+            [("fanuc", 3.0), ("haas", 9.0), ("haas", 0.0)].map(|(post, offset)| {
+                let job = put(&job, post, offset);
+                let plan = touchpath::job::plan(&job).ok()?;
+                Some((format!("{name} {post} {offset}"), job, plan))
+            })
+        })
+        .flatten()
+        .collect()
+}
+
+fn control(job: &Value, plan: &Plan) -> Control {
+    let mut control = Control::new(plan.program.post == "haas", job.get("units") == Some(&Value::Text("inch".to_owned())));
+    control.contacts = plan.triggers.iter().flatten().copied().collect();
+    if let Some(start) = stated_start(plan) {
+        control.at = start;
+    }
+    for offset in [3, 9] {
+        for axis in 0..3 {
+            control.variables.insert(origin(offset) + axis, 50.0 * axis as f64 - 17.0);
+        }
+    }
+    control
+}
+
+/// Where a job says that the stylus is: in the header.
+fn stated_start(plan: &Plan) -> Option<[f64; 3]> {
+    let text = plan.program.text.replace(")\n(", " ");
+    let (_, rest) = text.split_once("THE STYLUS IS TAKEN TO BE AT ")?;
+    let mut words = rest.split(' ').map(|word| word[1..].parse::<f64>().unwrap());
+    Some([words.next()?, words.next()?, words.next()?])
+}
+
+/// By the tables of both controls: G56 of a Fanuc is #5261, G154 P3 of a Haas #14041.
+fn origin(offset: i64) -> i64 {
+    if offset == 3 { 5261 } else { 14_041 }
+}
+
+fn clean(plan: &Plan) -> bool {
+    plan.triggers.iter().all(Option::is_some)
+        && !plan.findings.iter().any(|f| f.code == "wrong-wall" || f.code == "edge-contact")
+}
+
+#[test]
+fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
+    let (mut compared, mut deviating, mut written) = (0, 0, 0);
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan)) {
+        for included in [true, false] {
+            let mut control = control(&job, &plan);
+            control.length_included = included;
+            let before = control.variables.clone();
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}\n{}", plan.program.text));
+            assert_eq!(control.alarm, None, "{name}\n{}", plan.program.text);
+            let header: Vec<&str> = plan.program.text.lines().filter_map(|l| l.strip_prefix("(RESULTS: ")).collect();
+            assert_eq!(header.is_empty(), plan.touches.is_empty(), "{name}");
+            for entry in header.iter().flat_map(|line| line.trim_end_matches(')').split(", ")) {
+                let (variable, code) = entry.split_once(" = ").unwrap();
+                let held = control.variables[&variable[1..].parse().unwrap()];
+                let row =
+                    plan.results.iter().find(|r| r.code.eq_ignore_ascii_case(code)).unwrap_or_else(|| panic!("{name}: {code}"));
+                assert!((held - row.value.unwrap()).abs() < 2e-6, "{name}: {variable} = {held}, {code} is {:?}", row.value);
+                compared += 1;
+                deviating += usize::from(row.deviation.is_some_and(|d| d.abs() > 0.01));
+            }
+            // The origin moves by what was measured less what is nominal, each axis once.
+            let offset = match job.get("control").and_then(|c| c.get("workOffset")) {
+                Some(Value::Number(n)) => *n as i64,
+                _ => {
+                    assert!(control.writes.is_empty(), "{name}");
+                    continue;
+                }
+            };
+            let mut axes = control.writes.clone();
+            axes.dedup();
+            assert_eq!(axes.len(), control.writes.len(), "{name}");
+            for code in ["center.x", "center.y", "corner.x", "corner.y", "height"] {
+                let Some(row) = plan.results.iter().find(|r| r.code == code) else { continue };
+                let axis = match code.as_bytes()[code.len() - 1] {
+                    b'x' => 0,
+                    b'y' => 1,
+                    _ => 2,
+                };
+                let place = origin(offset) + axis;
+                let moved = control.variables[&place] - before[&place];
+                let deviation = row.value.unwrap() - row.nominal.unwrap();
+                assert!((moved - deviation).abs() < 2e-6, "{name}: {code} {moved} {deviation}");
+                written += usize::from(moved != 0.0);
+            }
+        }
+    }
+    assert!(compared > 300 && deviating > 20 && written > 8, "{compared} {deviating} {written}");
+}
+
+/// Whatever move is stopped by a contact: the alarm comes, #149 says the move, nothing is written, and the ball goes nowhere but up, and never
+/// on against what it met on the way up.
+#[test]
+fn a_contact_ends_the_program_and_names_the_move() {
+    let mut lifted = 0;
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan)) {
+        for (i, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "position") {
+            let mut control = control(&job, &plan);
+            control.blocked = Some(i as f64 + 1.0);
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let alarm = control.alarm.clone().unwrap_or_else(|| panic!("{name}: move {} {step:?}", i + 1));
+            assert!(alarm == "1 CONTACT IN MOVE #149" || alarm == "M78", "{name}: {alarm}");
+            assert_eq!((control.variables[&149], control.writes.len()), (i as f64 + 1.0, 0), "{name}");
+            let stopped = control.path.iter().rposition(|(_, probing)| *probing).unwrap();
+            let exits = &control.path[stopped + 1..];
+            let up = i > 0 && step.to[2] > plan.moves[i - 1].to[2] + 0.011;
+            assert!(exits.len() <= 1, "{name}: {exits:?}");
+            if let [(lift, _)] = exits {
+                assert!(!up && alarm != "M78", "{name}: move {}", i + 1);
+                assert_eq!(control.at, *lift);
+                lifted += 1;
+            }
+        }
+    }
+    assert!(lifted > 100, "{lifted}");
+}
+
+/// A touch that meets nothing ends the program; on a Fanuc the ball lifts first.
+#[test]
+fn a_missed_touch_writes_nothing() {
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.touches.is_empty()) {
+        for missed in 0..plan.touches.len() {
+            let mut control = control(&job, &plan);
+            control.contacts.remove(missed);
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let alarm = control.alarm.clone().unwrap_or_else(|| panic!("{name}: touch {missed}"));
+            assert!(alarm == "2 NO CONTACT IN TOUCH #149" || alarm == "M79" || alarm == "M78", "{name}: {alarm}");
+            assert_eq!(control.writes.len(), 0, "{name}");
+            let highest = plan.moves.iter().map(|m| m.to[2]).fold(f64::MIN, f64::max);
+            assert!(alarm.starts_with('M') || control.at[2] > highest - 1e-3, "{name}: {:?}", control.at);
+        }
+    }
+}
+
+#[test]
+fn nothing_moves_where_the_control_is_not_as_it_must_be() {
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| !plan.moves.is_empty()) {
+        let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
+        for (code, value) in [(4006, if inch { 21.0 } else { 20.0 }), (4008, 49.0), (4011, 51.0), (4016, 68.0)] {
+            let mut control = control(&job, &plan);
+            control.modal.iter_mut().find(|(known, _)| *known == code).unwrap().1 = value;
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert_eq!(control.alarm.as_deref(), Some("3 OTHER UNITS, G49, G68 OR G51"), "{name}");
+            assert!(control.path.is_empty() && control.writes.is_empty(), "{name}");
+        }
+        // A stylus that is not where the job says.
+        if stated_start(&plan).is_some() {
+            let mut control = control(&job, &plan);
+            control.at[2] -= 20.0;
+            control.run(&plan.program.text).unwrap();
+            assert_eq!((control.alarm.as_deref(), control.path.len()), (Some("4 STYLUS NOT AT STATED START"), 0), "{name}");
+        }
+    }
+}
+
+/// From below the first place the stylus goes straight up to its height first; from above it keeps its height in the plane.
+#[test]
+fn the_way_to_the_first_place_is_up_across_down() {
+    let mut seen = 0;
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty()) {
+        if stated_start(&plan).is_some() {
+            continue;
+        }
+        let first = plan.moves[0].to;
+        for above in [-40.0, 55.0] {
+            let mut control = control(&job, &plan);
+            control.at[2] = first[2] + above;
+            let start = control.at;
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert_eq!(control.alarm, None, "{name}");
+            let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-3);
+            let wanted: Vec<[f64; 3]> = if above < 0.0 {
+                vec![[start[0], start[1], first[2]], first, first]
+            } else {
+                vec![[first[0], first[1], start[2]], first]
+            };
+            for (made, wanted) in control.path.iter().zip(&wanted) {
+                assert!(near(made.0, *wanted), "{name}: {:?} {wanted:?}", made.0);
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
+/// A program becomes the job again, though all of its header is in capitals.
+#[test]
+fn a_program_is_read_back_as_its_job() {
+    for (name, job, plan) in plans() {
+        let read = touchpath::import::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let warnings: Vec<_> = read.findings.iter().filter(|f| f.level != touchpath::form::Level::Info).collect();
+        assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        let part = job.get("part").cloned().unwrap_or(Value::Map(Vec::new()));
+        let back = common::planned(&with(&read.job, "part", part));
+        assert_eq!((back.moves, back.results, back.program.text), (plan.moves, plan.results, plan.program.text), "{name}");
+    }
+    // Small letters of a tolerance are not lost: a shaft is not a hole.
+    let circles = r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "diameter1": "20h7", "diameter2": "20H7" },
+        "control": { "post": "fanuc" } }"#;
+    let text = common::planned(&touchpath::job::from_json(circles).unwrap()).program.text;
+    assert!(text.contains("CYCLE.DIAMETER1=20+H7 ") && text.contains("CYCLE.DIAMETER2=20H7 "), "{text}");
+    let cycle = touchpath::import::import(&text).unwrap().job.get("cycle").unwrap().clone();
+    assert_eq!(cycle.get("diameter1"), Some(&Value::Text("20h7".to_owned())));
+    assert_eq!(cycle.get("diameter2"), Some(&Value::Text("20H7".to_owned())));
+}
+
+#[test]
+fn what_these_controls_cannot_do_is_refused() {
+    let found = |changes: &[(&str, Value)]| -> Vec<String> {
+        let job = touchpath::job::default_job("internal-rectangle-protected").unwrap();
+        let job = with(&job, "control.post", Value::Text("fanuc".to_owned()));
+        let job = changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()));
+        let findings = touchpath::job::check(&job);
+        findings.into_iter().filter(|f| f.level == touchpath::form::Level::Error).map(|f| f.code).collect()
+    };
+    assert_eq!(found(&[]), [""; 0]);
+    assert_eq!(found(&[("plane", Value::Text("G18".to_owned()))]), ["plane-unsupported"]);
+    assert_eq!(found(&[("overtravel", number(0.1))]), ["search-too-short"]);
+    assert_eq!(found(&[("control.form", Value::Text("cycle".to_owned()))]), ["form-unsupported"]);
+    assert_eq!(found(&[("control.workOffset", number(7.0))]), ["work-offset-unsupported"]);
+    assert_eq!(found(&[("control.workOffset", number(99.0)), ("control.post", Value::Text("haas".to_owned()))]), [""; 0]);
+}
