@@ -1,6 +1,8 @@
 //! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --test generated` writes them.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "generated/structs.rs"]
+mod structs;
 #[path = "generated/typescript.rs"]
 mod typescript;
 
@@ -237,4 +239,9 @@ fn every_code_of_a_finding_is_listed() {
             assert!(CODES.iter().any(|(listed, _)| *listed == code), "{code} is not listed");
         }
     }
+}
+
+#[test]
+fn the_types_of_what_comes_out_are_those_of_the_crate() {
+    keep("www/core/plan-types.ts", &structs::types());
 }

@@ -165,6 +165,8 @@ struct Expected {
     scale: f64,
     /// Half of the last digit that a place is written with, and of a feed.
     digit: f64,
+    /// How far from the origin the touches are at most, mm.
+    size: f64,
     /// The touches in the order of the path: which one, and begin and end of its probing move.
     touches: Vec<(usize, (Place, Place))>,
 }
@@ -173,8 +175,9 @@ impl Expected {
     fn of(request: &Request<'_>) -> Self {
         let path = request.path;
         let decimals = request.post.decimals(request.scale) as i32;
+        let size = path.touches.iter().map(|touch| touch.point.length()).fold(0.0, f64::max);
         let mut expected =
-            Expected { scale: request.scale, digit: 0.5 * 10f64.powi(-decimals) * (1.0 + 1e-6), touches: Vec::new() };
+            Expected { scale: request.scale, digit: 0.5 * 10f64.powi(-decimals) * (1.0 + 1e-6), size, touches: Vec::new() };
         let mut at = path.start.unwrap_or(Vec3::NAN);
         for step in &path.moves {
             if let Purpose::Touch(k) = step.purpose {
@@ -331,7 +334,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>, expected: &Expected) 
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
         match given.next() {
-            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit) => {}
+            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit, expected.size) => {}
             Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
                 return Err(Fault::of(format!("the program computes another {code} than the formula")));
             }
@@ -357,11 +360,12 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
     points.into_iter().map(|(sum, count, vector)| (Some(sum / count), vector)).unzip()
 }
 
-/// Equal but for rounding. What multiplies the errors of the triggers multiplies those of rounding.
-fn equal(given: f64, value: Dual, unit: f64) -> bool {
-    let reach = value.by_touch.iter().map(|d| d.abs()).sum::<f64>();
+/// Equal but for rounding: constants are written with 12 decimals, so a place of size s may be off by s times that, and what multiplies the
+/// errors of the triggers multiplies those of rounding.
+fn equal(given: f64, value: Dual, unit: f64, size: f64) -> bool {
+    let reach = 1.0 + value.by_touch.iter().map(|d| d.abs()).sum::<f64>();
     let off = (given - value.value / unit).abs();
-    off <= 1e-7 + 1e-9 * (given.abs() + reach) || (given.is_nan() && value.value.is_nan())
+    off <= (1e-9 + 1e-11 * size) * reach || (given.is_nan() && value.value.is_nan())
 }
 
 /// After the write the measured point reads its nominal place, and the system is turned by what was measured.
@@ -380,7 +384,7 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
     }
     let value = |expr: &Expr| expr.value(values);
     let turn = datum.rotation.as_ref().map_or(Dual::constant(0.0), value);
-    if !equal(written.turn, turn, 1.0) {
+    if !equal(written.turn, turn, 1.0, expected.size) {
         return Err(Fault::of("the work offset is turned by another angle than was measured"));
     }
     // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
@@ -396,7 +400,7 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
             _ => away(2),
         };
         let wanted = Dual { value: nominal + way, ..measured };
-        if !equal(written.reading[axis], wanted, expected.scale) {
+        if !equal(written.reading[axis], wanted, expected.scale, expected.size) {
             let axis = crate::geom::AXIS_NAMES[axis];
             return Err(Fault::of(format!("the work offset that is written does not bring {axis} to its nominal place")));
         }

@@ -138,7 +138,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "no-low-rapid",
-        says: "No rapid goes below the clearance plane, but the way back from a touch",
+        says: "No rapid goes down or across below the clearance plane, but the way back from a touch",
         why: "Below it is the part, and a rapid move does not stop in time.",
         must: false,
         own_cycle: false,
@@ -358,10 +358,14 @@ fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
 
 fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
     let (tool, top) = (case.tool(), case.level(highest(case.request)));
-    let low = |step: &Step| step.known[tool] && step.from[tool].min(step.to[tool]) < top - case.digit();
+    let low = |step: &Step| {
+        let across = (0..3).any(|axis| axis != tool && step.from[axis] != step.to[axis]);
+        let (from, to) = (step.from[tool], step.to[tool]);
+        step.known[tool] && (to < top - case.digit() || (across && from < top - case.digit()))
+    };
     case.positioning()
         .filter(|(_, step)| step.kind == Kind::Rapid && low(step))
-        .map(|(_, step)| (Some(step.line), "This rapid goes below the clearance plane".to_owned()))
+        .map(|(_, step)| (Some(step.line), "This rapid goes down or across below the clearance plane".to_owned()))
         .collect()
 }
 

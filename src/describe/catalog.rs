@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
 use crate::cycle::{CYCLES, CycleDef};
 use crate::form::{Choice, Code, Default, Field, Kind};
@@ -20,6 +21,8 @@ pub struct Catalog {
     pub sections: Vec<SectionEntry>,
     /// The controls.
     pub posts: Vec<PostEntry>,
+    /// The safety rules.
+    pub rules: Vec<RuleEntry>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min.
     pub rapid_rate: f64,
     /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
@@ -151,6 +154,17 @@ pub struct PostEntry {
     pub cycles: Vec<SupportEntry>,
 }
 
+/// A safety rule.
+#[derive(Clone, Debug, Serialize)]
+pub struct RuleEntry {
+    /// Its name.
+    pub name: &'static str,
+    /// What it asks.
+    pub says: &'static str,
+    /// Why.
+    pub why: &'static str,
+}
+
 /// Whether a control takes a cycle in a form.
 #[derive(Clone, Debug, Serialize)]
 pub struct SupportEntry {
@@ -190,6 +204,7 @@ pub fn catalog() -> Catalog {
                     .collect(),
             })
             .collect(),
+        rules: RULES.iter().map(|rule| RuleEntry { name: rule.name, says: rule.says, why: rule.why }).collect(),
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
         longest_text: LONGEST_TEXT,

@@ -399,6 +399,17 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
     Some(followed.map(|followed| safety::check(&request, &followed).into_iter().map(safety_row).collect()))
 }
 
+/// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
+pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
+    let Some(job) = Job::read(&mut Checker::default(), value) else { return false };
+    let planned = Planned::of(job);
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    let request = request(&planned, &feeds, None);
+    let lines: Vec<Option<usize>> = lines.iter().map(|line| usize::try_from(*line).ok()).collect();
+    let followed = prove::follow(&request, text, prove::Part::Path);
+    followed.is_ok_and(|followed| prove::prove(&request, &followed, &lines).is_ok())
+}
+
 /// The results from measured points.
 pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
     let path = planned(job);

@@ -134,7 +134,7 @@ impl Control {
                 _ => match *word {
                     "G0" | "G1" | "G31" => motion = word,
                     "G20" | "G21" if words.len() == 1 && self.modal[0].1 == word[1..].parse::<f64>().unwrap() => {}
-                    "G17" | "G40" | "G80" | "G90" | "G94" | "G53" | "M5" | "M9" => {}
+                    "G17" | "G18" | "G19" | "G40" | "G80" | "G90" | "G94" | "G53" | "M5" | "M9" => {}
                     "G54" | "G55" | "G56" | "G57" | "G58" | "G59" => self.offset = (*word).to_owned(),
                     "G154" if self.haas => self.offset = code.to_owned(),
                     "G103" if self.haas => {}

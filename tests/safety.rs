@@ -1,0 +1,224 @@
+//! The proof and the safety rules: every rule for every control and cycle, a broken program for every rule, and a program in which any digit
+//! was changed.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{number, with};
+use touchpath::control::safety::RULES;
+use touchpath::control::{Form, POSTS};
+use touchpath::cycle::CYCLES;
+use touchpath::form::Value;
+use touchpath::job::{Plan, SafetyRow, default_job, examine, plan};
+
+fn text(text: &str) -> Value {
+    Value::Text(text.to_owned())
+}
+
+fn job_for(cycle: &str, post: &str, form: Form, offset: bool) -> Value {
+    let job = with(&default_job(cycle).unwrap(), "control.post", text(post));
+    let job = with(&job, "control.form", text(form.word()));
+    with(&job, "control.workOffset", if offset { number(1.0) } else { Value::Null })
+}
+
+fn judged(job: &Value, program: &str) -> Result<Vec<SafetyRow>, String> {
+    examine(job, program).expect("a sound job").map_err(|faults| format!("{faults:?}"))
+}
+
+fn broken(rows: &[SafetyRow]) -> Vec<&'static str> {
+    rows.iter().filter(|row| row.holds == Some(false)).map(|row| row.rule).collect()
+}
+
+/// What a control cannot hold it says with its reason; everything else holds.
+#[test]
+fn every_rule_holds_for_every_control_and_cycle() {
+    let (mut held, mut unable) = (0, 0);
+    for post in POSTS {
+        for def in CYCLES {
+            for form in Form::ALL.into_iter().filter(|form| (post.serves)(def.probes, *form).is_ok()) {
+                for offset in [false, true].into_iter().filter(|offset| !offset || post.work_offsets > 0) {
+                    let plan = plan(&job_for(def.key, post.key, form, offset))
+                        .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
+                    let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();
+                    assert_eq!(names, RULES.iter().map(|rule| rule.name).collect::<Vec<_>>());
+                    assert_eq!(plan.program.proof.is_some(), form == Form::Moves, "{} {}", post.key, def.key);
+                    if let Some(proof) = &plan.program.proof {
+                        assert_eq!((proof.moves, proof.touches), (plan.moves.len(), plan.touches.len()));
+                        assert_eq!(proof.arithmetic, post.computes);
+                    }
+                    for row in &plan.safety {
+                        let cannot = post.cannot.iter().find(|(rule, _)| *rule == row.rule);
+                        match row.holds {
+                            Some(holds) => {
+                                assert!(holds && row.lines.is_empty() && cannot.is_none(), "{} {}: {row:?}", post.key, def.key)
+                            }
+                            None => {
+                                assert!(cannot.is_some_and(|(_, why)| *why == row.message) || form == Form::Cycle, "{row:?}")
+                            }
+                        }
+                        held += usize::from(row.holds.is_some());
+                        unable += usize::from(row.holds.is_none());
+                    }
+                }
+            }
+        }
+    }
+    assert!(held > 1500 && unable > 50, "{held} {unable}");
+}
+
+#[test]
+fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
+    for rule in RULES {
+        assert!(rule.says.len() > 20 && rule.why.ends_with('.'), "{}", rule.name);
+        assert!(rule.name.bytes().all(|b| b.is_ascii_lowercase() || b == b'-'), "{}", rule.name);
+    }
+    for (rule, why) in POSTS.iter().flat_map(|post| post.cannot) {
+        assert!(RULES.iter().any(|known| known.name == *rule) && why.len() > 20, "{rule}");
+    }
+}
+
+/// For each rule a program that breaks it: the rule, the control, what is replaced and by what.
+const BROKEN: &[(&str, &str, &str, &str)] = &[
+    ("modes-stated", "linuxcnc", "G21\n", ""),
+    ("modes-stated", "linuxcnc", "G17 G8", "G18 G8"),
+    ("modes-stated", "grbl", " G90", ""),
+    ("modes-stated", "sinumerik", " G94", ""),
+    ("modes-stated", "fanuc", "G54\n#100", "G55\n#100"),
+    ("spindle-off", "linuxcnc", "M5 M9", "M9"),
+    ("spindle-off", "haas", "M5\n", "M3\n"),
+    // Where positioning is watched its first move would see it, too.
+    ("probe-asked", "sinumerik unwatched", "IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED\n", ""),
+    ("low-start-goes-up", "linuxcnc", "o4 if [#<_z> LT 30]", "o4 if [#<_z> LT -900]"),
+    ("low-start-goes-up", "sinumerik", "IF $AA_IW[Z]>=30 GOTOF TP_ABOVE", "IF $AA_IW[Z]>=-900 GOTOF TP_ABOVE"),
+    ("low-start-goes-up", "fanuc", "IF [#5043-#100 GE 30.] GOTO 1\n", "GOTO 1\n"),
+    ("positioning-watched", "linuxcnc", "G38.3 X32 Y0 Z10 F1000", "G1 X32 Y0 Z10 F1000"),
+    ("positioning-watched", "sinumerik", "MEAS=1 G1 X32 F1000", "G1 X32 F1000"),
+    ("positioning-watched", "fanuc", "IF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n", ""),
+    ("positioning-watched", "haas", " M78\nIF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n", "\n"),
+    ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z10 X3 F2000\no1"),
+    ("contact-lifts", "linuxcnc", "o<tp_exit> call [3] [1]", "o<tp_exit> call [3] [0]"),
+    ("contact-lifts", "sinumerik", "G1 Z30 F2000\nTP_STOP", "G1 Z-30 F2000\nTP_STOP"),
+    ("contact-lifts", "fanuc", "N9001\nIF [#5043-#100 GE 30.] GOTO 9011\n", "N9001\nGOTO 9011\n"),
+    ("missed-touch-stops", "sinumerik", "IF $AC_MEA[1]==0 GOTOF TP_MISSED\n", ""),
+    ("missed-touch-stops", "fanuc", "GT 0.05] GOTO 9001", "GT 500.] GOTO 9001"),
+    ("missed-touch-lifts", "sinumerik", "GOTOF TP_MISSED", "GOTOF TP_DEFLECTED"),
+    ("missed-touch-lifts", "fanuc", "LE 0.05] GOTO 9002", "LE 0.05] GOTO 9003"),
+    ("feeds-stated", "linuxcnc", "G38.2 X42 Y0 Z-10 F150", "G38.2 X42 Y0 Z-10"),
+    ("feeds-stated", "grbl", "G38.2 X42 F150", "G38.2 X42"),
+    ("feeds-stated", "haas", " F150. M79", " M79"),
+    ("no-low-rapid", "grbl", "G1 Z-10 F1000", "G0 Z-10"),
+    ("no-low-rapid", "linuxcnc", "G38.3 X32 Y0 Z-10 F1000", "G0 X32 Y0 Z-10"),
+    ("offset-after-touches", "linuxcnc", "M5 M9\n", "M5 M9\nG10 L20 P1 X0 Y0\n"),
+    ("offset-after-touches", "sinumerik", "TP_MOVE=5\n", "TP_MOVE=5\n$P_UIFR[1,X,TR]=0\n"),
+    ("offset-after-touches", "fanuc", "N9002\n", "N9002\n#5221=0\n"),
+    ("one-write", "linuxcnc", "G10 L20 P1", "G10 L20 P2"),
+    ("one-write", "sinumerik", "R10=$P_UIFR[1,Z,RT]", "$P_UIFR[1,X,TR]=0\n$P_UIFR[1,X,TR]=1\nR10=$P_UIFR[1,Z,RT]"),
+    ("one-write", "haas", "#5222=#5222", "#5221=#5222"),
+    ("ends-above", "linuxcnc", "\nM72\nM2\n", "\nM72\n"),
+    ("ends-above", "grbl", "G1 Z30 F2000\nM2", "M2"),
+];
+
+#[test]
+fn each_rule_catches_a_program_that_breaks_it() {
+    for rule in RULES {
+        assert!(BROKEN.iter().any(|(name, ..)| *name == rule.name), "no program breaks {}", rule.name);
+    }
+    for (rule, post, old, new) in BROKEN {
+        let (post, unwatched) = (post.trim_end_matches(" unwatched"), post.ends_with(" unwatched"));
+        let known = touchpath::control::find(post).unwrap();
+        let job = job_for("internal-rectangle-protected", post, Form::Moves, known.work_offsets > 0);
+        let job = with(&job, "control.protection", text(if unwatched { "none" } else { "checked" }));
+        let program = plan(&job).unwrap().program.text;
+        assert!(!broken(&judged(&job, &program).unwrap()).contains(rule), "{post}");
+        assert!(program.contains(old), "{post} {rule}: {old} is not in\n{program}");
+        let changed = program.replacen(old, new, 1);
+        let rows = judged(&job, &changed).unwrap_or_else(|e| panic!("{post} {rule} {new}: {e}"));
+        let row = rows.iter().find(|row| row.rule == *rule).unwrap();
+        assert_eq!(row.holds, Some(false), "{post}: {old} became {new}: {:?}", broken(&rows));
+        assert_ne!(row.message, RULES.iter().find(|r| r.name == *rule).unwrap().says);
+    }
+}
+
+/// What the user asks for is no fault, and is said.
+#[test]
+fn what_the_job_asks_for_is_said_and_not_refused() {
+    let job = with(&job_for("hole-protected", "linuxcnc", Form::Moves, true), "control.protection", text("none"));
+    let job = with(&job, "feeds.longLink", Value::Null);
+    let plan = plan(&job).unwrap();
+    assert_eq!(broken(&plan.safety), ["positioning-watched", "no-low-rapid"]);
+    let watched = plan.safety.iter().find(|row| row.rule == "positioning-watched").unwrap();
+    let lines: Vec<&str> = plan.program.text.lines().collect();
+    assert!(!watched.lines.is_empty() && watched.lines.iter().all(|line| lines[*line].starts_with('G')), "{watched:?}");
+}
+
+/// The numbers of a program, each changed by a little, one at a time: the proof sees it. Blocks behind the header only.
+#[test]
+fn a_program_with_another_digit_is_not_proven() {
+    let mut tried = 0;
+    for (post, cycle) in
+        [("linuxcnc", "hole-protected"), ("grbl", "boss"), ("sinumerik", "double-wall-internal-corner"), ("fanuc", "web")]
+    {
+        let known = touchpath::control::find(post).unwrap();
+        let job = job_for(cycle, post, Form::Moves, known.work_offsets > 0);
+        let job = with(&with(&job, "cycle.rotation", number(17.0)), "cycle.origin", common::point([3.25, -7.5, 1.125]));
+        let plan = plan(&job).unwrap();
+        let lines: Vec<&str> = plan.program.text.lines().collect();
+        let wanted = |line: &str| {
+            let moves = ["G0 ", "G1 ", "G31 ", "G38.", "MEAS=1 "].iter().any(|head| line.starts_with(head));
+            let computes = line.starts_with("#<") || (line.starts_with('R') && line.contains(" ; ")) || line.starts_with("#10");
+            moves || computes || line.starts_with("G10") || line.starts_with("$P_UIFR") || line.starts_with("#52")
+        };
+        let first = plan.program.move_lines[0] as usize;
+        let end = lines
+            .iter()
+            .rposition(|line| matches!(*line, "M2" | "M30"))
+            .unwrap()
+            .min(lines.iter().position(|line| *line == "M30").unwrap_or(usize::MAX));
+        for (at, line) in lines.iter().enumerate().take(end).skip(first).filter(|(_, line)| wanted(line)) {
+            for changed in other_digits(line) {
+                let mut text: Vec<&str> = lines.clone();
+                text[at] = &changed;
+                let proven = touchpath::job::proves(&job, &text.join("\n"), &plan.program.move_lines);
+                assert!(!proven, "{post}: line {} {line} became {changed}", at + 1);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 800, "{tried}");
+}
+
+/// The same line with one digit of a value replaced; names of variables, codes and axes stay.
+fn other_digits(line: &str) -> Vec<String> {
+    let code = line.split(" ; ").next().unwrap();
+    let mut lines = Vec::new();
+    let mut inside_name = false;
+    for (at, c) in code.char_indices() {
+        match c {
+            '<' | '$' => inside_name = true,
+            '>' | ']' => inside_name = false,
+            _ => {}
+        }
+        let before = code[..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.').chars().next_back().unwrap_or(' ');
+        let of_value = matches!(before, 'X' | 'Y' | 'Z' | 'F' | '+' | '-' | '*' | '/' | '[' | '(');
+        // Behind that a change is less than a millionth of a millimetre in the results.
+        let decimals = code[..at].rsplit('.').next().map_or(0, str::len);
+        let fine = code[..at].contains('.')
+            && decimals > 5
+            && code[..at].rsplit('.').next().unwrap().bytes().all(|b| b.is_ascii_digit());
+        if c.is_ascii_digit() && of_value && !inside_name && !fine {
+            let other = if c == '9' { '8' } else { (c as u8 + 1) as char };
+            lines.push(format!("{}{other}{}", &line[..at], &line[at + 1..]));
+        }
+    }
+    lines
+}
+
+#[test]
+fn a_plan_says_its_proof_and_its_rules_in_json() {
+    let plan: Plan = plan(&job_for("hole", "grbl", Form::Moves, false)).unwrap();
+    let json = serde_json::to_value(&plan).unwrap();
+    assert_eq!(json["program"]["proof"], serde_json::json!({ "moves": 13, "touches": 4, "arithmetic": false }));
+    assert_eq!(json["safety"].as_array().unwrap().len(), RULES.len());
+    let lifts = json["safety"].as_array().unwrap().iter().find(|row| row["rule"] == "missed-touch-lifts").unwrap();
+    assert!(lifts["holds"].is_null() && lifts["message"].as_str().unwrap().contains("alarm 5"));
+}

@@ -1,0 +1,323 @@
+// Generated from the crate's structs: `UPDATE=1 cargo test --test generated` writes it.
+
+import type { Cycle, Vec3 } from "./job-types.js";
+
+/** How much a finding weighs. */
+export type Level = "error" | "warning" | "info";
+
+/** One problem or note. */
+export interface Finding {
+  /** How much it weighs. */
+  level: Level;
+  /** A stable, kebab-case name for programs to switch on, one of those in docs/findings.md. */
+  code: string;
+  /** The place in the job: `cycle.sideClearance1`, `feeds.work`; empty for the job as a whole. */
+  path: string;
+  /** Plain words for a person, with numbers in the job's units. */
+  message: string;
+}
+
+/** One nominal touch. */
+export interface TouchPoint {
+  /** On the surface. */
+  point: Vec3;
+  /** Target vector: outward normal of the surface. */
+  vector: Vec3;
+  /** Wall or circle, from 0. */
+  group: number;
+}
+
+/** An arc about the tool axis. */
+export interface Arc {
+  /** Its centre. */
+  center: Vec3;
+  /** Degrees, counter-clockwise positive. */
+  sweep: number;
+}
+
+/** One move of the ball centre. */
+export interface Move {
+  /** Where it ends; a touch at its nominal contact. */
+  to: Vec3;
+  /** `approach`, `longLink`, `work`, `retract`, `return` or `rapid`. */
+  feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
+  /** `position`, `touch` or `back`. */
+  kind: "position" | "touch" | "back";
+  /** Step of the cycle's documented list, from 1. */
+  step: number;
+  /** The touch it belongs to. */
+  touch: number | null;
+  /** The arc it runs along; null is a straight line. */
+  arc: Arc | null;
+}
+
+/** The value of a parameter. */
+export type ParameterValue = number | boolean | string;
+
+/** One row of the parameter table. */
+export interface ParameterRow {
+  /** `CmdPrm.Flt[-53]`. */
+  code: string;
+  /** The type column of the source. */
+  type: string;
+  /** The value, lengths in the job's units. */
+  value: ParameterValue;
+  /** What it means. */
+  meaning: string;
+  /** Path of the job's field it comes from. */
+  field: string | null;
+  /** The touch it comes from. */
+  touch: number | null;
+}
+
+/** One result. */
+export interface ResultRow {
+  /** `center.x`. */
+  code: string;
+  /** What it is. */
+  meaning: string;
+  /** `mm`, `inch` or `deg`. */
+  unit: "mm" | "inch" | "deg" | "";
+  /** On the nominal part. */
+  nominal: number | null;
+  /** What the control computes. */
+  value: number | null;
+  /** Value less nominal. */
+  deviation: number | null;
+  /** One sigma of the value. */
+  uncertainty: number | null;
+  /** Good, rework or scrap, where a tolerance is given. */
+  verdict: string | null;
+  /** What is true of the virtual part, where there is one. */
+  truth: number | null;
+  /** Why the value is not the truth, where it is not. */
+  note: string | null;
+}
+
+/** What was proven of a program of moves: read back, it is the path. */
+export interface ProofRow {
+  /** How many moves. */
+  moves: number;
+  /** How many of them are touches. */
+  touches: number;
+  /** Whether the program computes the results itself, and the right ones. */
+  arithmetic: boolean;
+}
+
+/** What a safety rule says of the program. */
+export interface SafetyRow {
+  /** The name of the rule. */
+  rule: string;
+  /** Null where this control cannot hold it, or its own cycle answers for it. */
+  holds: boolean | null;
+  /** What the rule asks, what is wrong, or why the control cannot. */
+  message: string;
+  /** The 0-based lines that break it. */
+  lines: number[];
+}
+
+/** The program as text. */
+export interface ProgramText {
+  /** Which control it is for. */
+  post: string;
+  /** The usual file extension, without the dot. */
+  extension: string;
+  /** The lines. */
+  text: string;
+  /** For each move the 0-based line that makes it. */
+  moveLines: number[];
+  /** What was proven of it; null in the form `cycle`. */
+  proof: ProofRow | null;
+}
+
+/** Everything that follows from a job. Lengths in the job's units, angles in degrees. */
+export interface Plan {
+  /** The nominal touches, on the surface. */
+  touches: TouchPoint[];
+  /** The moves, of the ball centre. */
+  moves: Move[];
+  /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
+  length: number;
+  /** Minutes for the same, rapids at 5000 mm/min. */
+  time: number;
+  /** The program. */
+  program: ProgramText;
+  /** The source's parameter table. */
+  table: ParameterRow[];
+  /** What the control will have stored, for the virtual part. */
+  results: ResultRow[];
+  /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
+  triggers: (Vec3 | null)[];
+  /** Warnings and notes. */
+  findings: Finding[];
+  /** What each safety rule says of the program. */
+  safety: SafetyRow[];
+}
+
+/** What a motion does. */
+export type TraceKind = "rapid" | "feed" | "watched" | "touch" | "unchecked";
+
+/** One move of a program. */
+export interface TraceMove {
+  /** Where it ends; null along an axis that no block has named yet. */
+  to: [number | null, number | null, number | null];
+  /** `rapid`, `feed`, `watched`, `touch` or `unchecked`. */
+  kind: TraceKind;
+  /** Null is a rapid, or a feed that no block has stated. */
+  feed: number | null;
+  /** The 0-based line. */
+  line: number;
+}
+
+/** The moves of a program that says no job. */
+export interface TraceRow {
+  /** The control that it was read for. */
+  control: string;
+  /** `mm`, `inch`, or null where it does not say. */
+  units: "mm" | "inch" | null;
+  /** Its moves, in its units. */
+  moves: TraceMove[];
+}
+
+/** A default value. */
+export type DefaultEntry = number | boolean | string | Vec3 | null;
+
+/** One word of a choice. */
+export interface ChoiceEntry {
+  /** The word, or the number, in the job. */
+  value: string | number;
+  /** What a person reads. */
+  label: string;
+}
+
+/** One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units. */
+export interface FieldEntry {
+  /** Key in its section. */
+  key: string;
+  /** Short name. */
+  label: string;
+  /** What it does. */
+  help: string;
+  /** `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`. */
+  kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
+  /** `length`, `feed`, `angle` or `none`. */
+  unit: "length" | "feed" | "angle" | "none";
+  /** Smallest and largest allowed number. */
+  range: [number, number] | null;
+  /** Whether the smallest number itself is excluded. */
+  above: boolean;
+  /** Smallest and largest usual number. */
+  usual: [number, number] | null;
+  /** The value where the job says nothing. */
+  default: DefaultEntry;
+  /** What `null` means, where it is allowed. */
+  null: string | null;
+  /** The words of a choice. */
+  choices: ChoiceEntry[];
+  /** The parameter code of the source. */
+  code: string | null;
+  /** The heading it stands under. */
+  group: string;
+  /** Whether `part.sizes` may change it. */
+  size: boolean;
+}
+
+/** A form inside a cycle's form. */
+export interface CycleSectionEntry {
+  /** Its key in the cycle. */
+  key: string;
+  /** Whether it may be `null`, and is where the job says nothing. */
+  optional: boolean;
+  /** Its fields. */
+  fields: FieldEntry[];
+}
+
+/** One cycle. */
+export interface CycleEntry {
+  /** `cycle.type`. */
+  type: Cycle["type"];
+  /** Its documented name. */
+  title: string;
+  /** Whose cycle it is. */
+  source: string;
+  /** Its type number in the source's parameter table, where it has one. */
+  number: number | null;
+  /** Whether its touches may be picked one by one (`cycle.touches`). */
+  touches: boolean;
+  /** The most touches it can have. */
+  maxTouches: number;
+  /** Page of the manual. */
+  doc: string;
+  /** Its form. */
+  fields: FieldEntry[];
+  /** Forms inside its form. */
+  sections: CycleSectionEntry[];
+  /** Its documented steps, in our words; index 0 is step 1. */
+  steps: string[];
+}
+
+/** One section of a job. */
+export interface SectionEntry {
+  /** Its key in the job, empty for the job itself. */
+  path: string;
+  /** Its form. */
+  fields: FieldEntry[];
+}
+
+/** Whether a control takes a cycle in a form. */
+export interface SupportEntry {
+  /** The cycle. */
+  type: Cycle["type"];
+  /** `moves` or `cycle`. */
+  form: "moves" | "cycle";
+  /** Whether it does. */
+  supported: boolean;
+  /** Why not, where it does not. */
+  reason: string | null;
+}
+
+/** One control. */
+export interface PostEntry {
+  /** `control.post`. */
+  id: string;
+  /** Its name. */
+  title: string;
+  /** The usual file extension, without the dot. */
+  extension: string;
+  /** Highest number of a work offset that a program can write; 0 is none. */
+  workOffsets: number;
+  /** How its work offsets are called, from number 1. */
+  workOffsetWords: string[];
+  /** Which cycle in which form. */
+  cycles: SupportEntry[];
+}
+
+/** A safety rule. */
+export interface RuleEntry {
+  /** Its name. */
+  name: string;
+  /** What it asks. */
+  says: string;
+  /** Why. */
+  why: string;
+}
+
+/** Cycles, controls and the sections around them. */
+export interface Catalog {
+  /** The job format that this crate speaks. */
+  format: 1;
+  /** The cycles. */
+  cycles: CycleEntry[];
+  /** The sections of a job around the cycle. */
+  sections: SectionEntry[];
+  /** The controls. */
+  posts: PostEntry[];
+  /** The safety rules. */
+  rules: RuleEntry[];
+  /** The rate that rapids are taken to have in `plan().time`, mm/min. */
+  rapidRate: number;
+  /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry. */
+  maxTouches: number;
+  /** The longest text that is read, in bytes. */
+  longestText: number;
+}
