@@ -33,5 +33,10 @@ pub use control as post;
 #[doc(hidden)]
 pub use form as spec;
 
+/// The examples of the README, run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

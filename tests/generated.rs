@@ -1,6 +1,8 @@
 //! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --test generated` writes them.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "generated/controls.rs"]
+mod controls;
 #[path = "generated/structs.rs"]
 mod structs;
 #[path = "generated/typescript.rs"]
@@ -244,4 +246,11 @@ fn every_code_of_a_finding_is_listed() {
 #[test]
 fn the_types_of_what_comes_out_are_those_of_the_crate() {
     keep("www/core/plan-types.ts", &structs::types());
+}
+
+#[test]
+fn the_matrix_of_controls_is_that_of_the_crate() {
+    keep("docs/controls.md", &controls::page());
+    let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    keep("README.md", &controls::readme(&readme));
 }

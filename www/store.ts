@@ -155,7 +155,7 @@ export class Store extends EventTarget {
           ...control,
           post: home,
           form: (fresh.control as Draft).form,
-          workOffset: home === "heidenhain" ? null : control.workOffset,
+          workOffset: this.catalog.posts.find((p) => p.id === home)?.workOffsets ? control.workOffset : null,
         };
     this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
     this.points = back?.points ?? noPoints();
@@ -189,8 +189,9 @@ export class Store extends EventTarget {
   /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
   open(text: string): Finding[] {
     if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
-    const { job, findings } = importJob(text);
-    const problem = job ? this.unusable(job) : "There is no job in this program";
+    const { job, findings, trace } = importJob(text);
+    const moves = `this program says no job, and its moves (${trace?.moves.length}) are not drawn here`;
+    const problem = trace ? moves : this.unusable(job);
     if (problem) throw new JobError(`Nothing was changed: ${problem}`, findings);
     this.load(job as unknown as Draft);
     return findings;

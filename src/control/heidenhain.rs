@@ -14,6 +14,7 @@ use crate::path::{ParameterValue, Subject};
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
     title: "HEIDENHAIN TNC7 (Klartext)",
+    about: "a Klartext program with the control's own cycle 1411, tolerances, semi-automatic and given positions included. Not verified on a control.",
     extension: "h",
     work_offsets: 0,
     work_offset_word: |_| String::new(),

@@ -91,6 +91,8 @@ pub struct PostDef {
     pub key: &'static str,
     /// The control's name.
     pub title: &'static str,
+    /// What its programs are, in a sentence or two, for the README.
+    pub about: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
     /// Highest number of a work offset the control takes; 0 where a program cannot write one.

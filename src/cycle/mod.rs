@@ -3,7 +3,7 @@
 mod ency;
 mod heidenhain;
 
-pub use ency::{Pick, Placement, code_of, only_angular};
+pub use ency::{CODE_GROUPS, Pick, Placement, code_of, only_angular};
 
 use std::fmt::Debug;
 
@@ -45,6 +45,8 @@ pub struct CycleDef {
     pub source: &'static str,
     /// What it probes: by this a control says whether it takes the cycle.
     pub probes: Subject,
+    /// Whether it has feeds and a search length of its own, and does not use the job's.
+    pub own_feeds: bool,
     /// Its type number in the source's parameter table (code −1), where it has one.
     pub number: Option<i32>,
     /// The most touches it can have.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
-use crate::cycle::{CYCLES, CycleDef};
+use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
 use crate::form::{Choice, Code, Default, Field, Kind};
 use crate::job::{FORMAT, LONGEST_TEXT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
@@ -23,6 +23,8 @@ pub struct Catalog {
     pub posts: Vec<PostEntry>,
     /// The safety rules.
     pub rules: Vec<RuleEntry>,
+    /// What the codes of a CmdPrm table are about; the first that fits counts.
+    pub code_groups: Vec<CodeGroup>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min.
     pub rapid_rate: f64,
     /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
@@ -48,6 +50,8 @@ pub struct CycleEntry {
     pub touches: bool,
     /// The most touches it can have.
     pub max_touches: usize,
+    /// Whether it has feeds and a search length of its own.
+    pub own_feeds: bool,
     /// Page of the manual.
     pub doc: &'static str,
     /// Its form.
@@ -148,10 +152,27 @@ pub struct PostEntry {
     pub extension: &'static str,
     /// Highest number of a work offset that a program can write; 0 is none.
     pub work_offsets: i32,
+    /// Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
+    pub first_length: bool,
+    /// Whether its program watches positioning moves with the probe.
+    pub watches: bool,
+    /// Whether its program computes the results itself.
+    pub computes: bool,
     /// How its work offsets are called, from number 1.
     pub work_offset_words: Vec<String>,
     /// Which cycle in which form.
     pub cycles: Vec<SupportEntry>,
+}
+
+/// What some codes of a parameter table are about.
+#[derive(Clone, Debug, Serialize)]
+pub struct CodeGroup {
+    /// The heading.
+    pub title: &'static str,
+    /// The lowest code.
+    pub lowest: i32,
+    /// The highest code.
+    pub highest: i32,
 }
 
 /// A safety rule.
@@ -192,6 +213,9 @@ pub fn catalog() -> Catalog {
                 title: post.title,
                 extension: post.extension,
                 work_offsets: post.work_offsets,
+                first_length: post.first_length,
+                watches: post.watches,
+                computes: post.computes,
                 work_offset_words: (1..=post.work_offsets).map(post.work_offset_word).collect(),
                 cycles: CYCLES
                     .iter()
@@ -205,6 +229,7 @@ pub fn catalog() -> Catalog {
             })
             .collect(),
         rules: RULES.iter().map(|rule| RuleEntry { name: rule.name, says: rule.says, why: rule.why }).collect(),
+        code_groups: CODE_GROUPS.iter().map(|&(title, lowest, highest)| CodeGroup { title, lowest, highest }).collect(),
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
         longest_text: LONGEST_TEXT,
@@ -219,6 +244,7 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         number: def.number,
         touches: def.place.is_some(),
         max_touches: def.most_touches,
+        own_feeds: def.own_feeds,
         doc: def.doc,
         fields: entries(def.fields),
         sections: def

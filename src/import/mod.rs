@@ -65,7 +65,7 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         return dump::import(&codes::entries(text));
     }
     // What only looks like a program of moves may be a Klartext one whose comments mention them.
-    klartext::import(text).or_else(|error| if program::recognises(text) { program::trace(text) } else { Err(error) })
+    klartext::import(text).or_else(|error| program::trace(text).unwrap_or(Err(error)))
 }
 
 /// Whether a job with this cycle has a place for a value at `path`, such as `cycle.touches[2].point`.

@@ -297,18 +297,20 @@ fn tokens(code: &str) -> Vec<Token> {
     tokens
 }
 
-/// Whether a text looks like a program of moves.
-pub fn recognises(text: &str) -> bool {
-    ["G38.", "G31", "MEAS=1", "$AC_MEA", "CYCLE977", "G1 ", "G0 "].iter().any(|word| text.contains(word))
+/// Whether a text probes.
+fn probes(text: &str) -> bool {
+    ["G38.", "G31", "MEAS=1", "$AC_MEA", "CYCLE977"].iter().any(|word| text.contains(word))
 }
 
-/// Reads the moves of a program that says no job: for the first control that understands all of it.
-pub fn trace(text: &str) -> Result<Imported, JobError> {
+/// Reads the moves of a program that says no job: for the first control that understands all of it. None where the text is no program: it
+/// neither comes to an end nor probes.
+pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();
     let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
     let mut read: Option<(&PostDef, Trace)> = None;
     for post in POSTS {
         match followed(post, text) {
+            Some(Ok(trace)) if !trace.ends && !probes(text) => {}
             Some(Ok(trace)) if read.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => read = Some((post, trace)),
             Some(Err(troubles)) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
                 least = Some((post, troubles));
@@ -318,18 +320,14 @@ pub fn trace(text: &str) -> Result<Imported, JobError> {
     }
     if let Some((post, trace)) = read {
         checker.info("no-job-in-program", "", "The program says no job: its moves are read, and a job cannot be made of them");
-        return Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings: checker.findings() });
+        return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings: checker.findings() }));
     }
-    match least {
-        Some((post, troubles)) => {
-            for trouble in troubles.iter().take(MOST_LISTED) {
-                let message = format!("Line {}, read as a program for {}: {}", trouble.line + 1, post.title, trouble.message);
-                checker.error("not-understood", "", message);
-            }
-        }
-        None => checker.error("nothing-to-import", "", "Nothing in this text moves"),
+    let (post, troubles) = least.filter(|_| probes(text))?;
+    for trouble in troubles.iter().take(MOST_LISTED) {
+        let message = format!("Line {}, read as a program for {}: {}", trouble.line + 1, post.title, trouble.message);
+        checker.error("not-understood", "", message);
     }
-    Err(JobError { findings: checker.findings() })
+    Some(Err(JobError { findings: checker.findings() }))
 }
 
 /// A text followed as a program for a control, on a part that is not known.

@@ -37,6 +37,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "SupportEntry",
             "PostEntry",
             "RuleEntry",
+            "CodeGroup",
             "Catalog",
         ],
     ),

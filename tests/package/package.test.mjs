@@ -93,6 +93,45 @@ test("jobs and programs are imported", async () => {
   }
 });
 
+test("a program of moves that says no job gives its moves", async () => {
+  const { defaultJob, importJob, plan } = await import("touchpath");
+  const job = defaultJob("hole");
+  for (const post of /** @type {const} */ (["linuxcnc", "grbl", "sinumerik", "fanuc", "haas"])) {
+    job.control.post = post;
+    job.control.header = "short";
+    const { program, moves } = plan(job);
+    const { job: none, trace, findings } = importJob(program.text);
+    assert.equal(none, null, post);
+    assert.deepEqual(
+      findings.map((f) => f.code),
+      ["no-job-in-program"],
+    );
+    // The first place is reached in steps.
+    const touches = trace?.moves.filter((m) => m.kind === "touch") ?? [];
+    assert.equal(touches.length, 4, post);
+    assert.deepEqual(trace?.moves.at(-1)?.to, moves.at(-1)?.to, post);
+    assert.deepEqual(
+      touches.map((m) => m.line),
+      moves.flatMap((m, i) => (m.kind === "touch" ? [program.moveLines[i]] : [])),
+    );
+  }
+});
+
+test("the examples of the README do what they say", async () => {
+  const readme = readFileSync(join(root, "README.md"), "utf8");
+  const [, code = ""] = readme.match(/```js\n([\s\S]*?)```/) ?? [];
+  assert.match(code, /from "touchpath"/);
+  const file = join(root, "dist", "readme-example.mjs");
+  writeFileSync(file, code);
+  try {
+    const shown = execFileSync("node", [file], { cwd: root, encoding: "utf8" });
+    assert.match(shown, /M2\n/);
+    assert.match(shown, /code: 'width1'/);
+  } finally {
+    rmSync(file);
+  }
+});
+
 test("a dump becomes the job again, and so does a program for SINUMERIK", async () => {
   const { catalog, defaultJob, exportTable, importJob, plan } = await import("touchpath");
   for (const { type, number } of catalog().cycles) {

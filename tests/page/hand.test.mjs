@@ -51,3 +51,20 @@ test("'Copied' stood beside a program that was not the copied one", async () => 
   await field("cycle.width1").fill("81");
   assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
 });
+
+test("the safety rules stand beside the program, with what this control cannot hold and what the job asked for", async () => {
+  const checks = page.locator("tp-checks");
+  assert.match(
+    await textOf(checks.locator("summary")),
+    /27 moves are the path, and its arithmetic is right; 12 safety rules hold; 1 this/,
+  );
+  await checks.locator("summary").click();
+  assert.equal(await checks.locator("li").count(), 13);
+  assert.match(await textOf(checks), /missed-touch-lifts/);
+  await field("control.protection").selectOption("none");
+  assert.match(await textOf(checks.locator("summary")), /1 does not/);
+  assert.match(await textOf(checks.locator("li.warning")), /!\s+A contact in this move goes unnoticed Line \d+/);
+  // With an error in the form there is no program to speak of.
+  await field("cycle.width1").fill("-5");
+  assert.equal(await checks.locator("details").count(), 0);
+});

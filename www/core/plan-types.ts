@@ -246,6 +246,8 @@ export interface CycleEntry {
   touches: boolean;
   /** The most touches it can have. */
   maxTouches: number;
+  /** Whether it has feeds and a search length of its own. */
+  ownFeeds: boolean;
   /** Page of the manual. */
   doc: string;
   /** Its form. */
@@ -286,6 +288,12 @@ export interface PostEntry {
   extension: string;
   /** Highest number of a work offset that a program can write; 0 is none. */
   workOffsets: number;
+  /** Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis. */
+  firstLength: boolean;
+  /** Whether its program watches positioning moves with the probe. */
+  watches: boolean;
+  /** Whether its program computes the results itself. */
+  computes: boolean;
   /** How its work offsets are called, from number 1. */
   workOffsetWords: string[];
   /** Which cycle in which form. */
@@ -302,6 +310,16 @@ export interface RuleEntry {
   why: string;
 }
 
+/** What some codes of a parameter table are about. */
+export interface CodeGroup {
+  /** The heading. */
+  title: string;
+  /** The lowest code. */
+  lowest: number;
+  /** The highest code. */
+  highest: number;
+}
+
 /** Cycles, controls and the sections around them. */
 export interface Catalog {
   /** The job format that this crate speaks. */
@@ -314,6 +332,8 @@ export interface Catalog {
   posts: PostEntry[];
   /** The safety rules. */
   rules: RuleEntry[];
+  /** What the codes of a CmdPrm table are about; the first that fits counts. */
+  codeGroups: CodeGroup[];
   /** The rate that rapids are taken to have in `plan().time`, mm/min. */
   rapidRate: number;
   /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry. */

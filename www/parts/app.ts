@@ -40,6 +40,15 @@ class App extends LitElement {
     this.style.setProperty("--picture", `${Math.ceil(entry?.target.clientHeight ?? 0)}px`),
   );
 
+  /** The kinds of files that may hold a job. */
+  private get readable(): string {
+    const programs = this.store.catalog.posts.flatMap(({ extension }) => [
+      `.${extension}`,
+      `.${extension.toUpperCase()}`,
+    ]);
+    return [...new Set([".json", ".txt", ".csv", ".i", ...programs, "application/json", "text/plain"])].join(",");
+  }
+
   private get tabs(): Tab[] {
     return this.layouts.find(({ query }) => query.matches)?.tabs ?? [];
   }
@@ -85,14 +94,14 @@ class App extends LitElement {
         <button type="button" @click=${() => this.store.reset()}>Reset</button>
         <button type="button" @click=${this.saveJob}>Save job</button>
         <button type="button" aria-expanded=${this.pasting ? "true" : "false"} @click=${() => this.paste(!this.pasting)}>Paste</button>
-        <label class="button">Open job<input type="file" accept=".json,.h,.H,.txt,.csv,.nc,.i,.mpf,.MPF,application/json,text/plain" @change=${this.openJob} /></label>
+        <label class="button">Open job<input type="file" accept=${this.readable} @change=${this.openJob} /></label>
         <small>${version()} <a href="./licences.txt">Licences</a></small>
       </header>
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
       ${
         this.pasting
           ? html`<section class="paste" aria-label="Paste">
-        <label for="paste">A dump of CmdPrm codes, a program with cycle 1411, a SINUMERIK program that was written here, or a job</label>
+        <label for="paste">A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job</label>
         <textarea id="paste" rows="6" spellcheck="false"></textarea>
         <div class="tools"><button type="button" @click=${this.readPasted}>Read it</button><button type="button" @click=${() => this.paste(false)}>Cancel</button></div>
       </section>`

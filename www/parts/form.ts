@@ -60,7 +60,8 @@ class FormPart extends Part {
   /** Fields under their headings: the cycle's own first, then what stands around it, the virtual part last. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
-    const own = this.store.cycle.sections.some((s) => s.key === "probe");
+    const own = this.store.cycle.ownFeeds;
+    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       const list = groups.get(group) ?? [];
@@ -77,7 +78,7 @@ class FormPart extends Part {
     for (const { path, fields } of sections) {
       // A cycle with a touch probe table of its own has its own feeds and search length.
       if (own && path === "feeds") continue;
-      if (path === "tool" && this.store.get("control.post") !== "sinumerik") continue;
+      if (path === "tool" && !post?.firstLength) continue;
       for (const field of fields) {
         if (!(own && field.key === "overtravel")) add(path ? `${path}.${field.key}` : field.key, field);
       }

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { copy, download, withheld } from "./hand.js";
+import "./checks.js";
 import { Part } from "./part.js";
 
 /** The program, line by line; a line that makes a move lights up with it. */
@@ -36,6 +37,7 @@ class ProgramPart extends Part {
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
       </div>
       ${withheld(this.store, "withheld-program")}
+      <tp-checks .store=${this.store}></tp-checks>
       <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
         ${lines.map((text, line) => {

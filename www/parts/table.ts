@@ -1,19 +1,15 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { exportTable, type Job, type ParameterRow, type Plan } from "../core/browser.js";
+import { type CodeGroup, exportTable, type Job, type ParameterRow, type Plan } from "../core/browser.js";
 import { copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
-const GROUPS = ["System", "Dimensions", "Touches", "Original touches", "Properties and own codes", "Cycle"] as const;
-type Group = (typeof GROUPS)[number];
+/** Rows that have no code of a table: those of a control's own cycle. */
+const OTHERS = "Cycle";
 
 /** Where a row belongs, by its code. */
-function groupOf(row: ParameterRow): Group {
+function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
   const code = Number(/\[(-?\d+)\]/.exec(row.code)?.[1] ?? Number.NaN);
-  if (Number.isNaN(code)) return "Cycle";
-  if (code <= -200) return "Original touches";
-  if (code <= -100) return "Touches";
-  if (code <= -50) return "Dimensions";
-  return code <= -10 || code > 0 ? "Properties and own codes" : "System";
+  return groups.find(({ lowest, highest }) => code >= lowest && code <= highest)?.title ?? OTHERS;
 }
 
 /** The parameter table of the source, by groups. Rows of a touch light up with it. */
@@ -22,7 +18,7 @@ class TablePart extends Part {
   /** The plan that was saved or copied: what is said of it holds for no other. */
   private toldOf?: Plan;
   private filter = "";
-  private readonly closed = new Set<Group>();
+  private readonly closed = new Set<string>();
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
@@ -31,7 +27,9 @@ class TablePart extends Part {
     const lit = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
     const wanted = this.filter.trim().toLowerCase();
     const rows = plan.table.filter((row) => `${row.code} ${row.meaning}`.toLowerCase().includes(wanted));
-    const groups = GROUPS.map((name) => ({ name, rows: rows.filter((row) => groupOf(row) === name) }));
+    const { codeGroups } = this.store.catalog;
+    const names = [...new Set([...codeGroups.map(({ title }) => title), OTHERS])];
+    const groups = names.map((name) => ({ name, rows: rows.filter((row) => groupOf(row, codeGroups) === name) }));
     return html`
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy as text</button>
@@ -72,7 +70,7 @@ class TablePart extends Part {
     </tr>`;
   }
 
-  private fold(name: Group): void {
+  private fold(name: string): void {
     if (!this.closed.delete(name)) this.closed.add(name);
     this.requestUpdate();
   }

@@ -28,7 +28,8 @@ use crate::path::{Move, RAPID_RATE, Subject, Touch};
 /// Fanuc 30i, 31i, 32i, 0i-F.
 pub static FANUC: PostDef = PostDef {
     key: "fanuc",
-    title: "Fanuc 30i / 0i-F (G31)",
+    title: "Fanuc 30i / 0i-F",
+    about: "moves with the skip function G31, each compared with its end; a contact lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
     extension: "nc",
     work_offsets: 6,
     work_offset_word: |n| format!("G{}", 53 + n),
@@ -41,7 +42,8 @@ pub static FANUC: PostDef = PostDef {
 /// Haas Next Generation Control.
 pub static HAAS: PostDef = PostDef {
     key: "haas",
-    title: "Haas NGC (G31)",
+    title: "Haas NGC",
+    about: "the same with M78 and M79, which raise the alarm in the control itself. Not verified on a control.",
     extension: "nc",
     work_offsets: 99,
     work_offset_word: |n| if n <= 6 { format!("G{}", 53 + n) } else { format!("G154 P{}", n - 6) },
@@ -57,6 +59,7 @@ pub static HAAS: PostDef = PostDef {
 const BASE: PostDef = PostDef {
     key: "",
     title: "",
+    about: "",
     extension: "",
     work_offsets: 0,
     work_offset_word: |_| String::new(),

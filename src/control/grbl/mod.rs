@@ -18,6 +18,7 @@ use crate::path::{Move, Touch};
 pub static DEF: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
+    about: "the same moves. grbl has no variables, so a program cannot compute or write anything, and it does not watch the probe in positioning moves; the page and the program say so.",
     extension: "nc",
     work_offsets: 0,
     work_offset_word: |_| String::new(),

@@ -27,6 +27,7 @@ use crate::path::{Move, Purpose, RAPID_RATE, Touch};
 pub static DEF: PostDef = PostDef {
     key: "linuxcnc",
     title: "LinuxCNC",
+    about: "touches as G38.2, positioning watched by G38.3 and checked, results computed in the program and printed. Every program of the tests is run by LinuxCNC's own interpreter.",
     extension: "ngc",
     work_offsets: 9,
     work_offset_word,

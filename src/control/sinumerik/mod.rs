@@ -29,6 +29,7 @@ use crate::path::{Move, RAPID_RATE, Subject, Touch};
 pub static DEF: PostDef = PostDef {
     key: "sinumerik",
     title: "SINUMERIK 840D sl / 828D",
+    about: "watched moves with MEAS, each with its check and one exit that names the move; results in R parameters, the frame written at the end. The tool section of the job says on which axis the probe's length acts. Not verified on a control.",
     extension: "mpf",
     work_offsets: 99,
     work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },

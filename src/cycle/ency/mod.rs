@@ -18,7 +18,7 @@ pub use forms::{PairProtected, RectangleProtected, RoundProtected};
 pub use picks::{Pick, Placement};
 pub use shape::{Circle, Corner, Outside, Pairs, Point, Seated, Shape, Side, Still, Triple, Variant};
 use table::table;
-pub use table::{code_of, only_angular};
+pub use table::{CODE_GROUPS, code_of, only_angular};
 
 use custom::Custom;
 

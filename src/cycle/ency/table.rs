@@ -9,6 +9,16 @@ use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
 const VARIANT: i32 = -59;
 const ANGULAR: [i32; 3] = [-60, -61, -62];
 
+/// What the codes of a parameter table are about: a title, the lowest code and the highest one. The first that fits counts.
+pub const CODE_GROUPS: [(&str, i32, i32); 6] = [
+    ("System", -9, 0),
+    ("Dimensions", -99, -50),
+    ("Touches", -199, -100),
+    ("Original touches", i32::MIN, -200),
+    ("Properties and own codes", -49, -10),
+    ("Properties and own codes", 1, i32::MAX),
+];
+
 /// Whether a code may be missing with this variant.
 pub fn only_angular(code: i32, variant: f64) -> bool {
     variant == 0.0 && ANGULAR.contains(&code)

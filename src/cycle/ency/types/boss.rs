@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Boss",
     source: "ENCY/SprutCAM type 5",
     probes: Subject::Boss,
+    own_feeds: false,
     number: Some(5),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/boss.md",

@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Double wall external corner",
     source: "ENCY/SprutCAM type 14",
     probes: Subject::CornerOutside,
+    own_feeds: false,
     number: Some(14),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-external-corner.md",

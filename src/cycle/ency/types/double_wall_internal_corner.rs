@@ -14,6 +14,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Double wall internal corner",
     source: "ENCY/SprutCAM type 13",
     probes: Subject::CornerInside,
+    own_feeds: false,
     number: Some(13),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/double-wall-internal-corner.md",

@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "External rectangle",
     source: "ENCY/SprutCAM type 8",
     probes: Subject::Block,
+    own_feeds: false,
     number: Some(8),
     most_touches: 4,
     doc: "docs/cycles/external-rectangle.md",

@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Groove",
     source: "ENCY/SprutCAM type 11",
     probes: Subject::Groove,
+    own_feeds: false,
     number: Some(11),
     most_touches: 2,
     doc: "docs/cycles/groove.md",

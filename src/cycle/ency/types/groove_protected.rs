@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Groove, protected",
     source: "ENCY/SprutCAM type 12",
     probes: Subject::GrooveProtected,
+    own_feeds: false,
     number: Some(12),
     most_touches: 2,
     doc: "docs/cycles/groove-protected.md",

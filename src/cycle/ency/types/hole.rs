@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Hole",
     source: "ENCY/SprutCAM type 3",
     probes: Subject::Hole,
+    own_feeds: false,
     number: Some(3),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole.md",

@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Hole, protected",
     source: "ENCY/SprutCAM type 4",
     probes: Subject::HoleProtected,
+    own_feeds: false,
     number: Some(4),
     most_touches: MAX_TOUCHES,
     doc: "docs/cycles/hole-protected.md",

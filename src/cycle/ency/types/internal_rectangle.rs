@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Internal rectangle",
     source: "ENCY/SprutCAM type 6",
     probes: Subject::Pocket,
+    own_feeds: false,
     number: Some(6),
     most_touches: 4,
     doc: "docs/cycles/internal-rectangle.md",

@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Internal rectangle, protected",
     source: "ENCY/SprutCAM type 7",
     probes: Subject::PocketProtected,
+    own_feeds: false,
     number: Some(7),
     most_touches: 4,
     doc: "docs/cycles/internal-rectangle-protected.md",

@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "NC action",
     source: "ENCY/SprutCAM type 1",
     probes: Subject::Action,
+    own_feeds: false,
     number: Some(1),
     most_touches: 0,
     doc: "docs/cycles/nc-action.md",

@@ -10,6 +10,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Probe on/off",
     source: "ENCY/SprutCAM type 0",
     probes: Subject::Switch,
+    own_feeds: false,
     number: Some(0),
     most_touches: 0,
     doc: "docs/cycles/probe-on-off.md",

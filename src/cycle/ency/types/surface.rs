@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Surface",
     source: "ENCY/SprutCAM type 2",
     probes: Subject::Surface,
+    own_feeds: false,
     number: Some(2),
     most_touches: 1,
     doc: "docs/cycles/surface.md",

@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Triple wall external corner",
     source: "ENCY/SprutCAM type 16",
     probes: Subject::TripleOutside,
+    own_feeds: false,
     number: Some(16),
     most_touches: 3,
     doc: "docs/cycles/triple-wall-external-corner.md",

@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Triple wall internal corner",
     source: "ENCY/SprutCAM type 15",
     probes: Subject::TripleInside,
+    own_feeds: false,
     number: Some(15),
     most_touches: 3,
     doc: "docs/cycles/triple-wall-internal-corner.md",

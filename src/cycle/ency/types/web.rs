@@ -11,6 +11,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Web",
     source: "ENCY/SprutCAM type 9",
     probes: Subject::Web,
+    own_feeds: false,
     number: Some(9),
     most_touches: 2,
     doc: "docs/cycles/web.md",

@@ -13,6 +13,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Web, three points",
     source: "ENCY/SprutCAM type 10",
     probes: Subject::WebTop,
+    own_feeds: false,
     number: Some(10),
     most_touches: 3,
     doc: "docs/cycles/web-three-points.md",

@@ -24,6 +24,7 @@ pub static DEF: CycleDef = CycleDef {
     title: "Probing two circles",
     source: "HEIDENHAIN cycle 1411",
     probes: Subject::TwoCircles,
+    own_feeds: true,
     number: None,
     most_touches: 2 * 8 * 99,
     place: None,

@@ -1,0 +1,99 @@
+//! The matrix of controls and cycles, printed from the list of controls: a page of the manual, and a part of the README.
+
+use std::fmt::Write;
+
+use touchpath::control::safety::RULES;
+use touchpath::control::{Form, POSTS, PostDef};
+use touchpath::cycle::{CYCLES, CycleDef};
+
+const BEGIN: &str = "<!-- generated: controls -->";
+const END: &str = "<!-- generated: end -->";
+
+fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
+    match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+        [true, true] => "moves, own cycle",
+        [true, false] => "moves",
+        [false, true] => "own cycle",
+        [false, false] => "–",
+    }
+}
+
+fn matrix(manual: &str) -> String {
+    let heads: Vec<&str> = POSTS.iter().map(|post| post.title).collect();
+    let mut text = format!("| cycle | source | {} |\n|---|---|{}\n", heads.join(" | "), "---|".repeat(POSTS.len()));
+    for def in CYCLES {
+        let cells: Vec<&str> = POSTS.iter().map(|post| cell(post, def)).collect();
+        let page = def.doc.trim_start_matches("docs/");
+        writeln!(text, "| [{}]({manual}{page}) | {} | {} |", def.title, def.source, cells.join(" | ")).unwrap();
+    }
+    text
+}
+
+/// `docs/controls.md`.
+pub fn page() -> String {
+    let mut text = "# The controls\n\n<!-- generated: UPDATE=1 cargo test --test generated -->\n\nWhat each control takes, what its programs \
+        hold, and what they cannot. [The programs](programs.md) says how they are written, and where that comes from.\n\n"
+        .to_owned();
+    text.push_str(&matrix(""));
+    text.push_str(
+        "\n## What a program has\n\n| control | `control.post` | file | work offsets | positioning is watched | computes the results |\n\
+         |---|---|---|---|---|---|\n",
+    );
+    let yes = |is: bool| if is { "yes" } else { "no" };
+    for post in POSTS {
+        let offsets = match post.work_offsets {
+            0 => format!("none: {}", post.no_work_offset),
+            last => format!("{} to {}", (post.work_offset_word)(1), (post.work_offset_word)(last)),
+        };
+        let cells = [post.title, post.key, post.extension, &offsets, yes(post.watches), yes(post.computes)];
+        writeln!(text, "| {} | `{}` | `.{}` | {} | {} | {} |", cells[0], cells[1], cells[2], cells[3], cells[4], cells[5])
+            .unwrap();
+    }
+    text.push_str("\n## What they do not take, and why\n");
+    for post in POSTS {
+        let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+        for (def, form) in CYCLES.iter().flat_map(|def| Form::ALL.map(|form| (def, form))) {
+            let Err(why) = (post.serves)(def.probes, form) else { continue };
+            let what = if form == Form::Moves { "moves" } else { "own cycle" };
+            match reasons.iter_mut().find(|(known, _)| *known == why) {
+                Some((_, titles)) if titles.last() != Some(&def.title) => titles.push(def.title),
+                Some(_) => {}
+                None => reasons.push((why, vec![what, def.title])),
+            }
+        }
+        writeln!(text, "\n### {}\n", post.title).unwrap();
+        for (why, titles) in reasons {
+            let all = titles.len() > CYCLES.len();
+            let which = if all { "any cycle".to_owned() } else { titles[1..].join(", ") };
+            writeln!(text, "- As {}, {which}: {why}.", titles[0]).unwrap();
+        }
+    }
+    text.push_str(
+        "\n## Safety rules\n\nEvery program is read back and followed: what it does when all goes well, when a positioning move meets something, when a \
+         touch meets nothing, with a probe that is deflected from the start, and from a stylus that stands too low. Then every rule is asked. A program \
+         that breaks one is refused, but for the two that depend on what the job asks for.\n\n| rule | what it asks | why | cannot |\n|---|---|---|---|\n",
+    );
+    for rule in RULES {
+        let cannot: Vec<String> = POSTS
+            .iter()
+            .flat_map(|post| {
+                post.cannot.iter().filter(|(name, _)| *name == rule.name).map(move |(_, why)| format!("{}: {why}", post.title))
+            })
+            .collect();
+        let job = if rule.must { "" } else { " (as the job asks)" };
+        writeln!(text, "| `{}`{job} | {} | {} | {} |", rule.name, rule.says, rule.why, cannot.join("; ")).unwrap();
+    }
+    text
+}
+
+/// The README with its part of the list put in.
+pub fn readme(readme: &str) -> String {
+    let (before, rest) = readme.split_once(BEGIN).expect("the README has its mark");
+    let (_, after) = rest.split_once(END).expect("the README has its end mark");
+    let mut text = matrix("docs/");
+    text.push('\n');
+    for post in POSTS {
+        writeln!(text, "- **{}** (`.{}`): {}", post.title, post.extension, post.about).unwrap();
+    }
+    format!("{before}{BEGIN}\n\n{text}\n{END}{after}")
+}
