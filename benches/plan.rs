@@ -27,5 +27,14 @@ fn main() {
             .collect();
         rounds.sort_unstable();
         println!("{name} {touches} {}", rounds[rounds.len() / 2]);
+        // The parts of it, each as the least of 21 rounds.
+        touchpath::job::stages(&job, 100, |stage, work| {
+            let least = (0..21).map(|_| {
+                let start = Instant::now();
+                work();
+                start.elapsed().as_nanos() / 100
+            });
+            println!("  {stage}: {name} {touches} {}", least.min().expect("there are rounds"));
+        });
     }
 }

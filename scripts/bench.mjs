@@ -58,6 +58,17 @@ const native = new Map(
     }),
 );
 
+console.log(
+  "\nReading a program back and proving it, natively: by the time of printing it (under 2), rules by the same",
+);
+for (const name of Object.keys(jobs)) {
+  const [print, prove, rules] = ["print", "prove", "rules"].map(
+    (stage) => native.get(`  ${stage}: ${name}`) ?? Number.NaN,
+  );
+  if (print && prove && rules)
+    console.log(`${name.padEnd(26)} ${(prove / print).toFixed(2)}   ${(rules / print).toFixed(2)}`);
+}
+
 console.log("\nForm edit to whole plan, median, µs");
 console.log("job                         native     wasm   wasm / native   wasm check   wasm columns");
 /** @type {Map<string, number>} */

@@ -51,13 +51,74 @@ fn layer(module: &str) -> usize {
     LAYERS.iter().position(|l| l.contains(&module)).unwrap_or_else(|| panic!("{module} has no layer"))
 }
 
+/// The top module that a path leads to, seen from a file: `crate::path`, `super::super::path`; none within the module or outside the crate.
+fn target(file: &str, path: &[String]) -> Option<String> {
+    let mut place: Vec<&str> = file.trim_end_matches(".rs").split('/').collect();
+    if place.last() == Some(&"mod") {
+        place.pop();
+    }
+    match path.first()?.as_str() {
+        "crate" => path.get(1).cloned(),
+        "super" => {
+            let ups = path.iter().take_while(|word| *word == "super").count();
+            // A module inside the file, such as `tests`, is one deeper: it can only lead less far up.
+            if ups >= place.len() { path.get(ups).cloned() } else { Some(place[0].to_owned()) }
+        }
+        _ => None,
+    }
+}
+
+fn trees(tree: &syn::UseTree, before: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
+    let mut leaf = |name: String| found.push(before.iter().cloned().chain([name]).collect());
+    match tree {
+        syn::UseTree::Path(path) => {
+            before.push(path.ident.to_string());
+            trees(&path.tree, before, found);
+            before.pop();
+        }
+        syn::UseTree::Group(group) => group.items.iter().for_each(|tree| trees(tree, before, found)),
+        syn::UseTree::Name(name) => leaf(name.ident.to_string()),
+        syn::UseTree::Rename(rename) => leaf(rename.ident.to_string()),
+        syn::UseTree::Glob(_) => leaf("*".to_owned()),
+    }
+}
+
+/// Every path that a file imports, also inside its modules and functions; and every path in its code that begins with `crate::`.
+fn imports(text: &str) -> Vec<Vec<String>> {
+    fn items(list: &[syn::Item], found: &mut Vec<Vec<String>>) {
+        for item in list {
+            match item {
+                syn::Item::Use(item) => trees(&item.tree, &mut Vec::new(), found),
+                syn::Item::Mod(inner) => items(inner.content.as_ref().map_or(&[], |(_, list)| list), found),
+                syn::Item::Fn(function) => function.block.stmts.iter().for_each(|statement| {
+                    if let syn::Stmt::Item(syn::Item::Use(item)) = statement {
+                        trees(&item.tree, &mut Vec::new(), found);
+                    }
+                }),
+                _ => {}
+            }
+        }
+    }
+    let mut found = Vec::new();
+    items(&syn::parse_file(text).unwrap().items, &mut found);
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    for (at, _) in text.match_indices("crate::") {
+        let rest = &text[at + 7..];
+        let name: String = rest.chars().take_while(|c| word(*c)).collect();
+        found.push(vec!["crate".to_owned(), name]);
+    }
+    found
+}
+
 #[test]
 fn imports_point_down() {
     let mut seen = 0;
     for (module, file, text) in all() {
-        for (at, _) in text.match_indices("crate::") {
-            let name: String = text[at + 7..].chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect();
-            if name.is_empty() || name == module {
+        for path in imports(&text) {
+            let Some(name) = target(&file, &path) else { continue };
+            if name == module || name.is_empty() || !LAYERS.iter().flat_map(|l| l.iter()).any(|known| *known == name) {
+                // What is no module of the crate's top can only be an item of it, and there is none.
+                assert!(name == module || name.is_empty() || name == "*", "{file} imports {name}, which has no layer");
                 continue;
             }
             seen += 1;
@@ -65,7 +126,37 @@ fn imports_point_down() {
             assert!(allowed || layer(&name) < layer(&module), "{file} imports {name}");
         }
     }
-    assert!(seen > 20, "the test reads the sources");
+    assert!(seen > 300, "the test reads the sources: {seen}");
+}
+
+#[test]
+fn every_form_of_an_import_is_read() {
+    let found = |file: &str, text: &str| -> Vec<String> {
+        let mut names: Vec<String> = imports(text).iter().filter_map(|path| target(file, path)).collect();
+        names.dedup();
+        names
+    };
+    assert_eq!(found("path/mod.rs", "use crate::{geom::Vec3, job as j};"), ["geom", "job", ""]);
+    assert_eq!(found("cycle/ency/mod.rs", "use super::super::control::POSTS;"), ["control"]);
+    assert_eq!(found("path/mod.rs", "use super::cycle;"), ["cycle"]);
+    assert_eq!(found("cycle/ency/picks.rs", "use super::{Pick, words};"), ["cycle"]);
+    assert_eq!(found("part/mod.rs", "fn f() { use crate::view; }"), ["view"]);
+    assert_eq!(found("part/mod.rs", "fn f() { crate::view::draw(); }"), ["view"]);
+    assert_eq!(found("part/mod.rs", "mod tests { use super::*; use crate::wasm::x; }"), ["*", "wasm"]);
+}
+
+/// A control knows what is probed, and no cycle by its name; a cycle knows no control, but for the one that its default job is for.
+#[test]
+fn controls_and_cycles_do_not_name_each_other() {
+    for (module, file, text) in all() {
+        for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.trim_start().starts_with("//")) {
+            let names = |name: &str| line.contains(&format!("\"{name}\""));
+            let cycles = touchpath::cycle::CYCLES.iter().any(|def| names(def.key));
+            let controls = touchpath::control::POSTS.iter().any(|post| names(post.key));
+            assert!(module != "control" || !cycles, "{file}:{}: {line}", number + 1);
+            assert!(module != "cycle" || !controls || line.contains("home:"), "{file}:{}: {line}", number + 1);
+        }
+    }
 }
 
 #[test]

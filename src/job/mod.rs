@@ -17,7 +17,7 @@ pub use defaults::{default_job, default_job_in, resolved};
 pub use lentoax::lentoax_query;
 pub use plan::{
     Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, examine,
-    proves,
+    proves, stages,
 };
 pub use sections::{FORMAT, Job, SECTIONS};
 pub use units::convert_units;

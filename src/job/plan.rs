@@ -399,6 +399,26 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
     Some(followed.map(|followed| safety::check(&request, &followed).into_iter().map(safety_row).collect()))
 }
 
+/// How long printing, proof and rules take, for the bench: each with what it needs done before, `rounds` times.
+#[doc(hidden)]
+pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
+    let Some(job) = Job::read(&mut Checker::default(), value) else { return };
+    let planned = Planned::of(job);
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    let whole = resolved(value);
+    let request = request(&planned, &feeds, whole.as_ref());
+    let program = (request.post.emit)(&request);
+    let Ok(followed) = prove::follow(&request, &program.text, prove::Part::Path) else { return };
+    timed("print", &mut || (0..rounds).for_each(|_| drop(std::hint::black_box((request.post.emit)(&request)))));
+    timed("prove", &mut || {
+        (0..rounds).for_each(|_| {
+            let followed = prove::follow(&request, &program.text, prove::Part::Path);
+            let _ = std::hint::black_box(followed.map(|f| prove::prove(&request, &f, &program.move_lines)));
+        });
+    });
+    timed("rules", &mut || (0..rounds).for_each(|_| drop(std::hint::black_box(safety::check(&request, &followed)))));
+}
+
 /// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
 pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     let Some(job) = Job::read(&mut Checker::default(), value) else { return false };
