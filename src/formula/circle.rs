@@ -1,6 +1,6 @@
 //! Circles through points: fitted geometrically, and by arithmetic that any control can do.
 
-use crate::formula::{Expr, Formula, Function};
+use crate::formula::{Expr, Formula, Function, Value};
 
 /// A circle fitted to points of a plane.
 #[derive(Clone, Debug)]
@@ -79,36 +79,37 @@ fn invert(m: [[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
 
 impl Formula {
     /// Kåsa's circle: minimises the sum of (x² + y² − 2ax − 2by − c)² about the mean of the points.
-    pub(super) fn circle(&mut self, number: usize, first: usize, count: usize, (a, o): (usize, usize)) -> [Expr; 3] {
-        let sum = |parts: Vec<Expr>| parts.into_iter().reduce(|sum, part| sum + part).expect("three points or more");
+    pub(super) fn circle(&mut self, number: usize, first: usize, count: usize, (a, o): (usize, usize)) -> [Value; 3] {
         let n = || Expr::Number(count as f64);
         let samples = first..first + count;
-        let mean = |axis: usize| sum(samples.clone().map(|k| Expr::trigger(k, axis)).collect()) / n();
+        let mean = |axis: usize| Expr::sum(samples.clone().map(|k| Expr::trigger(k, axis))) / n();
         let (mean_a, mean_o) = (mean(a), mean(o));
         let mean_a = self.set(format!("c{number}_mean_a"), mean_a);
         let mean_o = self.set(format!("c{number}_mean_o"), mean_o);
-        let mut sums: [Option<Expr>; 5] = Default::default();
+        let mut sums: [Option<Value>; 5] = Default::default();
         for k in samples {
-            let u = self.set(format!("u{}", k + 1), Expr::trigger(k, a) - mean_a.clone());
-            let v = self.set(format!("v{}", k + 1), Expr::trigger(k, o) - mean_o.clone());
-            let z = self.set(format!("w{}", k + 1), u.clone() * u.clone() + v.clone() * v.clone());
-            let terms = [u.clone() * u.clone(), v.clone() * v.clone(), u.clone() * v.clone(), u * z.clone(), v * z];
+            let u = self.set(format!("u{}", k + 1), Expr::trigger(k, a) - mean_a);
+            let v = self.set(format!("v{}", k + 1), Expr::trigger(k, o) - mean_o);
+            let z = self.set(format!("w{}", k + 1), u * u + v * v);
+            let terms = [u * u, v * v, u * v, u * z, v * z];
             for (i, (sum, term)) in sums.iter_mut().zip(terms).enumerate() {
                 let name = format!("c{number}_{}_{}", ["uu", "vv", "uv", "uz", "vz"][i], k - first + 1);
-                let total = match sum.take() {
-                    Some(sum) => sum + term,
-                    None => term,
-                };
-                *sum = Some(self.set(name, total));
+                *sum = Some(self.set(
+                    name,
+                    match *sum {
+                        Some(sum) => sum + term,
+                        None => term,
+                    },
+                ));
             }
         }
         let [uu, vv, uv, uz, vz] = sums.map(|s| s.expect("three points or more"));
-        let det = (uu.clone() * vv.clone() - uv.clone() * uv.clone()) * Expr::Number(2.0);
+        let det = (uu * vv - uv * uv) * Expr::Number(2.0);
         let det = self.set(format!("c{number}_det"), det);
-        let u = (vv.clone() * uz.clone() - uv.clone() * vz.clone()) / det.clone();
+        let u = (vv * uz - uv * vz) / det;
         let u = self.set(format!("c{number}_u"), u);
-        let v = self.set(format!("c{number}_v"), (uu.clone() * vz - uv * uz) / det);
-        let square = u.clone() * u.clone() + v.clone() * v.clone() + (uu + vv) / n();
+        let v = self.set(format!("c{number}_v"), (uu * vz - uv * uz) / det);
+        let square = u * u + v * v + (uu + vv) / n();
         let x = self.set(format!("c{number}_a"), mean_a + u);
         let y = self.set(format!("c{number}_o"), mean_o + v);
         let r = self.set(format!("c{number}_r"), Expr::Call(Function::Sqrt, Box::new(square)));

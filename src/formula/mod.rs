@@ -173,8 +173,9 @@ pub struct Datum {
 
 impl Datum {
     /// A point in the plane: abscissa and ordinate, each as measured and as nominal.
-    pub fn point(abscissa: (Expr, f64), ordinate: (Expr, f64)) -> Self {
-        Datum { place: [Some(abscissa), Some(ordinate), None], rotation: None, told: false }
+    pub fn point(abscissa: (impl Into<Expr>, f64), ordinate: (impl Into<Expr>, f64)) -> Self {
+        let place = [Some((abscissa.0.into(), abscissa.1)), Some((ordinate.0.into(), ordinate.1)), None];
+        Datum { place, rotation: None, told: false }
     }
 
     /// Which of abscissa, ordinate and tool axis were measured.
@@ -217,19 +218,43 @@ pub enum Unit {
     None,
 }
 
-impl Formula {
-    /// Names a value and gives a reference to it.
-    pub fn set(&mut self, name: impl Into<String>, expr: Expr) -> Expr {
-        self.assignments.push(Assignment { name: name.into(), expr });
-        Expr::Variable(self.assignments.len() - 1)
+/// A named value of a formula: what [`Formula::set`] gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Value(usize);
+
+impl From<Value> for Expr {
+    fn from(value: Value) -> Expr {
+        Expr::Variable(value.0)
+    }
+}
+
+impl Value {
+    /// Sine of degrees.
+    pub fn sin(self) -> Expr {
+        Expr::from(self).sin()
     }
 
-    /// States a result; `expr` must come from [`Formula::set`].
-    pub fn result(&mut self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, expr: Option<&Expr>) {
-        let variable = expr.map(|e| match e {
-            Expr::Variable(index) => *index,
-            _ => unreachable!("a result is a named value"),
-        });
+    /// Cosine of degrees.
+    pub fn cos(self) -> Expr {
+        Expr::from(self).cos()
+    }
+
+    /// The angle of the vector (x, self), degrees.
+    pub fn atan2(self, x: impl Into<Expr>) -> Expr {
+        Expr::from(self).atan2(x)
+    }
+}
+
+impl Formula {
+    /// Names a value and gives its handle.
+    pub fn set(&mut self, name: impl Into<String>, expr: impl Into<Expr>) -> Value {
+        self.assignments.push(Assignment { name: name.into(), expr: expr.into() });
+        Value(self.assignments.len() - 1)
+    }
+
+    /// States a result; none where these touches cannot give it.
+    pub fn result(&mut self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, value: Option<Value>) {
+        let variable = value.map(|value| value.0);
         let nominal = tidy(nominal);
         self.results.push(ResultDef { code, meaning, role, nominal, reference: nominal, variable });
     }
@@ -245,39 +270,36 @@ impl Formula {
     /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
     pub fn plain(&self) -> Formula {
         let mut plain = Formula::default();
-        let mut places: Vec<Expr> = Vec::with_capacity(self.assignments.len());
-        let mut circles: Vec<(usize, [Expr; 3])> = Vec::new();
+        let mut places: Vec<Value> = Vec::with_capacity(self.assignments.len());
+        let mut circles: Vec<(usize, [Value; 3])> = Vec::new();
         for assignment in &self.assignments {
             let mut expr = assignment.expr.clone();
             expr.replace(&mut |inner| match inner {
-                Expr::Variable(index) => Some(places[*index].clone()),
+                Expr::Variable(index) => Some(places[*index].into()),
                 Expr::Circle { first, count, axes, part } => {
                     let known = circles.iter().position(|(f, _)| f == first).unwrap_or_else(|| {
                         let number = circles.len() + 1;
                         circles.push((*first, plain.circle(number, *first, *count, *axes)));
                         circles.len() - 1
                     });
-                    let [x, y, r] = &circles[known].1;
-                    Some(match part {
-                        CirclePart::Abscissa => x.clone(),
-                        CirclePart::Ordinate => y.clone(),
-                        CirclePart::Radius => r.clone(),
-                    })
+                    let [x, y, r] = circles[known].1;
+                    Some(Expr::from(match part {
+                        CirclePart::Abscissa => x,
+                        CirclePart::Ordinate => y,
+                        CirclePart::Radius => r,
+                    }))
                 }
                 _ => None,
             });
             places.push(plain.set(assignment.name.clone(), expr));
         }
         let moved = |e: &Expr| match e {
-            Expr::Variable(index) => places[*index].clone(),
+            Expr::Variable(index) => places[*index].into(),
             other => other.clone(),
         };
         plain.results = self.results.clone();
         for result in &mut plain.results {
-            result.variable = result.variable.map(|index| match places[index] {
-                Expr::Variable(new) => new,
-                _ => unreachable!("set gives variables"),
-            });
+            result.variable = result.variable.map(|index| places[index].0);
         }
         plain.datum = self.datum.as_ref().map(|d| Datum {
             place: d.place.each_ref().map(|p| p.as_ref().map(|(e, n)| (moved(e), *n))),
@@ -348,6 +370,11 @@ impl Expr {
         Expr::Trigger { touch, axis }
     }
 
+    /// The sum of these, in their order; 0 of none.
+    pub fn sum<T: Into<Expr>>(parts: impl Iterator<Item = T>) -> Expr {
+        parts.map(Into::into).reduce(|sum, part| sum + part).unwrap_or(Expr::Number(0.0))
+    }
+
     /// Sine of degrees.
     pub fn sin(self) -> Expr {
         Expr::Call(Function::Sin, Box::new(self))
@@ -359,8 +386,8 @@ impl Expr {
     }
 
     /// The angle of the vector (x, self), degrees.
-    pub fn atan2(self, x: Expr) -> Expr {
-        Expr::Atan2(Box::new(self), Box::new(x))
+    pub fn atan2(self, x: impl Into<Expr>) -> Expr {
+        Expr::Atan2(Box::new(self), Box::new(x.into()))
     }
 
     /// Replaces every node for which `by` gives another, outermost first.
@@ -476,9 +503,10 @@ impl Expr {
 
 // The operators fold what is plain (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as by hand.
 
-impl Add for Expr {
+impl<R: Into<Expr>> Add<R> for Expr {
     type Output = Expr;
-    fn add(self, other: Expr) -> Expr {
+    fn add(self, other: R) -> Expr {
+        let other = other.into();
         match (self, other) {
             (a, b) if b.is(0.0) => a,
             (a, b) if a.is(0.0) => b,
@@ -489,9 +517,10 @@ impl Add for Expr {
     }
 }
 
-impl Sub for Expr {
+impl<R: Into<Expr>> Sub<R> for Expr {
     type Output = Expr;
-    fn sub(self, other: Expr) -> Expr {
+    fn sub(self, other: R) -> Expr {
+        let other = other.into();
         match (self, other) {
             (a, b) if b.is(0.0) => a,
             (Expr::Length(a), Expr::Length(b)) => Expr::Length(a - b),
@@ -501,9 +530,10 @@ impl Sub for Expr {
     }
 }
 
-impl Mul for Expr {
+impl<R: Into<Expr>> Mul<R> for Expr {
     type Output = Expr;
-    fn mul(self, other: Expr) -> Expr {
+    fn mul(self, other: R) -> Expr {
+        let other = other.into();
         match (self, other) {
             (a, _) if a.is(0.0) => a,
             (_, b) if b.is(0.0) => b,
@@ -515,15 +545,45 @@ impl Mul for Expr {
     }
 }
 
-impl Div for Expr {
+impl<R: Into<Expr>> Div<R> for Expr {
     type Output = Expr;
-    fn div(self, other: Expr) -> Expr {
+    fn div(self, other: R) -> Expr {
+        let other = other.into();
         if other.is(1.0) { self } else { Expr::Binary(Op::Divide, Box::new(self), Box::new(other)) }
     }
 }
 
+impl<R: Into<Expr>> Add<R> for Value {
+    type Output = Expr;
+    fn add(self, other: R) -> Expr {
+        Expr::from(self) + other
+    }
+}
+
+impl<R: Into<Expr>> Sub<R> for Value {
+    type Output = Expr;
+    fn sub(self, other: R) -> Expr {
+        Expr::from(self) - other
+    }
+}
+
+impl<R: Into<Expr>> Mul<R> for Value {
+    type Output = Expr;
+    fn mul(self, other: R) -> Expr {
+        Expr::from(self) * other
+    }
+}
+
+impl<R: Into<Expr>> Div<R> for Value {
+    type Output = Expr;
+    fn div(self, other: R) -> Expr {
+        Expr::from(self) / other
+    }
+}
+
 /// The component along a constant direction of the point (a, o): `a · along.0 + o · along.1`, with ±1 and 0 written plainly.
-pub fn project(a: Expr, o: Expr, along: (f64, f64)) -> Expr {
+pub fn project(a: impl Into<Expr>, o: impl Into<Expr>, along: (f64, f64)) -> Expr {
+    let (a, o) = (a.into(), o.into());
     let (ca, co) = (tidy(along.0), tidy(along.1));
     match (ca == 0.0, co == 0.0) {
         (false, true) if ca < 0.0 => Expr::Length(0.0) - a * Expr::Number(-ca),
@@ -544,7 +604,7 @@ mod tests {
         let mut formula = Formula::default();
         let x = formula.set("x", Expr::trigger(0, 0) * Expr::trigger(1, 1) / Expr::Number(7.0));
         let y = formula.set("y", Expr::trigger(0, 0) - Expr::trigger(1, 0));
-        formula.set("angle", y.clone().atan2(x.clone()));
+        formula.set("angle", y.atan2(x));
         formula.set("wave", x.sin() * y.cos());
         let directions = [Vec3::X, Vec3::Y];
         let at = |a: f64, b: f64| formula.evaluate(&[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))], &directions);

@@ -123,10 +123,10 @@ mod tests {
         let b = f.set("b", Expr::trigger(1, 2));
         let shown = |e: &Expr| print(&Rs274, &f, e, 25.4);
         assert_eq!(shown(&Expr::trigger(1, 2)), "#<z2>");
-        assert_eq!(shown(&((a.clone() + b.clone()) / Expr::Number(2.0))), "[#<a>+#<b>]/2");
-        assert_eq!(shown(&(a.clone() - (b.clone() - Expr::Length(25.4)))), "#<a>-[#<b>-1]");
-        assert_eq!(shown(&(a.clone() * Expr::Number(-0.5))), "#<a>*[-0.5]");
-        assert_eq!(shown(&(a.clone() / (b.clone() * a.clone()))), "#<a>/[#<b>*#<a>]");
-        assert_eq!(shown(&(a.clone().atan2(b.clone()) / Expr::Number(2.0)).sin()), "SIN[ATAN[#<a>]/[#<b>]/2]");
+        assert_eq!(shown(&((a + b) / Expr::Number(2.0))), "[#<a>+#<b>]/2");
+        assert_eq!(shown(&(a - (b - Expr::Length(25.4)))), "#<a>-[#<b>-1]");
+        assert_eq!(shown(&(a * Expr::Number(-0.5))), "#<a>*[-0.5]");
+        assert_eq!(shown(&(a / (b * a))), "#<a>/[#<b>*#<a>]");
+        assert_eq!(shown(&(a.atan2(b) / Expr::Number(2.0)).sin()), "SIN[ATAN[#<a>]/[#<b>]/2]");
     }
 }

@@ -7,7 +7,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role, project};
+use crate::formula::{Datum, Expr, Formula, Role, Value, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 
@@ -271,25 +271,26 @@ impl Shape for Corner {
         });
         // Cramer's rule on n1·p = q1, n2·p = q2.
         let det = formula.set("det", one.normal.0.clone() * two.normal.1.clone() - one.normal.1.clone() * two.normal.0.clone());
-        let x = (one.offset.clone() * two.normal.1.clone() - two.offset.clone() * one.normal.1.clone()) / det.clone();
+        let x = (one.offset * two.normal.1.clone() - two.offset * one.normal.1.clone()) / det;
         let y = (two.offset * one.normal.0.clone() - one.offset * two.normal.0) / det;
         let x = formula.set("corner_x", x);
         let y = formula.set("corner_y", y);
         // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
         // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
-        let tilts = one.tilt.clone().zip(two.tilt);
+        let tilts = one.tilt.zip(two.tilt);
         let clockwise = self.internal != (self.angle < 0.0);
-        let rotation = one.tilt.map(|tilt| formula.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt }));
+        let rotation =
+            one.tilt.map(|tilt| formula.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt.into() }));
         let nominal = self.angle.abs();
         let angle = tilts.map(|(t1, t2)| {
             let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
             formula.set("angle", sum)
         });
-        formula.result("corner.x", Role::Abscissa, "Corner, abscissa", origin[a], Some(&x));
-        formula.result("corner.y", Role::Ordinate, "Corner, ordinate", origin[o], Some(&y));
+        formula.result("corner.x", Role::Abscissa, "Corner, abscissa", origin[a], Some(x));
+        formula.result("corner.y", Role::Ordinate, "Corner, ordinate", origin[o], Some(y));
         formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-        formula.result("angle", Role::Angle, "Angle between the walls", nominal, angle.as_ref());
-        formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation.as_ref());
+        formula.result("angle", Role::Angle, "Angle between the walls", nominal, angle);
+        formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation);
         formula
     }
 
@@ -341,9 +342,9 @@ struct Line {
 /// The fitted wall: normal · p = offset, both in the plane.
 struct Fitted {
     normal: (Expr, Expr),
-    offset: Expr,
+    offset: Value,
     /// Its direction against the nominal one in (along, normal), degrees.
-    tilt: Option<Expr>,
+    tilt: Option<Value>,
 }
 
 impl Line {
@@ -357,7 +358,7 @@ impl Line {
             let normal = (constant(self.normal.0), constant(self.normal.1));
             return Fitted { normal, offset, tilt: None };
         }
-        let places: Vec<(Expr, Expr)> = touches
+        let places: Vec<(Value, Value)> = touches
             .map(|touch| {
                 let s = formula.set(format!("s{}", touch + 1), place(touch, self.along));
                 let h = formula.set(format!("h{}", touch + 1), place(touch, self.normal));
@@ -365,37 +366,35 @@ impl Line {
             })
             .collect();
         let count = Expr::Number(self.count as f64);
-        let sum = |parts: Vec<Expr>| parts.into_iter().reduce(|sum, part| sum + part).expect("two touches or more");
-        let mean_s = formula.set(format!("mean_s{n}"), sum(places.iter().map(|p| p.0.clone()).collect()) / count.clone());
-        let mean_h = formula.set(format!("mean_h{n}"), sum(places.iter().map(|p| p.1.clone()).collect()) / count);
+        let mean_s = formula.set(format!("mean_s{n}"), Expr::sum(places.iter().map(|p| p.0)) / count.clone());
+        let mean_h = formula.set(format!("mean_h{n}"), Expr::sum(places.iter().map(|p| p.1)) / count);
         let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
-            ((h2.clone() - h1.clone()) / (s2.clone() - s1.clone())).atan2(Expr::Number(1.0))
+            ((*h2 - *h1) / (*s2 - *s1)).atan2(Expr::Number(1.0))
         } else {
-            self.least_squares(formula, places, &mean_s, &mean_h)
+            self.least_squares(formula, &places, (mean_s, mean_h))
         };
         let tilt = formula.set(format!("tilt{n}"), tilt);
-        let sin = formula.set(format!("sin{n}"), tilt.clone().sin());
-        let cos = formula.set(format!("cos{n}"), tilt.clone().cos());
-        let offset = mean_h * cos.clone() - mean_s * sin.clone() - Expr::Length(radius);
+        let sin = formula.set(format!("sin{n}"), tilt.sin());
+        let cos = formula.set(format!("cos{n}"), tilt.cos());
+        let offset = mean_h * cos - mean_s * sin - Expr::Length(radius);
         let offset = formula.set(format!("q{n}"), offset);
-        let mut turned = |name: &str, along: f64, normal: f64| {
-            formula.set(format!("{name}{n}"), project(cos.clone(), sin.clone(), (normal, -along)))
-        };
-        let normal = (turned("na", self.along.0, self.normal.0), turned("no", self.along.1, self.normal.1));
+        let mut turned =
+            |name: &str, along: f64, normal: f64| formula.set(format!("{name}{n}"), project(cos, sin, (normal, -along)));
+        let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
         Fitted { normal, offset, tilt: Some(tilt) }
     }
 
     /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
-    fn least_squares(&self, formula: &mut Formula, places: Vec<(Expr, Expr)>, mean_s: &Expr, mean_h: &Expr) -> Expr {
+    fn least_squares(&self, formula: &mut Formula, places: &[(Value, Value)], (mean_s, mean_h): (Value, Value)) -> Expr {
         let n = self.number;
         let (mut ss, mut hh, mut sh) = (Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0));
-        for (i, (s, h)) in places.into_iter().enumerate() {
+        for (i, &(s, h)) in places.iter().enumerate() {
             let touch = self.first + i + 1;
-            let ds = formula.set(format!("ds{touch}"), s - mean_s.clone());
-            let dh = formula.set(format!("dh{touch}"), h - mean_h.clone());
-            ss = formula.set(format!("ss{n}_{}", i + 1), ss + ds.clone() * ds.clone());
-            hh = formula.set(format!("hh{n}_{}", i + 1), hh + dh.clone() * dh.clone());
-            sh = formula.set(format!("sh{n}_{}", i + 1), sh + ds * dh);
+            let ds = formula.set(format!("ds{touch}"), s - mean_s);
+            let dh = formula.set(format!("dh{touch}"), h - mean_h);
+            ss = formula.set(format!("ss{n}_{}", i + 1), ss + ds * ds).into();
+            hh = formula.set(format!("hh{n}_{}", i + 1), hh + dh * dh).into();
+            sh = formula.set(format!("sh{n}_{}", i + 1), sh + ds * dh).into();
         }
         (Expr::Number(2.0) * sh).atan2(ss - hh) / Expr::Number(2.0)
     }

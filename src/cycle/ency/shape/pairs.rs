@@ -211,20 +211,20 @@ impl Shape for Pairs {
                 formula.set(format!("wall{}", touch + 1), place + radius)
             };
             let (plus, minus) = (wall(first, 1.0), wall(first + 1, -1.0));
-            let width = formula.set(names[0], plus.clone() - minus.clone());
+            let width = formula.set(names[0], plus - minus);
             let middle = formula.set(names[1], (plus + minus) / Expr::Number(2.0));
             (along, width, middle)
         };
         if self.sides.len() == 2 {
             let (along, width1, u) = pair(0, ["width1", "middle_u"]);
             let (across, width2, v) = pair(2, ["width2", "middle_v"]);
-            let x = formula.set("center_x", project(u.clone(), v.clone(), (along.0, across.0)));
+            let x = formula.set("center_x", project(u, v, (along.0, across.0)));
             let y = formula.set("center_y", project(u, v, (along.1, across.1)));
-            formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], Some(&x));
-            formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], Some(&y));
+            formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], Some(x));
+            formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], Some(y));
             formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-            formula.result("width1", Role::Size, "Width 1", self.sides[0].width, Some(&width1));
-            formula.result("width2", Role::Size, "Width 2", self.sides[1].width, Some(&width2));
+            formula.result("width1", Role::Size, "Width 1", self.sides[0].width, Some(width1));
+            formula.result("width2", Role::Size, "Width 2", self.sides[1].width, Some(width2));
             formula.result("rotation", Role::Direction, "Rotation: one touch a wall gives no angle", 0.0, None);
             return formula;
         }
@@ -236,19 +236,19 @@ impl Shape for Pairs {
             if crate::num::tidy(c) == 0.0 {
                 return Expr::Length(nominal);
             }
-            let along = project(u.clone(), Expr::Number(0.0), (c, 0.0));
+            let along = project(u, Expr::Number(0.0), (c, 0.0));
             let value = formula.set(name, along + Expr::Length(s * rest));
-            formula.result(code, Role::Reading, meaning, nominal, Some(&value));
-            value
+            formula.result(code, Role::Reading, meaning, nominal, Some(value));
+            value.into()
         };
         let x = place("center_x", "center.x", "Middle, abscissa", origin[a], along.0, across.0);
         let y = place("center_y", "center.y", "Middle, ordinate", origin[o], along.1, across.1);
-        formula.result("width", Role::Size, "Width", self.sides[0].width, Some(&width));
+        formula.result("width", Role::Size, "Width", self.sides[0].width, Some(width));
         let mut datum = Datum::point((x, origin[a]), (y, origin[o]));
         if self.middle.is_some() {
             let top = formula.set("top", Expr::trigger(2, w) - Expr::Length(on.setup.radius));
-            formula.result("height", Role::Level, "Height of the top side", on.touches[2].point[w], Some(&top));
-            datum.place[2] = Some((top, on.touches[2].point[w]));
+            formula.result("height", Role::Level, "Height of the top side", on.touches[2].point[w], Some(top));
+            datum.place[2] = Some((top.into(), on.touches[2].point[w]));
         }
         formula.datum = Some(datum);
         formula

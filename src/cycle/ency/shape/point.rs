@@ -73,9 +73,9 @@ impl Shape for Point {
         for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
             let (axis, at) = (axes[i], touch.point[axes[i]]);
             let measured = crate::num::tidy(n[axis]) != 0.0;
-            let value = formula.set(name, constant(n[axis]) * off.clone() + Expr::Length(at));
-            formula.result(code, Role::Reading, meaning, at, Some(&value));
-            place[i] = Some((if measured { value } else { Expr::Length(at) }, at));
+            let value = formula.set(name, constant(n[axis]) * off + Expr::Length(at));
+            formula.result(code, Role::Reading, meaning, at, Some(value));
+            place[i] = Some((if measured { value.into() } else { Expr::Length(at) }, at));
         }
         if place[2].as_ref().is_some_and(|(e, _)| matches!(e, Expr::Length(_))) {
             place[2] = None;
@@ -83,7 +83,7 @@ impl Shape for Point {
         if place[..2].iter().flatten().all(|(e, _)| matches!(e, Expr::Length(_))) {
             (place[0], place[1]) = (None, None);
         }
-        formula.result("deviation", Role::Shift, "How far the surface is displaced along the target vector", 0.0, Some(&off));
+        formula.result("deviation", Role::Shift, "How far the surface is displaced along the target vector", 0.0, Some(off));
         formula.datum = Some(Datum { place, rotation: None, told: false });
         formula
     }

@@ -205,9 +205,9 @@ impl Shape for Circle {
         let y = value("center_y", part(CirclePart::Ordinate));
         let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);
         let diameter = value("diameter", Expr::Number(2.0) * wall);
-        formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], x.as_ref());
-        formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], y.as_ref());
-        formula.result("diameter", Role::Size, "Diameter", self.diameter, diameter.as_ref());
+        formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], x);
+        formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], y);
+        formula.result("diameter", Role::Size, "Diameter", self.diameter, diameter);
         formula.datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
         formula
     }

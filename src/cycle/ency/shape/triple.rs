@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::corner::{self, sides_rule};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role};
+use crate::formula::{Datum, Expr, Formula, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 
@@ -199,7 +199,7 @@ impl Shape for Triple {
         let n = [0, 1, 2].map(|k| on.touches[k].vector);
         let det = n[0].dot(n[1].cross(n[2]));
         let mut formula = Formula::default();
-        let q: Vec<Expr> = (0..3)
+        let q: Vec<Value> = (0..3)
             .map(|k| {
                 let sum = axes.iter().map(|&axis| Expr::trigger(k, axis) * constant(n[k][axis])).reduce(|s, t| s + t);
                 formula.set(format!("q{}", k + 1), sum.unwrap_or(Expr::Number(0.0)) - Expr::Length(on.setup.radius))
@@ -215,10 +215,10 @@ impl Shape for Triple {
         let mut place = [None, None, None];
         for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
             let axis = axes[i];
-            let sum = (0..3).map(|k| q[k].clone() * constant(weights[k][axis])).reduce(|s, t| s + t);
+            let sum = (0..3).map(|k| q[k] * constant(weights[k][axis])).reduce(|s, t| s + t);
             let value = formula.set(name, sum.unwrap_or(Expr::Number(0.0)));
-            formula.result(code, role, meaning, nominal[axis], Some(&value));
-            place[i] = Some((value, crate::num::tidy(nominal[axis])));
+            formula.result(code, role, meaning, nominal[axis], Some(value));
+            place[i] = Some((value.into(), crate::num::tidy(nominal[axis])));
         }
         formula.datum = Some(Datum { place, rotation: None, told: false });
         formula

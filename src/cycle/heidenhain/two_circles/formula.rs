@@ -1,7 +1,7 @@
 //! What the control computes in 1411.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Datum, Expr, Formula, Role};
+use crate::formula::{CirclePart, Datum, Expr, Formula, Role, Value};
 use crate::path::Setup;
 
 /// Codes and meanings of one object's rows, by object.
@@ -34,8 +34,8 @@ const DIAMETER_OFFSETS: [(&str, &str); 2] = [("Q996", "Deviation of diameter 1")
 
 /// What is known of one object: centre and diameter, each where it is.
 struct Measured {
-    centre: [Option<Expr>; 3],
-    diameter: Option<Expr>,
+    centre: [Option<Value>; 3],
+    diameter: Option<Value>,
 }
 
 impl TwoCircles {
@@ -56,31 +56,31 @@ impl TwoCircles {
             for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let role = [Role::Abscissa, Role::Ordinate, Role::Height][axis];
                 let nominal = object.point[axis].nominal.unwrap_or(f64::NAN);
-                f.result(code, role, meaning, nominal, known.centre[axis].as_ref());
+                f.result(code, role, meaning, nominal, known.centre[axis]);
                 f.referred_to(object.reference(axis).unwrap_or(f64::NAN));
             }
         }
-        let turned = rotation.clone().map(|r| f.set("q965", Expr::Number(0.0) - r));
-        f.result("Q964", Role::Direction, "Measured basic rotation", 0.0, rotation.as_ref());
-        f.result("Q965", Role::Turn, "Measured table rotation", 0.0, turned.as_ref());
+        let turned = rotation.map(|r| f.set("q965", Expr::Number(0.0) - r));
+        f.result("Q964", Role::Direction, "Measured basic rotation", 0.0, rotation);
+        f.result("Q965", Role::Turn, "Measured table rotation", 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETERS) {
-            f.result(code, Role::Size, meaning, object.nominal_diameter(), known.diameter.as_ref());
+            f.result(code, Role::Size, meaning, object.nominal_diameter(), known.diameter);
             f.referred_to(object.diameter.reference().unwrap_or(f64::NAN));
         }
         for ((object, known), codes) in objects.iter().zip(&measured).zip(OFFSETS) {
             for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let reference = object.reference(axis);
-                let off = known.centre[axis].clone().zip(reference);
+                let off = known.centre[axis].zip(reference);
                 let off = off.map(|(value, reference)| f.set(code.to_lowercase(), value - Expr::Length(reference)));
-                f.result(code, Role::Shift, meaning, 0.0, off.as_ref());
+                f.result(code, Role::Shift, meaning, 0.0, off);
             }
         }
-        f.result("Q994", Role::Turn, "Angle deviation of the basic rotation", 0.0, rotation.as_ref());
-        f.result("Q995", Role::Turn, "Angle deviation of the table rotation", 0.0, turned.as_ref());
+        f.result("Q994", Role::Turn, "Angle deviation of the basic rotation", 0.0, rotation);
+        f.result("Q995", Role::Turn, "Angle deviation of the table rotation", 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETER_OFFSETS) {
-            let off = known.diameter.clone().zip(object.diameter.reference());
+            let off = known.diameter.zip(object.diameter.reference());
             let off = off.map(|(value, reference)| f.set(code.to_lowercase(), value - Expr::Length(reference)));
-            f.result(code, Role::Shift, meaning, 0.0, off.as_ref());
+            f.result(code, Role::Shift, meaning, 0.0, off);
         }
         self.presets(&mut f, &objects, &measured, rotation);
         f
@@ -115,27 +115,27 @@ impl TwoCircles {
 
     /// The turn of the measured line against the nominal one, wrapped to (−180, 180], counter-clockwise positive: the angle of
     /// the measured vector in axes along and across the nominal one.
-    fn rotation(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2]) -> Option<Expr> {
+    fn rotation(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2]) -> Option<Value> {
         let (p, q) = (objects[0].place()?, objects[1].place()?);
         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
         let (cos, sin) = ((q[0] - p[0]) / length, (q[1] - p[1]) / length);
-        let [x1, y1, _] = measured[0].centre.clone();
-        let [x2, y2, _] = measured[1].centre.clone();
+        let [x1, y1, _] = measured[0].centre;
+        let [x2, y2, _] = measured[1].centre;
         let dx = f.set("line_a", x2? - x1?);
         let dy = f.set("line_o", y2? - y1?);
-        let along = f.set("line_along", crate::formula::project(dx.clone(), dy.clone(), (cos, sin)));
+        let along = f.set("line_along", crate::formula::project(dx, dy, (cos, sin)));
         let across = f.set("line_across", crate::formula::project(dx, dy, (-sin, cos)));
         Some(f.set("q964", across.atan2(along)))
     }
 
     /// What Q1120, Q1121 and Q1126 make of it.
-    fn presets(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2], rotation: Option<Expr>) {
+    fn presets(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2], rotation: Option<Value>) {
         let form = &self.form;
         let mut place = [None, None, None];
         if form.transfer_position != 0 {
             let mut axis = |i: usize, name: &str| {
-                let one = measured[0].centre[i].clone().zip(objects[0].point[i].nominal);
-                let two = measured[1].centre[i].clone().zip(objects[1].point[i].nominal);
+                let one = measured[0].centre[i].zip(objects[0].point[i].nominal);
+                let two = measured[1].centre[i].zip(objects[1].point[i].nominal);
                 let (value, nominal) = match form.transfer_position {
                     1 => one?,
                     2 => two?,
@@ -144,38 +144,30 @@ impl TwoCircles {
                         (f.set(format!("mean_{name}"), (v1 + v2) / Expr::Number(2.0)), (n1 + n2) / 2.0)
                     }
                 };
-                let shift = f.set(format!("preset_{name}"), value.clone() - Expr::Length(nominal));
+                let shift = f.set(format!("preset_{name}"), value - Expr::Length(nominal));
                 Some((value, nominal, shift))
             };
             let (x, y) = (axis(0, "a"), axis(1, "o"));
-            let shift = |axis: &Option<(Expr, f64, Expr)>| axis.as_ref().map(|a| a.2.clone());
-            f.result("preset.x", Role::Shift, "Shift of the preset in the main axis (Q1120)", 0.0, shift(&x).as_ref());
-            f.result("preset.y", Role::Shift, "Shift of the preset in the minor axis (Q1120)", 0.0, shift(&y).as_ref());
+            let shift = |axis: Option<(Value, f64, Value)>| axis.map(|a| a.2);
+            f.result("preset.x", Role::Shift, "Shift of the preset in the main axis (Q1120)", 0.0, shift(x));
+            f.result("preset.y", Role::Shift, "Shift of the preset in the minor axis (Q1120)", 0.0, shift(y));
             if let Some((x, y)) = x.zip(y) {
-                place = [Some((x.0, x.1)), Some((y.0, y.1)), None];
+                place = [Some((x.0.into(), x.1)), Some((y.0.into(), y.1)), None];
             }
         }
-        let turned = |r: &Expr| Expr::Number(0.0) - r.clone();
+        let turned = |r: Value| Expr::Number(0.0) - r;
         match form.confirm_rotation {
-            1 => {
-                f.result("preset.rotation", Role::Turn, "Basic rotation written to the preset (Q1121)", 0.0, rotation.as_ref())
-            }
+            1 => f.result("preset.rotation", Role::Turn, "Basic rotation written to the preset (Q1121)", 0.0, rotation),
             2 => {
-                let offset = rotation.as_ref().map(|r| f.set("table_offset", turned(r)));
-                f.result(
-                    "preset.table",
-                    Role::Turn,
-                    "Offset of the rotary table written to the preset (Q1121)",
-                    0.0,
-                    offset.as_ref(),
-                );
+                let offset = rotation.map(|r| f.set("table_offset", turned(r)));
+                f.result("preset.table", Role::Turn, "Offset of the rotary table written to the preset (Q1121)", 0.0, offset);
             }
             _ => {}
         }
         if form.align_rotary_axis != 0 {
-            let turn = rotation.as_ref().map(|r| f.set("table_turn", turned(r)));
-            f.result("table.turn", Role::Turn, "Turn of the rotary table (Q1126)", 0.0, turn.as_ref());
+            let turn = rotation.map(|r| f.set("table_turn", turned(r)));
+            f.result("table.turn", Role::Turn, "Turn of the rotary table (Q1126)", 0.0, turn);
         }
-        f.datum = Some(Datum { place, told: true, rotation: rotation.filter(|_| form.confirm_rotation == 1) });
+        f.datum = Some(Datum { place, told: true, rotation: rotation.filter(|_| form.confirm_rotation == 1).map(Expr::from) });
     }
 }
