@@ -1,5 +1,6 @@
 //! Planes, frames and vectors. Everything here is in millimetres and radians, right-handed.
 
+pub use glam::DVec2 as Vec2;
 pub use glam::DVec3 as Vec3;
 
 /// The working plane of a program.

@@ -4,13 +4,15 @@
 //! reproduces them: MATRIX = P · Fᵀ · T, see `docs/lentoax.md`. Angles are in degrees; ROT Z with a positive angle is
 //! counter-clockwise seen from +Z; successive frames multiply on the right.
 
-use crate::geom::Plane;
+use glam::DMat3;
+
+use crate::geom::{Plane, Vec3};
 
 /// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
 const PARALLEL: f64 = 1e-9;
 
-/// A 3 × 3 matrix by rows.
-pub type Matrix = [[f64; 3]; 3];
+/// A 3 × 3 matrix by rows, as it is handed out.
+pub type Rows = [[f64; 3]; 3];
 
 /// One step of the active frame. Axes are 0, 1, 2 for X, Y, Z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +60,7 @@ pub struct Answer {
     /// For abscissa, ordinate and applicate the number of the length that acts there, negative if it points the other way.
     pub axind: [i32; 3],
     /// Rows abscissa, ordinate, applicate; columns L1, L2, L3.
-    pub matrix: Matrix,
+    pub matrix: Rows,
 }
 
 /// Answers a query. Total: every query has an answer.
@@ -76,19 +78,14 @@ pub fn lentoax(query: &Query) -> Answer {
     let (frame, mirror) = frame(&query.frame);
     let mut lengths = assignment(query);
     if query.sd42900 {
-        for (row, sign) in lengths.iter_mut().zip(mirror) {
-            for element in row {
-                *element *= sign;
-            }
-        }
+        lengths = DMat3::from_diagonal(mirror) * lengths;
     }
-    let seen = if in_workpiece { multiply(&transpose(&frame), &lengths) } else { lengths };
-    let matrix = query.plane.axes().map(|axis| seen[axis]);
-    read(matrix)
+    let seen = if in_workpiece { frame.transpose() * lengths } else { lengths };
+    read(query.plane.axes().map(|axis| seen.row(axis).to_array()))
 }
 
 /// _AXIND and the status from the matrix. A parallel one is cleared of rounding.
-fn read(mut matrix: Matrix) -> Answer {
+fn read(mut matrix: Rows) -> Answer {
     let near = |x: f64, y: f64| (x - y).abs() <= PARALLEL;
     let parallel = matrix.iter().flatten().all(|x| near(*x, 0.0) || near(x.abs(), 1.0));
     for element in matrix.iter_mut().flatten() {
@@ -109,25 +106,23 @@ fn read(mut matrix: Matrix) -> Answer {
 }
 
 /// The active frame's rotation and mirror part, BCS = F · WCS, and the sign of each axis by its mirrors alone.
-pub fn frame(steps: &[Step]) -> (Matrix, [f64; 3]) {
-    let mut all = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let mut mirror = [1.0; 3];
+pub fn frame(steps: &[Step]) -> (DMat3, Vec3) {
+    let (mut all, mut mirror) = (DMat3::IDENTITY, Vec3::ONE);
     for step in steps {
-        let own = match *step {
+        all *= match *step {
             Step::Rotation { axis, angle } => rotation(axis, angle),
             Step::Mirror { axis } => {
                 mirror[axis] = -mirror[axis];
-                let mut own = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-                own[axis][axis] = -1.0;
-                own
+                let mut own = Vec3::ONE;
+                own[axis] = -1.0;
+                DMat3::from_diagonal(own)
             }
         };
-        all = multiply(&all, &own);
     }
     (all, mirror)
 }
 
-fn rotation(axis: usize, degrees: f64) -> Matrix {
+fn rotation(axis: usize, degrees: f64) -> DMat3 {
     let angle = degrees.rem_euclid(360.0);
     // Quarter turns are exact.
     let (sin, cos) = match angle {
@@ -138,15 +133,15 @@ fn rotation(axis: usize, degrees: f64) -> Matrix {
         _ => angle.to_radians().sin_cos(),
     };
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut own = [[0.0; 3]; 3];
-    own[axis][axis] = 1.0;
-    (own[a][a], own[a][b]) = (cos, -sin);
-    (own[b][a], own[b][b]) = (sin, cos);
+    let mut own = DMat3::ZERO;
+    own.col_mut(axis)[axis] = 1.0;
+    (own.col_mut(a)[a], own.col_mut(a)[b]) = (cos, sin);
+    (own.col_mut(b)[a], own.col_mut(b)[b]) = (-sin, cos);
     own
 }
 
 /// T: rows X, Y, Z, columns L1, L2, L3; 1 where a length acts.
-fn assignment(query: &Query) -> Matrix {
+fn assignment(query: &Query) -> DMat3 {
     let turning = match query.sd42950 {
         1 => false,
         2 => true,
@@ -181,19 +176,7 @@ fn assignment(query: &Query) -> Matrix {
         (-18, true) => [Z, X, Y],
         (_, true) => [Y, Z, X],
     };
-    let mut lengths = [[0.0; 3]; 3];
-    for (length, axis) in axes.into_iter().enumerate() {
-        lengths[axis][length] = 1.0;
-    }
-    lengths
-}
-
-fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
-}
-
-fn transpose(m: &Matrix) -> Matrix {
-    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
+    DMat3::from_cols_array_2d(&axes.map(|axis| Vec3::AXES[axis].to_array()))
 }
 
 /// The plain words for a status.

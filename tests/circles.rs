@@ -7,6 +7,7 @@ use common::{compare_moves, interpret, interpret_from, job, law, number, number_
 use proptest::prelude::*;
 use touchpath::form::{Level, Value};
 use touchpath::formula::fit_circle;
+use touchpath::geom::Vec2;
 use touchpath::import::import;
 use touchpath::job::{Plan, ResultRow, check, evaluate, plan};
 
@@ -463,28 +464,28 @@ fn bad_input_is_named() {
 /// The circle through three points has closed forms; and three points within 10° still give it.
 #[test]
 fn circle_fits_against_closed_forms() {
-    let at = |degrees: f64| (12.0 + 7.0 * degrees.to_radians().cos(), -5.0 + 7.0 * degrees.to_radians().sin());
+    let at = |degrees: f64| Vec2::new(12.0 + 7.0 * degrees.to_radians().cos(), -5.0 + 7.0 * degrees.to_radians().sin());
     for angles in [
         vec![0.0, 90.0, 180.0],
         vec![10.0, 15.0, 20.0],
         vec![0.0, 120.0, 240.0, 300.0],
         (0..8).map(|k| 20.0 * f64::from(k)).collect(),
     ] {
-        let points: Vec<(f64, f64)> = angles.iter().map(|a| at(*a)).collect();
+        let points: Vec<Vec2> = angles.iter().map(|a| at(*a)).collect();
         let fit = fit_circle(&points).unwrap();
         assert!(
-            (fit.center.0 - 12.0).abs() < 1e-9 && (fit.center.1 + 5.0).abs() < 1e-9 && (fit.radius - 7.0).abs() < 1e-9,
+            (fit.center.x - 12.0).abs() < 1e-9 && (fit.center.y + 5.0).abs() < 1e-9 && (fit.radius - 7.0).abs() < 1e-9,
             "{fit:?}"
         );
     }
     // A triangle with sides 3, 4, 5 has its circle about the middle of the longest, radius 2.5.
-    let fit = fit_circle(&[(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)]).unwrap();
-    assert!((fit.center.0 - 2.0).abs() < 1e-12 && (fit.center.1 - 1.5).abs() < 1e-12 && (fit.radius - 2.5).abs() < 1e-12);
+    let fit = fit_circle(&[(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y))).unwrap();
+    assert!((fit.center.x - 2.0).abs() < 1e-12 && (fit.center.y - 1.5).abs() < 1e-12 && (fit.radius - 2.5).abs() < 1e-12);
     // Four points of a cross, one arm 0.4 longer: by symmetry the centre shifts along it. Geometric least squares is the
     // minimum of Σ(|p − c| − R)²: compared with a search over c, R being the mean distance.
-    let cross = [(10.4, 0.0), (0.0, 10.0), (-10.0, 0.0), (0.0, -10.0)];
+    let cross = [(10.4, 0.0), (0.0, 10.0), (-10.0, 0.0), (0.0, -10.0)].map(|(x, y)| Vec2::new(x, y));
     let cost = |x: f64| {
-        let far: Vec<f64> = cross.iter().map(|p: &(f64, f64)| (p.0 - x).hypot(p.1)).collect();
+        let far: Vec<f64> = cross.iter().map(|p: &Vec2| (p.x - x).hypot(p.y)).collect();
         let mean = far.iter().sum::<f64>() / 4.0;
         far.iter().map(|f| (f - mean).powi(2)).sum::<f64>()
     };
@@ -494,9 +495,9 @@ fn circle_fits_against_closed_forms() {
         if cost(a) < cost(b) { high = b } else { low = a }
     }
     let fit = fit_circle(&cross).unwrap();
-    assert!((fit.center.0 - low).abs() < 1e-7 && fit.center.1.abs() < 1e-12, "{} {low}", fit.center.0);
-    assert!(fit_circle(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)]).is_none(), "a line is no circle");
-    assert!(fit_circle(&[(1.0, 1.0), (1.0, 1.0), (1.0, 1.0)]).is_none());
+    assert!((fit.center.x - low).abs() < 1e-7 && fit.center.y.abs() < 1e-12, "{} {low}", fit.center.x);
+    assert!(fit_circle(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)].map(|(x, y)| Vec2::new(x, y))).is_none(), "a line is no circle");
+    assert!(fit_circle(&[(1.0, 1.0), (1.0, 1.0), (1.0, 1.0)].map(|(x, y)| Vec2::new(x, y))).is_none());
 }
 
 /// A short angular length shows its price: the same touches over 40° instead of 360°.

@@ -1,80 +1,72 @@
 //! Circles through points: fitted geometrically, and by arithmetic that any control can do.
 
+use glam::DMat3;
+
 use crate::formula::{Expr, Formula, Function, Value};
+use crate::geom::{Vec2, Vec3};
 
 /// A circle fitted to points of a plane.
 #[derive(Clone, Debug)]
 pub struct CircleFit {
     /// Its centre.
-    pub center: (f64, f64),
+    pub center: Vec2,
     /// Its radius.
     pub radius: f64,
     /// The change of (centre, centre, radius) for a shift of each point along the first and along the second axis.
-    pub by_point: Vec<([f64; 3], [f64; 3])>,
+    pub by_point: Vec<[Vec3; 2]>,
 }
 
 /// The circle with the least sum of squared distances (geometric, by Gauss and Newton); through three points the exact one.
 /// None where the points lie on a line or on one spot.
-pub fn fit_circle(points: &[(f64, f64)]) -> Option<CircleFit> {
-    let n = points.len() as f64;
-    let mean = points.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
-    let near: Vec<(f64, f64)> = points.iter().map(|p| (p.0 - mean.0, p.1 - mean.1)).collect();
-    // The algebraic circle to start from.
-    let sum = |f: &dyn Fn(f64, f64) -> f64| near.iter().map(|p| f(p.0, p.1)).sum::<f64>();
-    let (uu, vv, uv) = (sum(&|u, _| u * u), sum(&|_, v| v * v), sum(&|u, v| u * v));
-    let (uz, vz) = (sum(&|u, v| u * (u * u + v * v)), sum(&|u, v| v * (u * u + v * v)));
-    let det = 2.0 * (uu * vv - uv * uv);
-    if points.len() < 3 || det.abs() <= 1e-14 * (uu + vv).powi(2) {
-        return None;
-    }
-    let mut c = ((vv * uz - uv * vz) / det, (uu * vz - uv * uz) / det);
-    let mut r = (c.0 * c.0 + c.1 * c.1 + (uu + vv) / n).sqrt();
-    let mut inverse = [[0.0; 3]; 3];
+pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
+    let mean = points.iter().sum::<Vec2>() / points.len() as f64;
+    let near: Vec<Vec2> = points.iter().map(|p| *p - mean).collect();
+    let (mut center, mut radius) = algebraic(&near)?;
+    // How a point pulls at centre and radius, and how far from the centre it is.
+    let pull = |p: Vec2, center: Vec2| {
+        let far = p.distance(center);
+        (((p - center) / far).extend(1.0), far)
+    };
+    let mut inverse = DMat3::ZERO;
     for _ in 0..50 {
-        let mut normal = [[0.0; 3]; 3];
-        let mut right = [0.0; 3];
+        let (mut normal, mut right) = (DMat3::ZERO, Vec3::ZERO);
         for p in &near {
-            let far = (p.0 - c.0).hypot(p.1 - c.1);
-            let row = [(p.0 - c.0) / far, (p.1 - c.1) / far, 1.0];
-            for i in 0..3 {
-                right[i] += row[i] * (far - r);
-                for j in 0..3 {
-                    normal[i][j] += row[i] * row[j];
-                }
-            }
+            let (row, far) = pull(*p, center);
+            normal += DMat3::from_cols(row * row.x, row * row.y, row * row.z);
+            right += row * (far - radius);
         }
-        inverse = invert(normal)?;
-        let step: Vec<f64> = inverse.iter().map(|row| (0..3).map(|j| row[j] * right[j]).sum()).collect();
-        c = (c.0 + step[0], c.1 + step[1]);
-        r += step[2];
-        if step.iter().all(|s: &f64| s.abs() < 1e-13 * r.abs()) {
+        if normal.determinant().abs() <= 1e-300 {
+            return None;
+        }
+        inverse = normal.inverse();
+        let step = inverse * right;
+        center += step.truncate();
+        radius += step.z;
+        if step.abs().max_element() < 1e-13 * radius.abs() {
             break;
         }
     }
-    if !(c.0.is_finite() && c.1.is_finite() && r.is_finite()) {
+    if !(center.is_finite() && radius.is_finite()) {
         return None;
     }
-    let by_point = near
-        .iter()
-        .map(|p| {
-            let far = (p.0 - c.0).hypot(p.1 - c.1);
-            let row = [(p.0 - c.0) / far, (p.1 - c.1) / far, 1.0];
-            let along: Vec<f64> = inverse.iter().map(|line| (0..3).map(|j| line[j] * row[j]).sum()).collect();
-            let scaled = |by: f64| [along[0] * by, along[1] * by, along[2] * by];
-            (scaled(row[0]), scaled(row[1]))
-        })
-        .collect();
-    Some(CircleFit { center: (c.0 + mean.0, c.1 + mean.1), radius: r, by_point })
+    let by_point = near.iter().map(|p| {
+        let row = pull(*p, center).0;
+        [inverse * row * row.x, inverse * row * row.y]
+    });
+    Some(CircleFit { by_point: by_point.collect(), center: center + mean, radius })
 }
 
-/// The inverse of a 3 × 3 matrix; none where there is none.
-fn invert(m: [[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let minor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
-    (det.abs() > 1e-300).then(|| std::array::from_fn(|i| std::array::from_fn(|j| minor(j, i) / det)))
+/// The circle that minimises Σ(x² + y² − 2ax − 2by − c)², to start from. The points lie about the origin.
+fn algebraic(near: &[Vec2]) -> Option<(Vec2, f64)> {
+    let sum = |f: &dyn Fn(Vec2) -> f64| near.iter().map(|p| f(*p)).sum::<f64>();
+    let (uu, vv, uv) = (sum(&|p| p.x * p.x), sum(&|p| p.y * p.y), sum(&|p| p.x * p.y));
+    let (uz, vz) = (sum(&|p| p.x * p.length_squared()), sum(&|p| p.y * p.length_squared()));
+    let det = 2.0 * (uu * vv - uv * uv);
+    if near.len() < 3 || det.abs() <= 1e-14 * (uu + vv).powi(2) {
+        return None;
+    }
+    let center = Vec2::new(vv * uz - uv * vz, uu * vz - uv * uz) / det;
+    Some((center, (center.length_squared() + (uu + vv) / near.len() as f64).sqrt()))
 }
 
 impl Formula {

@@ -14,7 +14,7 @@ pub use circle::{CircleFit, fit_circle};
 
 use std::ops::{Add, Div, Mul, Sub};
 
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::num::tidy;
 
 /// An expression over the triggers of the touches.
@@ -475,18 +475,19 @@ impl Expr {
             }
             Expr::Circle { first, count, axes, part } => {
                 let samples = *first..first + count;
-                let flat = |v: &Vec3| (v[axes.0], v[axes.1]);
-                let points: Option<Vec<(f64, f64)>> = triggers[samples.clone()].iter().map(|t| t.as_ref().map(flat)).collect();
+                let flat = |v: &Vec3| Vec2::new(v[axes.0], v[axes.1]);
+                let points: Option<Vec<Vec2>> = triggers[samples.clone()].iter().map(|t| t.as_ref().map(flat)).collect();
                 let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
                 let row = match part {
                     CirclePart::Abscissa => 0,
                     CirclePart::Ordinate => 1,
                     CirclePart::Radius => 2,
                 };
-                let mut dual = Dual::constant([fit.center.0, fit.center.1, fit.radius][row]);
+                let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
                 for (i, k) in samples.enumerate() {
                     let d = flat(&directions[k]);
-                    dual.by_touch[k] = fit.by_point[i].0[row] * d.0 + fit.by_point[i].1[row] * d.1;
+                    let [by_first, by_second] = fit.by_point[i];
+                    dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;
                 }
                 dual
             }

@@ -345,7 +345,7 @@ fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
     }
     let answer = lentoax(query);
     let axis = query.plane.axes()[2];
-    if tool_length::frame(&query.frame).0[axis][axis] < -1e-9 {
+    if tool_length::frame(&query.frame).0.col(axis)[axis] < -1e-9 {
         let message = format!(
             "The frame mirrors the tool axis {} or turns it over: up in the program would be down on the machine",
             AXIS_NAMES[axis]

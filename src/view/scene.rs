@@ -252,8 +252,8 @@ pub fn lengths(query: &Query) -> Vec<(Arrow, String, Spot)> {
     if query.coord.to_ascii_uppercase().starts_with('W') && !query.frame.is_empty() {
         // BCS = F · WCS, so a base axis is seen from the workpiece as a row of F.
         let (frame, _) = tool_length::frame(&query.frame);
-        for (row, name) in frame.iter().zip(AXIS_NAMES) {
-            arrows.push((Arrow::Base, format!("{name}0"), spot(Vec3::from_array(*row) * 1.2)));
+        for (axis, name) in AXIS_NAMES.into_iter().enumerate() {
+            arrows.push((Arrow::Base, format!("{name}0"), spot(frame.row(axis) * 1.2)));
         }
     }
     for length in 0..3 {

@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
 use crate::form::Checker;
 use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
-use crate::geom::{Frame, Plane, Vec3};
+use crate::geom::{Frame, Plane, Vec2, Vec3};
 use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 
 /// How the touches are spread.
@@ -244,11 +244,11 @@ impl Circle {
     fn center(&self, picks: &[Pick], plane: Plane) -> Vec3 {
         let [a, o, _] = plane.axes();
         let mut center = picks[0].point - picks[0].vector * (self.sign() * self.diameter / 2.0);
-        let places: Vec<(f64, f64)> = picks.iter().map(|p| (p.point[a], p.point[o])).collect();
+        let places: Vec<Vec2> = picks.iter().map(|p| Vec2::new(p.point[a], p.point[o])).collect();
         if self.variant == Variant::Rectangular {
             center = (picks[0].point + picks[1].point) / 2.0;
         } else if let Some(fit) = fit_circle(&places).filter(|_| gives_circle(picks.iter().map(|p| p.vector))) {
-            (center[a], center[o]) = fit.center;
+            (center[a], center[o]) = (fit.center.x, fit.center.y);
         }
         center
     }

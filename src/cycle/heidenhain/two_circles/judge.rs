@@ -2,7 +2,7 @@
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::formula::{CircleFit, ResultRow, Unit, fit_circle};
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Setup};
 use crate::tolerance::Nominal;
 
@@ -85,16 +85,16 @@ fn single_rows(
     let own: Vec<Option<Vec3>> =
         path.touches.iter().zip(triggers).filter(|(t, _)| t.group == i).map(|(_, trigger)| *trigger).collect();
     // Circle j goes through the j-th touch of every sample.
-    let circle = |j: usize| -> Option<(Vec<(f64, f64)>, CircleFit)> {
-        let points: Option<Vec<(f64, f64)>> = own.iter().skip(j).step_by(repeats).map(|t| t.map(|p| (p[a], p[o]))).collect();
+    let circle = |j: usize| -> Option<(Vec<Vec2>, CircleFit)> {
+        let points: Option<Vec<Vec2>> = own.iter().skip(j).step_by(repeats).map(|t| t.map(|p| Vec2::new(p[a], p[o]))).collect();
         let points = points?;
         let fit = fit_circle(&points)?;
         Some((points, fit))
     };
     let circles: Option<Vec<_>> = (0..repeats).map(circle).collect();
     let form_error = circles.as_ref().map(|circles| {
-        let spread = |(points, fit): &(Vec<(f64, f64)>, CircleFit)| {
-            let far: Vec<f64> = points.iter().map(|p| (p.0 - fit.center.0).hypot(p.1 - fit.center.1)).collect();
+        let spread = |(points, fit): &(Vec<Vec2>, CircleFit)| {
+            let far: Vec<f64> = points.iter().map(|p| p.distance(fit.center)).collect();
             far.iter().copied().fold(f64::MIN, f64::max) - far.iter().copied().fold(f64::MAX, f64::min)
         };
         circles.iter().map(spread).fold(0.0, f64::max)
@@ -105,7 +105,7 @@ fn single_rows(
         let largest = |f: &dyn Fn(usize, &CircleFit) -> f64| {
             circles.as_ref().map(|circles| circles.iter().enumerate().map(|(j, (_, fit))| f(j, fit)).fold(0.0, f64::max))
         };
-        let off = largest(&|j, fit| (fit.center.0 - place[0] - shifts[j][0]).hypot(fit.center.1 - place[1] - shifts[j][1]));
+        let off = largest(&|j, fit| fit.center.distance(Vec2::new(place[0] + shifts[j][0], place[1] + shifts[j][1])));
         let wide = largest(&|_, fit| (2.0 * (fit.radius + object.outward() * setup.radius) - object.nominal_diameter()).abs());
         let centre = ["Largest deviation from centre 1", "Largest deviation from centre 2"][i];
         let diameter = ["Largest deviation from diameter 1", "Largest deviation from diameter 2"][i];

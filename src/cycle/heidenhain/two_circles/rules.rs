@@ -2,6 +2,7 @@
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::form::Checker;
+use crate::geom::Vec2;
 use crate::path::{SHORTEST_TOUCH, Setup};
 
 impl TwoCircles {
@@ -100,10 +101,10 @@ impl TwoCircles {
             checker.error("no-arc", "cycle.angularLength", message);
             return;
         }
-        let points: Vec<(f64, f64)> = angles.iter().map(|a| (a.cos(), a.sin())).collect();
+        let points: Vec<Vec2> = angles.iter().map(|a| Vec2::from_angle(*a)).collect();
         let Some(fit) = crate::formula::fit_circle(&points) else { return };
         let worth = |row: usize| {
-            let each = fit.by_point.iter().zip(&points).map(|(d, p)| d.0[row] * p.0 + d.1[row] * p.1);
+            let each = fit.by_point.iter().zip(&points).map(|([x, y], p)| x[row] * p.x + y[row] * p.y);
             each.map(|d| d * d).sum::<f64>().sqrt()
         };
         let worst = worth(0).max(worth(1));
