@@ -16,7 +16,8 @@ use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind};
 use touchpath::job::{default_job, plan, scene_parts};
 use touchpath::num::decimal;
-use touchpath::view::scene::{self, Actual, Projection, Stroke};
+use touchpath::view::scene::{self, Actual, Projection};
+use touchpath::view::svg;
 
 fn keep(path: &str, text: &str) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
@@ -60,70 +61,14 @@ fn range(field: &Field) -> String {
 
 /// The default job, seen isometrically: the same scene as on the page, with numbers on the touches.
 fn picture(def: &CycleDef) -> Option<String> {
-    const WIDTH: f64 = 480.0;
-    const MARGIN: f64 = 28.0;
-    let (job, path, surfaces, run) = scene_parts(&default_job(def.key).unwrap()).unwrap();
+    let (job, path, _, run) = scene_parts(&default_job(def.key).unwrap()).unwrap();
     if path.moves.is_empty() {
         return None;
     }
     let actual = Actual { surfaces: &[], run: &run, origin: path.frame.origin, direction: path.frame.u, line: None };
-    assert!(!surfaces.is_empty());
     let feeds = path.feeds.unwrap_or(job.feeds);
     let scene = scene::build(&path, &job.setup, &feeds, &actual, Projection::Isometric);
-    let [low, high] = scene.bounds();
-    let scale = ((WIDTH - 2.0 * MARGIN) / (high[0] - low[0])).min(360.0 / (high[1] - low[1]));
-    let height = (high[1] - low[1]) * scale + 2.0 * MARGIN;
-    let left = (WIDTH - (high[0] - low[0]) * scale) / 2.0;
-    let at = |p: [f64; 2]| {
-        let (x, y) = (left + (p[0] - low[0]) * scale, height - MARGIN - (p[1] - low[1]) * scale);
-        format!("{},{}", decimal(x, 1), decimal(y, 1))
-    };
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {0}\" width=\"{WIDTH}\" height=\"{0}\" font-family=\"sans-serif\" \
-         font-size=\"13\" font-weight=\"600\">\n<title>{1}: the path of the default job</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" \
-         fill=\"#fff\"/>\n",
-        decimal(height, 0),
-        def.title
-    );
-    for wall in &scene.walls {
-        let corners: Vec<String> = wall.corners.map(at).to_vec();
-        let stroke = if wall.strip { "none" } else { "#8a94a3" };
-        writeln!(svg, "<polygon points=\"{}\" fill=\"#334\" fill-opacity=\".07\" stroke=\"{stroke}\"/>", corners.join(" "))
-            .unwrap();
-        if wall.strip {
-            for edge in corners.chunks(2) {
-                writeln!(svg, "<polyline points=\"{}\" stroke=\"#8a94a3\"/>", edge.join(" ")).unwrap();
-            }
-        }
-    }
-    for line in &scene.lines {
-        let (colour, width) = match line.stroke {
-            Stroke::Position => ("#15803d", 2.5),
-            Stroke::Link => ("#6b7280", 1.8),
-            Stroke::Touch => ("#cf2a20", 2.0),
-            Stroke::Overtravel => ("#cf2a20", 0.7),
-        };
-        let (from, to) = (at(line.from), at(line.to));
-        if from != to {
-            writeln!(
-                svg,
-                "<polyline points=\"{from} {to}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
-            )
-            .unwrap();
-        }
-    }
-    for (k, touch) in scene.touches.iter().enumerate() {
-        let ball = at(touch.ball).replacen(',', "\" cy=\"", 1);
-        writeln!(svg, "<circle cx=\"{ball}\" r=\"{}\" fill=\"none\" stroke=\"#2563eb\"/>", decimal(scene.radius * scale, 1))
-            .unwrap();
-        let contact = at(touch.contact).replacen(',', "\" cy=\"", 1);
-        writeln!(svg, "<circle cx=\"{contact}\" r=\"3\" fill=\"#cf2a20\"/>").unwrap();
-        let name = at([touch.contact[0] - touch.inward[0] * 14.0 / scale, touch.contact[1] - touch.inward[1] * 14.0 / scale]);
-        let name = name.replacen(',', "\" y=\"", 1);
-        writeln!(svg, "<text x=\"{name}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1).unwrap();
-    }
-    svg.push_str("</svg>\n");
-    Some(svg)
+    Some(svg(&scene, &format!("{}: the path of the default job", def.title)))
 }
 
 fn manual(def: &CycleDef) -> String {

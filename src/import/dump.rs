@@ -230,102 +230,27 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         checker.warning("no-touches", "cycle.origin", message);
         return;
     }
-    // The default ball's radius, where the dump does not tell the ball.
-    const RADIUS: f64 = 3.0;
     let has_code = def.fields.iter().any(|f| code_of(f).is_some_and(|(_, code)| code == -66));
     let compensated = has_code && find(block, -66) == Some(1.0);
-    let mut picks = used.clone();
-    let both = !used.is_empty() && original.len() == used.len();
-    let radii: Vec<f64> = used.iter().zip(&original).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
-    let radius = tidy(radii.iter().sum::<f64>() / radii.len().max(1) as f64);
-    let apart = used.iter().zip(&original).any(|(u, o)| (u.point - o.point - o.vector * radius).length() > 1e-3);
-    if compensated && both && radius >= 0.0 && !apart {
-        // Both blocks: between them lies the ball, and nothing else.
-        picks = original;
-        set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
-        checker.info("stylus-from-dump", "stylus.diameter", "The ball is what lies between the used and the original points");
-    } else if compensated && !used.is_empty() {
-        for pick in &mut picks {
-            pick.point -= pick.vector * RADIUS;
-        }
-        let why = if both {
-            "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
-        } else {
-            "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
-        };
-        checker.warning(
-            "ball-unknown",
-            "stylus.diameter",
-            format!("{why}: the default ball of 6 mm is taken off the used points"),
-        );
-    } else if used.is_empty() {
-        picks = original;
-    } else if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
-        let message = "The used points (-100 and following) differ from the original ones (-200): the used ones are taken";
-        checker.info("points-differ", "cycle.touches", message);
-    }
-    let explicit: Vec<Value> = picks
-        .iter()
-        .map(|p| Value::Map(vec![("point".to_owned(), triple(p.point)), ("vector".to_owned(), triple(p.vector))]))
-        .collect();
+    let mut picks = on_the_surface(used, original, compensated, job, checker);
+    let explicit = Value::List(picks.iter().map(pick_value).collect());
     for pick in &mut picks {
         if (pick.vector.length() - 1.0).abs() <= 1e-3 {
             pick.vector = pick.vector.normalize();
         }
     }
-    let mut fits: Vec<(Plane, Value)> = Vec::new();
-    let mut fallback: Option<Plane> = None;
-    for plane in [Plane::G17, Plane::G18, Plane::G19] {
-        let mut scratch = Checker::default();
-        let mut section = Section::new(&mut scratch, job.get("cycle"), "cycle");
-        let Some((placement, dimensioned)) = place(&mut section, &picks, plane) else { continue };
-        let same = dimensioned.len() == picks.len()
-            && dimensioned
-                .iter()
-                .zip(&picks)
-                .all(|(t, p)| t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME);
-        let mut trial = job.clone();
-        set(&mut trial, "plane", Value::Text(plane.word().to_owned()));
-        set(&mut trial, "cycle.origin", triple(Vec3::from_array(placement.origin.to_array().map(tidy))));
-        set(&mut trial, "cycle.rotation", Value::Number(tidy(placement.rotation)));
-        // A job says every size and place within its range: what cannot be said so stays as it was picked.
-        let within = |key: &str, x: f64| def.fields.iter().find(|f| f.key == key).is_none_or(|f| f.hard.holds(x));
-        let mut sound = placement.origin.to_array().iter().all(|x| within("origin", tidy(*x)));
-        for (key, size) in &placement.sizes {
-            // A size with a code of its own is in the dump.
-            if let Some(field) = def.fields.iter().find(|f| f.key == *key && f.code.is_empty()) {
-                let size = field.hard.snapped(tidy(*size));
-                sound &= field.hard.holds(size);
-                set(&mut trial, &format!("cycle.{key}"), Value::Number(size));
-            }
-        }
-        let sizes = |key: &str, x: f64| {
-            let x = if key == "angle" { x.abs() } else { x };
-            def.fields.iter().find(|f| f.key == key).is_none_or(|f| f.hard.nearly_holds(x))
-        };
-        if placement.sizes.iter().all(|(key, x)| sizes(key, *x)) {
-            fallback.get_or_insert(plane);
-        }
-        if same && sound {
-            fits.push((plane, trial));
-        }
-    }
-    let planes: Vec<&str> = fits.iter().map(|(plane, _)| plane.word()).collect();
-    if planes.len() > 1 {
-        let message = format!("The touches are those of this feature in {}: {} is taken", planes.join(" and in "), planes[0]);
-        checker.warning("plane-unknown", "plane", message);
-    } else if let [(plane, _)] = fits.as_slice()
-        && *plane != Plane::G17
-    {
-        let message = format!("The target vectors are those of a feature in {}: that plane is taken", plane.word());
-        checker.info("plane-from-dump", "plane", message);
-    }
-    if let Some((_, fit)) = fits.into_iter().next() {
-        *job = fit;
+    let trials: Vec<Trial> = [Plane::G17, Plane::G18, Plane::G19]
+        .into_iter()
+        .filter_map(|plane| Trial::of(def, place, &picks, plane, job))
+        .collect();
+    report_plane(trials.iter().filter(|trial| trial.fits), checker);
+    let possible = trials.iter().find(|trial| trial.possible).map(|trial| trial.plane);
+    if let Some(fit) = trials.into_iter().find(|trial| trial.fits) {
+        *job = fit.job;
         return;
     }
-    set(job, "cycle.touches", Value::List(explicit));
-    match fallback {
+    set(job, "cycle.touches", explicit);
+    match possible {
         Some(plane) => {
             set(job, "plane", Value::Text(plane.word().to_owned()));
             let message =
@@ -335,6 +260,109 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         None => {
             let message = "The touch points do not make this feature: see the job's own findings";
             checker.warning("touches-unsound", "cycle.touches", message);
+        }
+    }
+}
+
+/// The touches on the surface. Used points are ball centres where dimensions are compensated; the ball is what lies between them and the
+/// original ones, and else not known.
+fn on_the_surface(
+    used: Vec<Pick>,
+    original: Vec<Pick>,
+    compensated: bool,
+    job: &mut Value,
+    checker: &mut Checker,
+) -> Vec<Pick> {
+    // The default ball's radius, where the dump does not tell the ball.
+    const RADIUS: f64 = 3.0;
+    let both = !used.is_empty() && original.len() == used.len();
+    let radii: Vec<f64> = used.iter().zip(&original).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
+    let radius = tidy(radii.iter().sum::<f64>() / radii.len().max(1) as f64);
+    let apart = used.iter().zip(&original).any(|(u, o)| (u.point - o.point - o.vector * radius).length() > 1e-3);
+    if used.is_empty() {
+        return original;
+    }
+    if compensated && both && radius >= 0.0 && !apart {
+        // Both blocks: between them lies the ball, and nothing else.
+        set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
+        checker.info("stylus-from-dump", "stylus.diameter", "The ball is what lies between the used and the original points");
+        return original;
+    }
+    if compensated {
+        let why = if both {
+            "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
+        } else {
+            "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
+        };
+        let message = format!("{why}: the default ball of 6 mm is taken off the used points");
+        checker.warning("ball-unknown", "stylus.diameter", message);
+        return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * RADIUS, ..pick }).collect();
+    }
+    if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
+        let message = "The used points (-100 and following) differ from the original ones (-200): the used ones are taken";
+        checker.info("points-differ", "cycle.touches", message);
+    }
+    used
+}
+
+fn pick_value(pick: &Pick) -> Value {
+    Value::Map(vec![("point".to_owned(), triple(pick.point)), ("vector".to_owned(), triple(pick.vector))])
+}
+
+/// What touches come to in one plane.
+struct Trial {
+    plane: Plane,
+    /// The job with its feature where the touches put it.
+    job: Value,
+    /// Whether the dimensions give these very touches, and the job can say where they are.
+    fits: bool,
+    /// Whether the feature has sizes that it may have.
+    possible: bool,
+}
+
+impl Trial {
+    /// None where the touches do not make the feature.
+    fn of(def: &CycleDef, place: crate::cycle::PlaceBy, picks: &[Pick], plane: Plane, job: &Value) -> Option<Trial> {
+        let mut scratch = Checker::default();
+        let mut section = Section::new(&mut scratch, job.get("cycle"), "cycle");
+        let (placement, dimensioned) = place(&mut section, picks, plane)?;
+        let near = |(t, p): (&Pick, &Pick)| t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME;
+        let same = dimensioned.len() == picks.len() && dimensioned.iter().zip(picks).all(near);
+        let mut trial = job.clone();
+        set(&mut trial, "plane", Value::Text(plane.word().to_owned()));
+        set(&mut trial, "cycle.origin", triple(Vec3::from_array(placement.origin.to_array().map(tidy))));
+        set(&mut trial, "cycle.rotation", Value::Number(tidy(placement.rotation)));
+        // A job says every size and place within its range: what cannot be said so stays as it was picked.
+        let field = |key: &str| def.fields.iter().find(|f| f.key == key);
+        let within = |x: &f64| field("origin").is_none_or(|f| f.hard.holds(tidy(*x)));
+        let mut sound = placement.origin.to_array().iter().all(within);
+        for (key, size) in &placement.sizes {
+            // A size with a code of its own is in the dump.
+            if let Some(field) = field(key).filter(|f| f.code.is_empty()) {
+                let size = field.hard.snapped(tidy(*size));
+                sound &= field.hard.holds(size);
+                set(&mut trial, &format!("cycle.{key}"), Value::Number(size));
+            }
+        }
+        let allowed =
+            |key: &str, x: f64| field(key).is_none_or(|f| f.hard.nearly_holds(if key == "angle" { x.abs() } else { x }));
+        let possible = placement.sizes.iter().all(|(key, x)| allowed(key, *x));
+        Some(Trial { plane, job: trial, fits: same && sound, possible })
+    }
+}
+
+/// In which plane the touches fit, where that is not plain.
+fn report_plane<'a>(fits: impl Iterator<Item = &'a Trial>, checker: &mut Checker) {
+    let planes: Vec<&str> = fits.map(|trial| trial.plane.word()).collect();
+    match planes.as_slice() {
+        [] | ["G17"] => {}
+        [one] => {
+            let message = format!("The target vectors are those of a feature in {one}: that plane is taken");
+            checker.info("plane-from-dump", "plane", message);
+        }
+        [first, ..] => {
+            let message = format!("The touches are those of this feature in {}: {first} is taken", planes.join(" and in "));
+            checker.warning("plane-unknown", "plane", message);
         }
     }
 }

@@ -2,6 +2,9 @@
 
 pub mod camera;
 pub mod scene;
+mod svg;
+
+pub use svg::svg;
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod canvas;

@@ -16,73 +16,85 @@ pub struct Registers {
     pub last: usize,
 }
 
+/// Read to the end, or never again.
+const TO_THE_END: usize = usize::MAX;
+
+/// Where each value of a formula is read last.
+struct Reads {
+    /// Of each assignment, the assignment that reads it last; itself where nothing does.
+    variables: Vec<usize>,
+    /// The triggers that are read, and the assignment that reads each last.
+    triggers: Vec<((usize, usize), usize)>,
+}
+
+impl Reads {
+    fn of(formula: &Formula) -> Self {
+        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers: Vec::new() };
+        for (i, assignment) in formula.assignments.iter().enumerate() {
+            assignment.expr.each(&mut |node| match node {
+                Expr::Variable(index) => reads.variables[*index] = i,
+                Expr::Trigger { touch, axis } => match reads.triggers.iter_mut().find(|(key, _)| *key == (*touch, *axis)) {
+                    Some((_, last)) => *last = i,
+                    None => reads.triggers.push(((*touch, *axis), i)),
+                },
+                _ => {}
+            });
+        }
+        // What the datum reads is kept to the end.
+        let datum = formula.datum.iter().flat_map(|d| d.place.iter().flatten().map(|p| &p.0).chain(&d.rotation));
+        for expr in datum {
+            expr.each(&mut |node| {
+                if let Expr::Variable(index) = node {
+                    reads.variables[*index] = TO_THE_END;
+                }
+            });
+        }
+        reads.triggers.sort_unstable_by_key(|(key, _)| *key);
+        reads
+    }
+}
+
 impl Registers {
     /// Gives every value of a plain formula its place.
     pub fn allocate(formula: &Formula) -> Self {
-        const NEVER: usize = usize::MAX;
-        let count = formula.assignments.len();
-        let mut variables = vec![0; count];
+        let mut registers = Registers::of_results(formula);
+        let reads = Reads::of(formula);
+        for (key, _) in &reads.triggers {
+            registers.last += 1;
+            registers.triggers.push((*key, registers.last));
+        }
+        let mut free: Vec<usize> = Vec::new();
+        for i in 0..formula.assignments.len() {
+            if registers.variables[i] == 0 {
+                registers.variables[i] = free.pop().unwrap_or_else(|| {
+                    registers.last += 1;
+                    registers.last
+                });
+            }
+            registers.free_after(i, &reads, &mut free);
+        }
+        registers
+    }
+
+    /// The results have the first ones, in their order; a value that is more than one result is copied.
+    fn of_results(formula: &Formula) -> Self {
+        let mut variables = vec![0; formula.assignments.len()];
         let mut copies = Vec::new();
         let mut last = 0;
         for variable in formula.results.iter().filter_map(|r| r.variable) {
             last += 1;
             if variables[variable] == 0 { variables[variable] = last } else { copies.push((last, variable)) }
         }
-        let results = last;
-        // Where each value is read last; what the datum reads, or what is a result, is kept to the end.
-        let mut read_last = vec![0; count];
-        let mut triggers: Vec<((usize, usize), usize)> = Vec::new();
-        let mut triggers_read: Vec<usize> = Vec::new();
-        for (i, assignment) in formula.assignments.iter().enumerate() {
-            assignment.expr.each(&mut |node| match node {
-                Expr::Variable(index) => read_last[*index] = i,
-                Expr::Trigger { touch, axis } => match triggers.iter().position(|(key, _)| *key == (*touch, *axis)) {
-                    Some(at) => triggers_read[at] = i,
-                    None => {
-                        triggers.push(((*touch, *axis), 0));
-                        triggers_read.push(i);
-                    }
-                },
-                _ => {}
-            });
-        }
-        let datum = formula.datum.iter().flat_map(|d| d.place.iter().flatten().map(|p| &p.0).chain(&d.rotation));
-        for expr in datum {
-            expr.each(&mut |node| {
-                if let Expr::Variable(index) = node {
-                    read_last[*index] = NEVER;
-                }
-            });
-        }
-        let mut order: Vec<usize> = (0..triggers.len()).collect();
-        order.sort_unstable_by_key(|&at| triggers[at].0);
-        for at in order {
-            last += 1;
-            triggers[at].1 = last;
-        }
-        let mut free: Vec<usize> = Vec::new();
-        for i in 0..count {
-            let own = variables[i] > 0;
-            if !own {
-                variables[i] = free.pop().unwrap_or_else(|| {
-                    last += 1;
-                    last
-                });
-            }
-            for (at, ((..), register)) in triggers.iter().enumerate() {
-                if triggers_read[at] == i {
-                    free.push(*register);
-                }
-            }
-            for j in 0..=i {
-                let spent = read_last[j] == i || (j == i && read_last[j] == 0);
-                if spent && variables[j] > results {
-                    free.push(variables[j]);
-                }
-            }
-            free.sort_unstable_by(|a, b| b.cmp(a));
-        }
-        Registers { variables, triggers, copies, results, last }
+        Registers { variables, triggers: Vec::new(), copies, results: last, last }
+    }
+
+    /// What assignment `i` was the last to read is free from then on, the lowest on top; results stay.
+    fn free_after(&self, i: usize, reads: &Reads, free: &mut Vec<usize>) {
+        let spent = self.triggers.iter().zip(&reads.triggers).filter(|(_, (_, last))| *last == i);
+        free.extend(spent.map(|((_, register), _)| *register));
+        let spent = reads.variables[..=i].iter().zip(&self.variables).filter(|(last, _)| **last == i);
+        free.extend(spent.map(|(_, register)| *register).filter(|register| *register > self.results));
+        free.sort_unstable_by(|a, b| b.cmp(a));
     }
 
     /// Where coordinate `axis` of a sample's trigger is.
