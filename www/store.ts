@@ -287,7 +287,7 @@ function steps(path: string): string[] {
   return path.split(/[.[\]]+/).filter(Boolean);
 }
 
-/** A number as somebody types it, with point or comma; what is none stays text, and the check will say so. */
+/** A number as a user types it, with point or comma; what is none stays text, and the check will say so. */
 export function parseNumber(text: string): number | string {
   const plain = text.trim().replace(",", ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : text;

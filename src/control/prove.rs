@@ -316,7 +316,7 @@ fn words(kind: Kind) -> &'static str {
         Kind::Feed => "a move that is not watched",
         Kind::Watched => "watched",
         Kind::Touch => "a touch",
-        Kind::Unchecked => "a probing move that nothing asks for",
+        Kind::Unchecked => "a probing move without a check",
     }
 }
 

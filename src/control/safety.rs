@@ -114,7 +114,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "missed-touch-stops",
-        says: "A touch that meets nothing ends the program with an alarm",
+        says: "A missed touch ends the program with an alarm",
         why: "What is computed without its touch is wrong, and would be written.",
         must: true,
         own_cycle: true,
@@ -292,7 +292,7 @@ fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
             let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();
             step.kind != Kind::Watched && (way.is_nan() || way >= shortest)
         })
-        .map(|(_, step)| (Some(step.line), "A contact in this move goes unnoticed".to_owned()))
+        .map(|(_, step)| (Some(step.line), "This move is not watched: a contact in it is not noticed".to_owned()))
         .collect()
 }
 
@@ -319,8 +319,11 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
 
 fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
     let loose = case.steps().iter().filter(|step| step.kind == Kind::Unchecked);
-    let mut breaks: Vec<Break> =
-        loose.map(|step| (Some(step.line), "Whether this met something is not asked for".to_owned())).collect();
+    let mut breaks: Vec<Break> = loose
+        .map(|step| {
+            (Some(step.line), "This probing move has no check: the program continues with and without a contact".to_owned())
+        })
+        .collect();
     let touches = case.steps().iter().filter(|step| step.kind == Kind::Touch).count();
     if breaks.is_empty() && touches < case.request.path.touches.len() {
         breaks.push((None, "Not every touch of the path is a touch of the program".to_owned()));

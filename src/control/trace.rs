@@ -33,7 +33,7 @@ pub struct Step {
     pub line: usize,
     /// Where it begins; an axis that no block has named before is not a number.
     pub from: Place,
-    /// Where it ends if nothing is met.
+    /// Where it ends without a contact.
     pub to: Place,
     /// Which axes of that place the program has named.
     pub known: [bool; 3],
@@ -47,7 +47,7 @@ pub struct Step {
     pub arc: Option<(Place, bool)>,
     /// What a contact leads to, where the move is watched.
     pub contact: Ending,
-    /// What it leads to that nothing is met, where something must be.
+    /// What a miss leads to, where the move must touch.
     pub miss: Ending,
 }
 
@@ -61,16 +61,16 @@ pub enum Kind {
     Feed,
     /// Watched: a contact ends the program.
     Watched,
-    /// A touch: to meet nothing ends the program.
+    /// A touch: a miss ends the program.
     Touch,
-    /// A probing move whose end nothing asks for.
+    /// A probing move without a check: the program continues with and without a contact.
     Unchecked,
 }
 
 /// What the program comes to after a probing move that went the other way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// It goes on as if nothing were wrong, or the move does not probe.
+    /// The program continues, or the move does not probe.
     GoesOn,
     /// The control itself stops with an alarm where the ball stands.
     ControlStops,

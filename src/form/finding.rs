@@ -10,7 +10,7 @@ use crate::form::codes::is_listed;
 pub enum Level {
     /// No plan is made.
     Error,
-    /// A plan is made; somebody should look.
+    /// A plan is made; look at it before use.
     Warning,
     /// Good to know.
     Info,

@@ -1,4 +1,4 @@
-//! Reads a dump of CmdPrm codes, as it was exported here or as somebody copied it out of a log.
+//! Reads a dump of CmdPrm codes, as it was exported here, or copied out of a log.
 //!
 //! The codes are found by [`codes`](crate::import::codes); here they become a job.
 

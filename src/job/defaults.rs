@@ -9,7 +9,7 @@ pub fn default_job(key: &str) -> Option<Value> {
     default_job_in(key, 1.0)
 }
 
-/// The same with lengths and feeds told in units of `scale` mm; the units themselves stay to be set.
+/// The same with lengths and feeds in units of `scale` mm; the units themselves stay to be set.
 pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
     cycle::find(key).map(|def| complete_job(def, scale, true))
 }

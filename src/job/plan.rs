@@ -516,7 +516,7 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     }
 }
 
-/// A result that the control stores and that is not true of the part, where somebody would be misled by it.
+/// A stored result that differs from the truth of the part by more than is harmless.
 fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     /// In mm, and in degrees.
     const MISLEADING: f64 = 0.05;

@@ -114,7 +114,7 @@ static WITH_ALARMS: Flavour =
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
 const IN_POSITION: f64 = 0.05;
 
-/// The least that a touch searches, mm: else its contact could not be told from its end.
+/// The least that a touch searches, mm: in less its contact and its end cannot be distinguished.
 const SHORTEST_SEARCH: f64 = 0.2;
 
 /// Variables: 100 is the length, those behind it hold results and what is needed on the way, 148 is a place aside, 149 the move.
@@ -162,7 +162,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
         let message = format!(
-            "Touch {} searches {} past its nominal contact: at least {} are needed, or its contact could not be told from its end",
+            "Touch {} searches {} past its nominal contact: at least {} are needed, so that its contact differs from its end",
             k + 1,
             checker.length(request.path.touches[k].search),
             checker.length(SHORTEST_SEARCH)

@@ -331,7 +331,7 @@ impl<'s, 't> Machine<'s, 't> {
         self.state.contact = met.is_some();
     }
 
-    /// Follows the program until it stops, or shows that it goes on.
+    /// Follows the program until it stops, or until it clearly continues.
     fn ending(&mut self, most_moves: usize, most_blocks: usize, deflected: bool) -> Result<Ending, Trouble> {
         let up = self.tool_axis();
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);

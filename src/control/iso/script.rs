@@ -138,11 +138,11 @@ pub enum What {
     Set(Slot, Node),
     /// A part of a work offset gets a value.
     SetOffset(Part, Node),
-    /// Goes on elsewhere.
+    /// Continues elsewhere.
     Jump(usize),
-    /// Goes on elsewhere where a value is true.
+    /// Continues elsewhere if a value is true.
     JumpIf(Node, usize),
-    /// Goes on elsewhere where a value is not true.
+    /// Continues elsewhere if a value is not true.
     JumpUnless(Node, usize),
     /// Calls a subroutine with arguments.
     Call(usize, Vec<Node>),
@@ -190,11 +190,11 @@ pub enum Motion {
     Clockwise,
     /// Counter-clockwise.
     Counter,
-    /// Straight until something is met; to meet nothing is an alarm of the control.
+    /// Straight until a contact; a miss is an alarm of the control.
     MustTouch,
-    /// Straight until something is met, or to the end.
+    /// Straight until a contact, or to the end.
     MayTouch,
-    /// Straight; to meet something is an alarm of the control.
+    /// Straight; a contact is an alarm of the control.
     MustBeFree,
 }
 
