@@ -4,6 +4,7 @@
 pub mod fanuc;
 pub mod mpf;
 pub mod owed;
+pub mod sinumerik;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,9 +1,6 @@
 //! Every problem a job can have, by code and path; and that all of them are reported at once.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{job, number, point, with};
+use crate::common::{job, number, point, with};
 use touchpath::form::{Finding, Level, Value};
 use touchpath::job::{check, default_job, plan};
 

@@ -1,10 +1,7 @@
 //! The ENCY / SprutCAM family: rows as the source's pages have them, moves and measurements by hand, picked touches, and dumps
 //! that become the job again.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{job, law, number, planned, with};
+use crate::common::{job, law, number, planned, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::cycle::CYCLES;
@@ -375,7 +372,7 @@ fn a_corner_may_be_picked_with_its_walls_in_either_order() {
     for kind in ["triple-wall-internal-corner", "triple-wall-external-corner"] {
         let first = planned(&cycle(&format!(r#"{{ "type": "{kind}", "rotation": 40, "angle": 100 }}"#)));
         let picks: Vec<_> = [1, 0, 2].iter().map(|&k| (first.touches[k].point, first.touches[k].vector)).collect();
-        let second = planned(&with(&picked(kind, "", &picks), "part.offset", common::point([0.2, 0.1, -0.3])));
+        let second = planned(&with(&picked(kind, "", &picks), "part.offset", crate::common::point([0.2, 0.1, -0.3])));
         for (code, off) in [("corner.x", 0.2), ("corner.y", 0.1), ("corner.z", -0.3)] {
             assert!(near(value(&second, code), off), "{kind} {code}");
         }
@@ -714,7 +711,7 @@ fn a_dump_is_placed_whatever_the_ball() {
     );
     let imported = import(&small).unwrap();
     assert_eq!(imported.job.get("plane"), Some(&Value::Text("G18".to_owned())));
-    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&common::point([10.0, 20.0, 5.0])));
+    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&crate::common::point([10.0, 20.0, 5.0])));
     assert!(imported.findings.iter().all(|f| f.code != "touches-unsound"));
     planned(&with(&imported.job, "stylus.diameter", number(2.0)));
     // Three decimals, as many post-processors print.
@@ -746,7 +743,7 @@ fn a_dump_is_placed_whatever_the_ball() {
             .collect();
     let imported = import(&moved).unwrap();
     assert!(imported.findings.iter().any(|f| f.code == "ball-unknown"));
-    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&common::point([5.0, 0.0, 0.0])));
+    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&crate::common::point([5.0, 0.0, 0.0])));
 }
 
 /// Codes of the user's own in any state make no job in error.
@@ -801,7 +798,7 @@ fn uncertainties_agree_with_difference_quotients() {
         let measured = |k: usize, by: f64| {
             let point = |(i, t): (usize, &Option<[f64; 3]>)| {
                 let vector = plan.touches[i].vector;
-                common::point([0, 1, 2].map(|axis| t.unwrap()[axis] + if i == k { by * vector[axis] } else { 0.0 }))
+                crate::common::point([0, 1, 2].map(|axis| t.unwrap()[axis] + if i == k { by * vector[axis] } else { 0.0 }))
             };
             let points = Value::List(plan.triggers.iter().enumerate().map(point).collect());
             touchpath::job::evaluate(&job, &points).unwrap()

@@ -1,10 +1,7 @@
 //! The proof and the safety rules: every rule for every control and cycle, a broken program for every rule, and a program in which any digit
 //! was changed.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{number, with};
+use crate::common::{number, with};
 use touchpath::control::safety::RULES;
 use touchpath::control::{Form, POSTS};
 use touchpath::cycle::CYCLES;
@@ -160,7 +157,7 @@ fn a_program_with_another_digit_is_not_proven() {
     {
         let known = touchpath::control::find(post).unwrap();
         let job = job_for(cycle, post, Form::Moves, known.work_offsets > 0);
-        let job = with(&with(&job, "cycle.rotation", number(17.0)), "cycle.origin", common::point([3.25, -7.5, 1.125]));
+        let job = with(&with(&job, "cycle.rotation", number(17.0)), "cycle.origin", crate::common::point([3.25, -7.5, 1.125]));
         let plan = plan(&job).unwrap();
         let lines: Vec<&str> = plan.program.text.lines().collect();
         let wanted = |line: &str| {

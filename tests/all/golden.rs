@@ -1,9 +1,6 @@
 //! Every job of `tests/jobs/` as snapshots: path, table and results in `tests/snapshots/<job>.snap`, and the program for every control in
 //! `tests/snapshots/<control>/<job>.snap`. A changed byte is seen in review.
-//! New snapshots are made by `INSTA_UPDATE=always cargo test --test golden`.
-#![cfg(not(target_arch = "wasm32"))]
-
-mod common;
+//! New snapshots are made by `INSTA_UPDATE=always cargo test --test all golden`.
 
 use std::fmt::Write;
 
@@ -23,18 +20,18 @@ fn listed(findings: &[Finding]) -> String {
     lines.collect()
 }
 
-fn snapshot(name: &str, text: &str) {
-    insta::with_settings!({ prepend_module_to_snapshot => false, omit_expression => true }, {
+fn snapshot(folder: &str, name: &str, text: &str) {
+    insta::with_settings!({ snapshot_path => folder, prepend_module_to_snapshot => false, omit_expression => true }, {
         insta::assert_snapshot!(name, text);
     });
 }
 
 #[test]
 fn jobs_as_they_were() {
-    let jobs = common::jobs();
+    let jobs = crate::common::jobs();
     assert!(jobs.len() >= 10);
     for (name, job) in jobs {
-        let plan = common::planned(&job);
+        let plan = crate::common::planned(&job);
         let mut text = String::new();
         for touch in &plan.touches {
             writeln!(text, "touch {} vector {} group {}", triple(touch.point), triple(touch.vector), touch.group).unwrap();
@@ -58,7 +55,7 @@ fn jobs_as_they_were() {
         }
         text.push_str(&listed(&plan.findings));
         text.push_str(&plan.program.text);
-        snapshot(&name, &text);
+        snapshot("../snapshots", &name, &text);
     }
 }
 
@@ -67,17 +64,17 @@ fn put_out_for(job: &Value, post: &touchpath::control::PostDef) -> Value {
     let cycle = job.get("cycle").and_then(|c| c.get("type"));
     let def = touchpath::cycle::CYCLES.iter().find(|c| cycle == Some(&Value::Text(c.key.to_owned()))).unwrap();
     let form = Form::ALL.into_iter().find(|form| (post.serves)(def.probes, *form).is_ok()).unwrap_or(Form::Moves);
-    let mut job = common::with(job, "control.post", Value::Text(post.key.to_owned()));
-    job = common::with(&job, "control.form", Value::Text(form.word().to_owned()));
+    let mut job = crate::common::with(job, "control.post", Value::Text(post.key.to_owned()));
+    job = crate::common::with(&job, "control.form", Value::Text(form.word().to_owned()));
     if post.work_offsets == 0 {
-        job = common::with(&job, "control.workOffset", Value::Null);
+        job = crate::common::with(&job, "control.workOffset", Value::Null);
     }
     job
 }
 
 #[test]
 fn programs_of_every_control_as_they_were() {
-    for (name, job) in common::jobs() {
+    for (name, job) in crate::common::jobs() {
         for post in POSTS {
             let text = match touchpath::job::plan(&put_out_for(&job, post)) {
                 Ok(plan) => {
@@ -88,7 +85,7 @@ fn programs_of_every_control_as_they_were() {
                 }
                 Err(error) => listed(&error.findings),
             };
-            insta::with_settings!({ snapshot_path => format!("snapshots/{}", post.key) }, { snapshot(&name, &text) });
+            snapshot(&format!("../snapshots/{}", post.key), &name, &text);
         }
     }
 }

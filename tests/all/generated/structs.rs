@@ -58,7 +58,7 @@ const EXACT: &[(&str, &str)] = &[
     ("Catalog.format", "1"),
 ];
 
-const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --test generated` writes it.
+const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
 
 import type { Cycle, Vec3 } from \"./job-types.js\";
 ";

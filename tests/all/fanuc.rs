@@ -1,11 +1,8 @@
 //! Programs for Fanuc and Haas, run on a control of our own (`common/fanuc.rs`): on the virtual part, with contacts where none may be, without
 //! those that must be, and in states in which nothing may move.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::fanuc::Control;
-use common::{number, with};
+use crate::common::fanuc::Control;
+use crate::common::{number, with};
 use touchpath::form::Value;
 use touchpath::job::Plan;
 
@@ -15,7 +12,7 @@ fn plans() -> Vec<(String, Value, Plan)> {
         let job = with(job, "control", Value::Map(vec![("post".to_owned(), Value::Text(post.to_owned()))]));
         with(&job, "control.workOffset", if offset > 0.0 { number(offset) } else { Value::Null })
     };
-    common::jobs()
+    crate::common::jobs()
         .into_iter()
         .flat_map(|(name, job)| {
             [("fanuc", 3.0), ("haas", 9.0), ("haas", 0.0)].map(|(post, offset)| {
@@ -213,13 +210,13 @@ fn a_program_is_read_back_as_its_job() {
         let warnings: Vec<_> = read.findings.iter().filter(|f| f.level != touchpath::form::Level::Info).collect();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let part = job.get("part").cloned().unwrap_or(Value::Map(Vec::new()));
-        let back = common::planned(&with(&read.job, "part", part));
+        let back = crate::common::planned(&with(&read.job, "part", part));
         assert_eq!((back.moves, back.results, back.program.text), (plan.moves, plan.results, plan.program.text), "{name}");
     }
     // Small letters of a tolerance are not lost: a shaft is not a hole.
     let circles = r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "diameter1": "20h7", "diameter2": "20H7" },
         "control": { "post": "fanuc" } }"#;
-    let text = common::planned(&touchpath::job::from_json(circles).unwrap()).program.text;
+    let text = crate::common::planned(&touchpath::job::from_json(circles).unwrap()).program.text;
     assert!(text.contains("CYCLE.DIAMETER1=20+H7 ") && text.contains("CYCLE.DIAMETER2=20H7 "), "{text}");
     let cycle = touchpath::import::import(&text).unwrap().job.get("cycle").unwrap().clone();
     assert_eq!(cycle.get("diameter1"), Some(&Value::Text("20h7".to_owned())));

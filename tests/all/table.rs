@@ -1,9 +1,6 @@
 //! The parameter table against the source's pages: every code, in the page's order, with values worked out by hand.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{job, number, planned, with};
+use crate::common::{job, number, planned, with};
 use touchpath::form::Value;
 use touchpath::job::{ParameterValue, Plan};
 

@@ -1,10 +1,7 @@
 //! The edges: how a program begins and ends, what a path must hold, and what stands between two values that look alike. Each test is named
 //! after a failure that was seen.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{job, number, planned, point, with};
+use crate::common::{job, number, planned, point, with};
 use touchpath::describe::{catalog, export_table};
 use touchpath::form::{Level, Value};
 use touchpath::import::import;
@@ -338,7 +335,7 @@ fn the_note_quotes_another_name_than_the_program_bears() {
 #[test]
 fn angles_of_1411_have_three_decimals() {
     let job = cycle(r#"{ "type": "probing-two-circles", "startingAngle": 12.3456, "angularLength": 300.5 }"#);
-    let job = with(&job, "control", common::job(r#"{ "post": "heidenhain", "form": "cycle" }"#));
+    let job = with(&job, "control", crate::common::job(r#"{ "post": "heidenhain", "form": "cycle" }"#));
     let plan = planned(&job);
     assert!(plan.program.text.contains("Q325=+12.346 ;") && plan.program.text.contains("Q1119=+300.5 ;"));
     assert_eq!(plan.findings.iter().filter(|f| f.code == "angle-rounded").count(), 1);
@@ -440,13 +437,13 @@ fn a_circle_swallows_the_other() {
 #[test]
 fn a_decimal_comma_in_a_json_dump_ends_the_value() {
     let dump = r#"{ "rows": [ { "code": "CmdPrm.Int[-1]", "value": 7 }, { "code": "CmdPrm.Flt[-53]", "value": "64,5", "meaning": "a } in it" } ] }"#;
-    assert_eq!(common::number_at(&import(dump).unwrap().job, "cycle.width1", 0.0), 64.5);
+    assert_eq!(crate::common::number_at(&import(dump).unwrap().job, "cycle.width1", 0.0), 64.5);
 }
 
 #[test]
 fn a_jobs_own_json_is_refused_by_import() {
     let imported = import(r#"{ "format": 1, "cycle": { "type": "hole", "diameter": -3 } }"#).unwrap();
-    assert_eq!(common::number_at(&imported.job, "cycle.diameter", 0.0), -3.0);
+    assert_eq!(crate::common::number_at(&imported.job, "cycle.diameter", 0.0), -3.0);
     assert_eq!(imported.findings, check(&imported.job));
 }
 
@@ -473,7 +470,7 @@ fn predef_has_no_place_in_a_job() {
 #[test]
 fn the_star_of_an_iso_block_takes_the_last_parameter_with_it() {
     let iso = "%A G71 *\nN10 G1411 Q1100=-30 Q1103=+30 Q1126=+1 Q1121=+1*\n";
-    assert_eq!(common::number_at(&import(iso).unwrap().job, "cycle.confirmRotation", 0.0), 1.0);
+    assert_eq!(crate::common::number_at(&import(iso).unwrap().job, "cycle.confirmRotation", 0.0), 1.0);
 }
 
 #[test]

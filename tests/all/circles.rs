@@ -1,9 +1,6 @@
 //! HEIDENHAIN 1411: motion, results, tolerances, Klartext in and out, and the same cycle on LinuxCNC.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{compare_moves, interpret, interpret_from, job, law, number, number_at, planned, point, with};
+use crate::common::{compare_moves, interpret, interpret_from, job, law, number, number_at, planned, point, with};
 use proptest::prelude::*;
 use touchpath::form::{Level, Value};
 use touchpath::formula::fit_circle;
@@ -553,7 +550,7 @@ fn uncertainties_agree_with_draws() {
 }
 
 fn circle_jobs() -> Vec<(String, Value, Plan)> {
-    let jobs = common::jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
+    let jobs = crate::common::jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
     jobs.map(|(name, job)| (name, planned(&job), job)).map(|(name, plan, job)| (name, job, plan)).collect()
 }
 

@@ -1,5 +1,4 @@
 //! LENTOAX: the printed examples, the table of values, and what must hold for every frame.
-#![cfg(not(target_arch = "wasm32"))]
 
 use proptest::prelude::*;
 use touchpath::geom::Plane;

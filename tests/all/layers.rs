@@ -1,5 +1,4 @@
 //! The house rules of the crate: imports point down, siblings do not know each other, browsers stay at the edge.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::path::{Path, PathBuf};
 

@@ -1,22 +1,17 @@
 //! SINUMERIK: the programs are read back, run on a control of our own, and broken on purpose.
-#![cfg(not(target_arch = "wasm32"))]
-
-mod common;
-#[path = "common/sinumerik.rs"]
-mod machine;
 
 use crate::common::mpf::{Program, Statement, read};
-use common::{job, number, planned, point, with};
-use machine::Machine;
+use crate::common::sinumerik::Machine;
+use crate::common::{job, number, planned, point, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, default_job};
 
 /// Every job of the repository that a SINUMERIK takes, put out for it; and its own ones.
 fn plans() -> Vec<(String, Value, Plan)> {
-    common::jobs()
+    crate::common::jobs()
         .into_iter()
         .filter_map(|(name, job)| {
-            let own = common::planned(&job).program.post == "sinumerik";
+            let own = crate::common::planned(&job).program.post == "sinumerik";
             let job = if own {
                 job
             } else {
@@ -282,9 +277,9 @@ fn a_broken_program_is_caught() {
         if !troubles.is_empty() {
             return Err(format!("{troubles:?}"));
         }
-        common::compare_mpf(&plan, |_| 5.0, &program)
+        crate::common::compare_mpf(&plan, |_| 5.0, &program)
     };
-    common::compare_mpf(&plan, |_| 5.0, &parsed(&plan)).unwrap();
+    crate::common::compare_mpf(&plan, |_| 5.0, &parsed(&plan)).unwrap();
     let broken = [
         text.replacen("IF $AC_MEA[1]<>0 GOTOF TP_CONTACT\n", "", 1),
         text.replacen("STOPRE\n", "", 1),
@@ -498,7 +493,7 @@ fn a_program_that_was_changed_is_told() {
     // A program of version 0.1.0 says a value a line.
     let old = "; job cycle.type = hole\n; job cycle.diameter = 30\n; job control.post = sinumerik\nG71\nG90\nM30\n";
     let imported = touchpath::import::import(old).unwrap();
-    assert_eq!(common::number_at(&imported.job, "cycle.diameter", 0.0), 30.0);
+    assert_eq!(crate::common::number_at(&imported.job, "cycle.diameter", 0.0), 30.0);
     // Only what a job has a place for is read; no number that is none; and the version is looked at.
     let header = "; Made by Touchpath 99.0.0 from this job\n; job cycle.type=hole cycle.diameter=inf __proto__.x=1 cycle.origin=[1,2,3]\n\
                   ; job cycle.touches[16].point=[1,2,3] a[999][999].b=1 cycle.origin[7]=1 constructor=1 feeds.longLink=inf\nG71\nG90\nM30\n";
@@ -510,7 +505,7 @@ fn a_program_that_was_changed_is_told() {
         Some(&Value::Text("inf".to_owned())),
         "not null: null is rapid"
     );
-    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&common::point([1.0, 2.0, 3.0])));
+    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&crate::common::point([1.0, 2.0, 3.0])));
     let codes: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
     assert!(
         codes.contains(&"header-unknown") && codes.contains(&"other-version") && codes.contains(&"header-unsound"),

@@ -1,12 +1,11 @@
 //! ISO 286 limit deviations, every cell: each class of each letter and grade, in each band of sizes, against the tables in `data/iso286.json` and
 //! the standard's rules, restated here.
-#![cfg(not(target_arch = "wasm32"))]
 
 use serde_json::Value;
 use touchpath::tolerance::parse;
 
 fn table() -> Value {
-    serde_json::from_str(include_str!("data/iso286.json")).expect("the tables are JSON")
+    serde_json::from_str(include_str!("../data/iso286.json")).expect("the tables are JSON")
 }
 
 fn numbers(value: &Value) -> Vec<Option<f64>> {

@@ -1,9 +1,6 @@
 //! The virtual part against closed forms worked out by hand, and the uncertainties against 100,000 draws.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{job, number, planned, point, with};
+use crate::common::{job, number, planned, point, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, ResultRow, evaluate};
 

@@ -1,9 +1,6 @@
 //! Faults that were once put in on purpose and that no test saw. Each has one now.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{interpret, interpret_from, job, number, planned, point, with};
+use crate::common::{interpret, interpret_from, job, number, planned, point, with};
 use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
 use touchpath::import::import;
@@ -255,7 +252,7 @@ fn a_dump_that_fits_two_planes_says_so() {
 #[test]
 fn of_a_q_given_twice_the_last_counts() {
     let program = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 ~\nQ1116=+5 ~\nQ1100=-30 ~\nQ1116=+12.5\n2 END PGM A MM\n";
-    assert_eq!(common::number_at(&import(program).unwrap().job, "cycle.diameter1", 0.0), 12.5);
+    assert_eq!(crate::common::number_at(&import(program).unwrap().job, "cycle.diameter1", 0.0), 12.5);
 }
 
 #[test]

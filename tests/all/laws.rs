@@ -1,11 +1,8 @@
 //! What must hold for every form, not only for the golden ones.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::law;
-use common::owed::{circles, distance, sane};
-use common::{number, point, with};
+use crate::common::law;
+use crate::common::owed::{circles, distance, sane};
+use crate::common::{number, point, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::cycle::{CYCLES, CycleDef};

@@ -1,23 +1,20 @@
 //! LinuxCNC's own interpreter runs every golden program: it accepts it, its moves are the planned path, and what it
 //! prints is what an independent calculation makes of the same points.
-#![cfg(not(target_arch = "wasm32"))]
 
-mod common;
-
-use common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
+use crate::common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
 use touchpath::form::Value;
 use touchpath::job::Plan;
 
 /// Every job but those of 1411, which `circles.rs` judges; those for another control put out for LinuxCNC.
 fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {
-    common::jobs()
+    crate::common::jobs()
         .into_iter()
         .map(|(name, job)| {
             let own = planned(&job).program.post == "linuxcnc";
             if own {
                 return (name, job);
             }
-            let control = common::job(r#"{ "post": "linuxcnc", "form": "moves", "workOffset": 2 }"#);
+            let control = crate::common::job(r#"{ "post": "linuxcnc", "form": "moves", "workOffset": 2 }"#);
             (name, with(&job, "control", control))
         })
         .filter(|(_, job)| job.get("cycle").and_then(|c| c.get("type")) != Some(&Value::Text("probing-two-circles".to_owned())))
@@ -383,7 +380,7 @@ fn a_broken_program_is_caught() {
 fn the_spindle_stays_off() {
     for (name, _, plan) in linuxcnc_jobs() {
         let text = &plan.program.text;
-        let canon = common::canonical(&format!("T1 M6\nS500 M3 M8\n{text}"));
+        let canon = crate::common::canonical(&format!("T1 M6\nS500 M3 M8\n{text}"));
         let last = |words: &[&str]| canon.iter().rposition(|line| words.iter().any(|w| line.contains(w)));
         let on = last(&["START_SPINDLE_CLOCKWISE", "FLOOD_ON"]);
         let off = last(&["STOP_SPINDLE_TURNING", "FLOOD_OFF"]);
@@ -469,10 +466,11 @@ fn a_lathes_diameters_are_switched_off() {
 /// A touch too short for a probe move is refused, and short positioning moves are plain.
 #[test]
 fn short_probe_moves_are_not_left_to_the_interpreter() {
-    let short = common::job(r#"{ "format": 1, "overtravel": 0.05, "cycle": { "type": "boss", "sideClearance": 3.05 } }"#);
+    let short =
+        crate::common::job(r#"{ "format": 1, "overtravel": 0.05, "cycle": { "type": "boss", "sideClearance": 3.05 } }"#);
     let found = touchpath::job::check(&short);
     assert!(found.iter().any(|f| f.code == "probe-move-too-short"), "{found:?}");
-    let near = common::job(
+    let near = crate::common::job(
         r#"{ "format": 1, "cycle": { "type": "web", "sideClearance": 3.05, "width": 30, "depth": 0.02, "topClearance": 3.1 } }"#,
     );
     let plan = planned(&with(&near, "cycle.feedDistance", Value::Number(0.1)));
