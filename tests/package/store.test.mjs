@@ -1,0 +1,130 @@
+// The page's state by itself, without a browser: the same module that the page loads, on the real core.
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { build } from "vite";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+/** @type {string} */
+let folder;
+/** @type {any} */
+let Store;
+/** @type {(text: string) => number | string} */
+let parseNumber;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "touchpath-store-"));
+  // In Node the package's own entry for Node stands where the page has that for browsers.
+  const core = pathToFileURL(join(root, "dist/node.js")).href;
+  await build({
+    root,
+    configFile: false,
+    logLevel: "silent",
+    build: { ssr: "www/store.ts", outDir: folder, emptyOutDir: true },
+    plugins: [
+      {
+        name: "core",
+        enforce: "pre",
+        resolveId: (id) => (id.endsWith("core/browser.js") ? { id: core, external: true } : null),
+      },
+    ],
+  });
+  ({ Store, parseNumber } = await import(pathToFileURL(join(folder, "store.js")).href));
+});
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+test("a value that is set is in the job, the plan and the event", () => {
+  const store = new Store();
+  let changes = 0;
+  store.addEventListener("change", () => changes++);
+  store.set("cycle.width1", 64, "64,0");
+  assert.equal(store.get("cycle.width1"), 64);
+  assert.equal(store.typed.get("cycle.width1"), "64,0");
+  assert.equal(store.plan.results.find((/** @type {any} */ row) => row.code === "width1").nominal, 64);
+  assert.equal(changes, 1);
+  store.drop("cycle.width1");
+  assert.equal(store.get("cycle.width1"), undefined);
+  assert.equal(store.typed.size, 0);
+});
+
+test("with an error the last good plan stays, is stale, and is withheld with the reason", () => {
+  const store = new Store();
+  const { plan } = store;
+  store.set("cycle.width1", -5);
+  assert.equal(store.plan, plan);
+  assert.ok(store.stale);
+  assert.match(store.withheld, /Width 1/);
+  assert.equal(store.at("cycle.width1")[0].level, "error");
+  store.set("cycle.width1", 70);
+  assert.ok(!store.stale);
+  assert.equal(store.withheld, null);
+});
+
+test("a cycle that was left comes back with its values, in the present units", () => {
+  const store = new Store();
+  store.set("cycle.width1", 63.5);
+  store.measured = "1,2,3";
+  store.choose("hole");
+  assert.equal(store.cycle.type, "hole");
+  assert.equal(store.measured, "");
+  store.setUnits("inch");
+  store.choose("internal-rectangle-protected");
+  assert.equal(store.get("cycle.width1"), 2.5);
+});
+
+test("the form follows the control, and the control stays where it takes the cycle", () => {
+  const store = new Store();
+  store.set("control.post", "sinumerik");
+  store.set("control.form", "cycle");
+  assert.ok(!store.stale);
+  store.set("control.post", "fanuc");
+  assert.equal(store.get("control.form"), "moves");
+  store.choose("probing-two-circles");
+  assert.equal(store.get("control.post"), "fanuc");
+  store.set("control.post", "heidenhain");
+  assert.equal(store.get("control.form"), "cycle");
+  store.set("control.workOffset", 3);
+  store.choose("hole");
+  assert.notEqual(store.get("control.post"), "heidenhain");
+});
+
+test("a text that is no job changes nothing", () => {
+  const store = new Store();
+  store.set("cycle.width1", 71);
+  const before = structuredClone(store.draft);
+  const moves = "G21 G17 G90 G94\nM5\nG0 X1 Y2\nG0 Z3\nG38.2 Z-5 F100\nM2\n";
+  for (const text of ["nothing", "{", '{"format":9,"cycle":{"type":"hole"}}', moves, "x".repeat(3_000_000)]) {
+    assert.throws(() => store.open(text), /./);
+    assert.deepEqual(store.draft, before);
+  }
+  assert.throws(() => store.open(moves), /says no job, and its moves \(3\)/);
+});
+
+test("a program for any control is opened as the job that made it", () => {
+  const store = new Store();
+  store.set("cycle.width1", 66);
+  for (const { id, cycles } of store.catalog.posts) {
+    if (!cycles.some((/** @type {any} */ c) => c.type === store.cycle.type && c.supported)) continue;
+    store.set("control.post", id);
+    const { text } = store.plan.program;
+    const other = new Store();
+    other.open(text);
+    assert.equal(other.get("cycle.width1"), 66, id);
+    assert.equal(other.plan.program.text, text, id);
+  }
+});
+
+test("numbers as they are typed", () => {
+  assert.deepEqual(["1,5", " +2.", "-.5", "1e3", "1,2,3", "x", ""].map(parseNumber), [
+    1.5,
+    2,
+    -0.5,
+    "1e3",
+    "1,2,3",
+    "x",
+    "",
+  ]);
+});
