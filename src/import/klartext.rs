@@ -70,118 +70,150 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
 /// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
 /// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
-    let mut checker = Checker::default();
     let blocks = blocks(text);
-    let inch = blocks.iter().any(|b| {
-        let upper = b.to_uppercase();
-        upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
-    }) || says(&blocks, "G70");
-    let scale = if inch { 25.4 } else { 1.0 };
-    let mut job = default_job_in("probing-two-circles", scale).expect("the cycle is registered");
+    let inch = says_inch(&blocks);
+    let mut job = default_job_in("probing-two-circles", if inch { 25.4 } else { 1.0 }).expect("the cycle is registered");
     set(&mut job, "units", Value::Text(if inch { "inch" } else { "mm" }.to_owned()));
-    let mut extrusion = Value::Null;
-    let (mut found, mut passed_over) = (0, 0);
-    for block in &blocks {
+    let mut reader = Reader { job, checker: Checker::default(), extrusion: Value::Null, found: 0, passed_over: 0 };
+    blocks.iter().for_each(|block| reader.block(block));
+    reader.finish(&blocks)
+}
+
+/// Whether the text says that it is in inch.
+fn says_inch(blocks: &[String]) -> bool {
+    let begins = |block: &String| {
+        let upper = block.to_uppercase();
+        upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
+    };
+    blocks.iter().any(begins) || says(blocks, "G70")
+}
+
+/// What was read so far.
+struct Reader {
+    job: Value,
+    checker: Checker,
+    extrusion: Value,
+    /// How many cycles 1411.
+    found: usize,
+    passed_over: usize,
+}
+
+impl Reader {
+    fn block(&mut self, block: &str) {
         let upper = block.to_uppercase();
         let words: Vec<&str> = upper.split_whitespace().collect();
         match words.as_slice() {
             ["BEGIN", "PGM", rest @ ..] => {
                 let original: Vec<&str> = block.split_whitespace().collect();
                 if rest.len() > 1 {
-                    set(&mut job, "name", Value::Text(original[2].to_owned()));
+                    self.set("name", original[2]);
                 }
             }
             ["END", "PGM", ..] | [] => {}
             // What is called after the cycle is not the probe.
-            ["TOOL", "CALL", ..] if found > 0 => passed_over += 1,
-            ["TOOL", "CALL", rest @ ..] => {
-                match rest.first().map(|t| t.parse::<i32>()) {
-                    Some(Ok(number)) => set(&mut job, "control.tool", Value::Number(f64::from(number))),
-                    // Only a spindle speed: the tool stays.
-                    Some(Err(_)) if rest[0].starts_with('S') && rest[0][1..].parse::<f64>().is_ok() => {}
-                    _ => {
-                        let message = "The tool is called by its name: its number is not known, and no tool is called";
-                        checker.warning("tool-by-name", "control.tool", message);
-                    }
-                }
-                if let Some(axis) = rest.iter().find(|t| matches!(**t, "X" | "Y" | "Z")) {
-                    let plane = match *axis {
-                        "Y" => "G18",
-                        "X" => "G19",
-                        _ => "G17",
-                    };
-                    set(&mut job, "plane", Value::Text(plane.to_owned()));
-                }
-            }
-            ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => {
-                found += 1;
-                if found > 1 {
-                    checker.warning(
-                        "several-cycles",
-                        "",
-                        "The program holds cycle 1411 more than once: the first one is taken",
-                    );
-                } else {
-                    for (key, value) in values(block, PARAMETERS, "1411", &mut checker) {
-                        let predefined =
-                            PREDEFINED.iter().find(|(n, _)| PARAMETERS.iter().any(|(m, k, _)| m == n && *k == key));
-                        match (predefined, value) {
-                            (Some((number, flag)), Value::Flag(_)) => {
-                                set(&mut job, &format!("cycle.{flag}"), Value::Flag(true));
-                                let message = format!(
-                                    "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the \
-                                     picture shows"
-                                );
-                                checker.warning("predefined", format!("cycle.{key}"), message);
-                            }
-                            (_, value) => set(&mut job, &format!("cycle.{key}"), value),
-                        }
-                    }
-                }
-            }
-            ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => {
-                // It acts on the cycle that follows it.
-                if found == 0 {
-                    extrusion = Value::Map(Vec::new());
-                    for (key, value) in values(block, EXTRUSION, "1493", &mut checker) {
-                        set(&mut extrusion, key, value);
-                    }
-                }
-            }
+            ["TOOL", "CALL", ..] if self.found > 0 => self.passed_over += 1,
+            ["TOOL", "CALL", rest @ ..] => self.tool_call(rest),
+            ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => self.two_circles(block),
+            ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => self.extrusion(block),
             // ISO words before the cycle: units are looked for beforehand, plane and tool here.
-            iso if found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => {
-                for word in iso {
-                    match (*word, word.strip_prefix('T').map(str::parse::<i32>)) {
-                        ("G17" | "G18" | "G19", _) => set(&mut job, "plane", Value::Text((*word).to_owned())),
-                        (_, Some(Ok(tool))) => set(&mut job, "control.tool", Value::Number(f64::from(tool))),
-                        _ => {}
-                    }
-                }
-            }
-            _ => passed_over += 1,
+            iso if self.found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => self.iso(iso),
+            _ => self.passed_over += 1,
         }
     }
-    let klartext = blocks.iter().any(|b| b.to_uppercase().starts_with("BEGIN PGM"));
-    if found > 0 && !klartext && !says(&blocks, "G70") && !says(&blocks, "G71") {
-        let message = "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken";
-        checker.warning("units-unknown", "units", message);
+
+    fn set(&mut self, path: &str, text: &str) {
+        set(&mut self.job, path, Value::Text(text.to_owned()));
     }
-    if found == 0 {
-        let message = "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
-                       cycle 1411, nor one that this project wrote for SINUMERIK";
-        checker.error("nothing-to-import", "", message);
-        return Err(JobError { findings: checker.findings() });
+
+    fn tool_call(&mut self, words: &[&str]) {
+        match words.first().map(|t| t.parse::<i32>()) {
+            Some(Ok(number)) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
+            // Only a spindle speed: the tool stays.
+            Some(Err(_)) if words[0].starts_with('S') && words[0][1..].parse::<f64>().is_ok() => {}
+            _ => {
+                let message = "The tool is called by its name: its number is not known, and no tool is called";
+                self.checker.warning("tool-by-name", "control.tool", message);
+            }
+        }
+        let plane = words.iter().find_map(|word| match *word {
+            "X" => Some("G19"),
+            "Y" => Some("G18"),
+            "Z" => Some("G17"),
+            _ => None,
+        });
+        if let Some(plane) = plane {
+            self.set("plane", plane);
+        }
     }
-    set(&mut job, "cycle.extrusion", extrusion);
-    raise_start(&mut job);
-    if passed_over > 0 {
-        let blocks = if passed_over == 1 { "1 other block is".to_owned() } else { format!("{passed_over} other blocks are") };
-        checker.info("passed-over", "", format!("{blocks} passed over"));
+
+    fn two_circles(&mut self, block: &str) {
+        self.found += 1;
+        if self.found > 1 {
+            let message = "The program holds cycle 1411 more than once: the first one is taken";
+            self.checker.warning("several-cycles", "", message);
+            return;
+        }
+        for (key, value) in values(block, PARAMETERS, "1411", &mut self.checker) {
+            let predefined = PREDEFINED.iter().find(|(n, _)| PARAMETERS.iter().any(|(m, k, _)| m == n && *k == key));
+            match (predefined, value) {
+                (Some((number, flag)), Value::Flag(_)) => {
+                    set(&mut self.job, &format!("cycle.{flag}"), Value::Flag(true));
+                    let message = format!(
+                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the picture shows"
+                    );
+                    self.checker.warning("predefined", format!("cycle.{key}"), message);
+                }
+                (_, value) => set(&mut self.job, &format!("cycle.{key}"), value),
+            }
+        }
     }
-    let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
-                   the defaults are taken, and for the stylus at least the clearance height";
-    checker.info("not-in-program", "stylus", unknown);
-    Ok(Imported { job, trace: None, findings: checker.findings() })
+
+    /// It acts on the cycle that follows it.
+    fn extrusion(&mut self, block: &str) {
+        if self.found > 0 {
+            return;
+        }
+        self.extrusion = Value::Map(Vec::new());
+        for (key, value) in values(block, EXTRUSION, "1493", &mut self.checker) {
+            set(&mut self.extrusion, key, value);
+        }
+    }
+
+    fn iso(&mut self, words: &[&str]) {
+        for word in words {
+            match (*word, word.strip_prefix('T').map(str::parse::<i32>)) {
+                ("G17" | "G18" | "G19", _) => self.set("plane", word),
+                (_, Some(Ok(tool))) => set(&mut self.job, "control.tool", Value::Number(f64::from(tool))),
+                _ => {}
+            }
+        }
+    }
+
+    fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
+        let Reader { mut job, mut checker, extrusion, found, passed_over } = self;
+        let klartext = blocks.iter().any(|b| b.to_uppercase().starts_with("BEGIN PGM"));
+        if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
+            let message = "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken";
+            checker.warning("units-unknown", "units", message);
+        }
+        if found == 0 {
+            let message = "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
+                           cycle 1411, nor one that this project wrote for SINUMERIK";
+            checker.error("nothing-to-import", "", message);
+            return Err(JobError { findings: checker.findings() });
+        }
+        set(&mut job, "cycle.extrusion", extrusion);
+        raise_start(&mut job);
+        if passed_over > 0 {
+            let blocks =
+                if passed_over == 1 { "1 other block is".to_owned() } else { format!("{passed_over} other blocks are") };
+            checker.info("passed-over", "", format!("{blocks} passed over"));
+        }
+        let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
+                       the defaults are taken, and for the stylus at least the clearance height";
+        checker.info("not-in-program", "stylus", unknown);
+        Ok(Imported { job, trace: None, findings: checker.findings() })
+    }
 }
 
 /// A program does not say where the stylus stands before the cycle: the default, but not below what the program goes to.

@@ -2,7 +2,7 @@
 
 use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Kind, Value};
-use crate::job::sections::{FORMAT, SECTIONS};
+use crate::job::sections::{FORMAT, SECTIONS, Units};
 
 /// A complete, valid job of a type, in mm; none for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
@@ -51,7 +51,7 @@ fn complete_job(def: &CycleDef, scale: f64, short: bool) -> Value {
 /// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
-    let scale = if job.get("units") == Some(&Value::Text("inch".to_owned())) { 25.4 } else { 1.0 };
+    let scale = Units::of(job).scale();
     let def = cycle::find(key)?;
     let mut whole = complete_job(def, scale, false);
     for section in def.sections {

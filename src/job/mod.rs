@@ -19,7 +19,7 @@ pub use plan::{
     Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, examine,
     proves, stages,
 };
-pub use sections::{FORMAT, Job, SECTIONS};
+pub use sections::{FORMAT, Job, SECTIONS, Units};
 pub use units::convert_units;
 
 use crate::form::{Checker, Finding, Value};

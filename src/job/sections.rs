@@ -12,7 +12,66 @@ use crate::tool_length::{self, Query, lentoax, sentence};
 /// The format this crate writes and reads.
 pub const FORMAT: f64 = 1.0;
 
-const UNITS: &[Choice] = &[Choice { value: "mm", label: "mm" }, Choice { value: "inch", label: "inch" }];
+/// The unit of a job's lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+impl Units {
+    /// `units` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Units::Mm => "mm",
+            Units::Inch => "inch",
+        }
+    }
+
+    /// Those of a word, where it is one.
+    pub fn named(word: &str) -> Option<Units> {
+        [Units::Mm, Units::Inch].into_iter().find(|units| units.word() == word)
+    }
+
+    /// Those that a loose job says; mm where it says none.
+    pub fn of(job: &Value) -> Units {
+        match job.get("units") {
+            Some(Value::Text(word)) => Units::named(word).unwrap_or(Units::Mm),
+            _ => Units::Mm,
+        }
+    }
+
+    /// Millimetres in one.
+    pub const fn scale(self) -> f64 {
+        match self {
+            Units::Mm => 1.0,
+            Units::Inch => 25.4,
+        }
+    }
+}
+
+/// Whether positioning is watched, where the control can.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Protection {
+    Checked,
+    None,
+}
+
+impl Protection {
+    const fn word(self) -> &'static str {
+        match self {
+            Protection::Checked => "checked",
+            Protection::None => "none",
+        }
+    }
+}
+
+const UNITS: &[Choice] = &[
+    Choice { value: Units::Mm.word(), label: Units::Mm.word() },
+    Choice { value: Units::Inch.word(), label: Units::Inch.word() },
+];
 const PLANES: &[Choice] = &[
     Choice { value: "G17", label: "G17 (XY, tool axis Z)" },
     Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
@@ -39,8 +98,10 @@ const FORMS: &[Choice] = &[
 const HEADERS: &[Choice] =
     &[Choice { value: Header::Full.word(), label: "The whole job" }, Choice { value: Header::Short.word(), label: "Short" }];
 
-const PROTECTIONS: &[Choice] =
-    &[Choice { value: "checked", label: "Watched and checked" }, Choice { value: "none", label: "Not watched" }];
+const PROTECTIONS: &[Choice] = &[
+    Choice { value: Protection::Checked.word(), label: "Watched and checked" },
+    Choice { value: Protection::None.word(), label: "Not watched" },
+];
 
 form! {
     /// The job itself.
@@ -179,9 +240,8 @@ impl Job {
             return None;
         }
         read_format(checker, value);
-        if value.get("units") == Some(&Value::Text("inch".to_owned())) {
-            (checker.scale, checker.unit) = (25.4, "inch");
-        }
+        let units = Units::of(value);
+        (checker.scale, checker.unit) = (units.scale(), units.word());
         let mut root = Section::new(checker, Some(value), "");
         root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "tool", "part"]);
         let general = General::read(&mut root);
@@ -210,7 +270,7 @@ impl Job {
         Some(Job {
             name: general.name,
             scale: checker.scale,
-            unit: if general.units == "inch" { "inch" } else { "mm" },
+            unit: units.word(),
             setup,
             repeatability: stylus.repeatability,
             feeds: Feeds {
@@ -227,7 +287,7 @@ impl Job {
             form: Form::named(&control.form),
             tool: control.tool,
             header: Header::named(&control.header),
-            protected: control.protection == "checked",
+            protected: control.protection == Protection::Checked.word(),
             work_offset: control.work_offset,
             lie: Lie {
                 rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),

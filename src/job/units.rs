@@ -3,11 +3,8 @@
 use crate::cycle;
 use crate::form::{Field, Finding, Kind, Level, Value};
 use crate::job::JobError;
-use crate::job::sections::SECTIONS;
+use crate::job::sections::{SECTIONS, Units};
 use crate::tolerance;
-
-/// Millimetres in an inch.
-const INCH: f64 = 25.4;
 
 /// Where a number goes: how much it is multiplied by, and the decimals it keeps.
 #[derive(Clone, Copy)]
@@ -27,16 +24,18 @@ impl Target {
 /// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch, angles as they are. The job may have errors:
 /// what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
-    if !matches!(units, "mm" | "inch") {
+    let Some(units) = Units::named(units) else {
         let message = "Units are \"mm\" or \"inch\"";
         return Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] });
-    }
+    };
     let mut job = job.clone();
-    let from = if job.get("units") == Some(&Value::Text("inch".to_owned())) { "inch" } else { "mm" };
-    if !matches!(job, Value::Map(_)) || from == units {
+    if !matches!(job, Value::Map(_)) || Units::of(&job) == units {
         return Ok(job);
     }
-    let to = if units == "inch" { Target { factor: 1.0 / INCH, decimals: 6 } } else { Target { factor: INCH, decimals: 4 } };
+    let to = match units {
+        Units::Mm => Target { factor: Units::Inch.scale(), decimals: 4 },
+        Units::Inch => Target { factor: 1.0 / Units::Inch.scale(), decimals: 6 },
+    };
     for (path, fields) in SECTIONS {
         let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
         convert_fields(section, fields, to);
@@ -57,7 +56,7 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
             convert(point, to);
         }
     }
-    put(&mut job, "units", Value::Text(units.to_owned()));
+    put(&mut job, "units", Value::Text(units.word().to_owned()));
     Ok(job)
 }
 

@@ -63,7 +63,10 @@ test("the safety rules stand beside the program, with what this control cannot h
   assert.match(await textOf(checks), /missed-touch-lifts/);
   await field("control.protection").selectOption("none");
   assert.match(await textOf(checks.locator("summary")), /1 does not/);
-  assert.match(await textOf(checks.locator("li.warning")), /!\s+This move is not watched: a contact in it is not noticed Line \d+/);
+  assert.match(
+    await textOf(checks.locator("li.warning")),
+    /!\s+This move is not watched: a contact in it is not noticed Line \d+/,
+  );
   // With an error in the form there is no program to speak of.
   await field("cycle.width1").fill("-5");
   assert.equal(await checks.locator("details").count(), 0);
