@@ -198,12 +198,12 @@ struct Variables<'a>(&'a Registers);
 impl Notation for Variables<'_> {
     const BRACKETS: (char, char) = ('[', ']');
 
-    fn variable(&self, _: &Formula, index: usize) -> String {
-        variable(self.0.variables[index])
+    fn variable(&self, _: &Formula, index: usize, out: &mut String) {
+        out.push_str(&variable(self.0.variables[index]));
     }
 
-    fn trigger(&self, sample: usize, axis: usize) -> String {
-        variable(self.0.trigger(sample, axis))
+    fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
+        out.push_str(&variable(self.0.trigger(sample, axis)));
     }
 
     fn atan(&self, y: &str, x: &str) -> String {

@@ -333,10 +333,10 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         if !letter.is_ascii_uppercase() {
             return Err(format!("\"{}\" is not understood", cursor.left()));
         }
-        let word = cursor.left();
+        let word = cursor.rest;
         cursor.take(1);
         let value = cursor.operand(grammar, script)?;
-        block.add(letter, value, grammar, script).map_err(|reason| format!("{reason}: \"{word}\""))?;
+        block.add(letter, value, grammar, script).map_err(|reason| format!("{reason}: \"{}\"", Cursor::new(word).left()))?;
     }
     block.finish(script)
 }

@@ -1,23 +1,23 @@
 //! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
 
 use crate::formula::{Expr, Formula, Function, Op};
-use crate::num::decimal;
+use crate::num::push_decimal;
 
 /// How a control writes expressions.
 pub trait Notation {
     /// The brackets that group.
     const BRACKETS: (char, char);
-    /// The value of an assignment of `formula`, by its index.
-    fn variable(&self, formula: &Formula, index: usize) -> String;
-    /// Coordinate `axis` of a sample's trigger.
-    fn trigger(&self, sample: usize, axis: usize) -> String;
+    /// Writes the value of an assignment of `formula`, by its index.
+    fn variable(&self, formula: &Formula, index: usize, out: &mut String);
+    /// Writes coordinate `axis` of a sample's trigger.
+    fn trigger(&self, sample: usize, axis: usize, out: &mut String);
     /// The angle of the vector (x, y).
     fn atan(&self, y: &str, x: &str) -> String;
 }
 
 /// Prints `expr` of `formula`. `scale` is the millimetres in a unit of the program.
 pub fn print<N: Notation>(notation: &N, formula: &Formula, expr: &Expr, scale: f64) -> String {
-    let mut text = String::new();
+    let mut text = String::with_capacity(64);
     Printer { notation, formula, scale }.put(expr, 0, &mut text);
     text
 }
@@ -29,12 +29,17 @@ pub struct Rs274;
 impl Notation for Rs274 {
     const BRACKETS: (char, char) = ('[', ']');
 
-    fn variable(&self, formula: &Formula, index: usize) -> String {
-        format!("#<{}>", formula.assignments[index].name)
+    fn variable(&self, formula: &Formula, index: usize, out: &mut String) {
+        out.push_str("#<");
+        out.push_str(&formula.assignments[index].name);
+        out.push('>');
     }
 
-    fn trigger(&self, sample: usize, axis: usize) -> String {
-        format!("#<{}>", trigger_name(sample, axis))
+    fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
+        out.push_str("#<");
+        out.push_str(AXES[axis]);
+        push_decimal(out, sample as f64 + 1.0, 0);
+        out.push('>');
     }
 
     fn atan(&self, y: &str, x: &str) -> String {
@@ -42,9 +47,11 @@ impl Notation for Rs274 {
     }
 }
 
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// The name of the parameter that holds coordinate `axis` of a sample's trigger.
 pub fn trigger_name(sample: usize, axis: usize) -> String {
-    format!("{}{}", ["x", "y", "z"][axis], sample + 1)
+    format!("{}{}", AXES[axis], sample + 1)
 }
 
 struct Printer<'a, N> {
@@ -59,8 +66,8 @@ impl<N: Notation> Printer<'_, N> {
         match expr {
             Expr::Number(x) => self.constant(*x, binding, out),
             Expr::Length(x) => self.constant(x / self.scale, binding, out),
-            Expr::Variable(index) => out.push_str(&self.notation.variable(self.formula, *index)),
-            Expr::Trigger { touch, axis } => out.push_str(&self.notation.trigger(*touch, *axis)),
+            Expr::Variable(index) => self.notation.variable(self.formula, *index, out),
+            Expr::Trigger { touch, axis } => self.notation.trigger(*touch, *axis, out),
             Expr::Call(function, a) => {
                 out.push_str(match function {
                     Function::Sin => "SIN",
@@ -101,13 +108,11 @@ impl<N: Notation> Printer<'_, N> {
 
     /// A constant with 12 decimals at most: half a turn of a 10 m part moves by less than 1e-8 mm.
     fn constant(&self, x: f64, binding: u8, out: &mut String) {
-        let text = decimal(x, 12);
-        if text.starts_with('-') && binding > 0 {
-            out.push(N::BRACKETS.0);
-            out.push_str(&text);
+        let begin = out.len();
+        push_decimal(out, x, 12);
+        if binding > 0 && out[begin..].starts_with('-') {
+            out.insert(begin, N::BRACKETS.0);
             out.push(N::BRACKETS.1);
-        } else {
-            out.push_str(&text);
         }
     }
 }

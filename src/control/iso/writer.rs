@@ -2,7 +2,7 @@
 
 use crate::control::{Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::num::decimal;
+use crate::num::push_decimal;
 use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
@@ -86,11 +86,17 @@ impl<'a> Writer<'a> {
 
     /// A length or feed in the program's units, with the decimals the control takes.
     pub fn number(&self, mm: f64) -> String {
-        let mut text = decimal(mm / self.request.scale, self.decimals());
-        if self.dialect.points && !text.contains('.') {
+        let mut text = String::with_capacity(12);
+        self.push_number(&mut text, mm);
+        text
+    }
+
+    fn push_number(&self, text: &mut String, mm: f64) {
+        let begin = text.len();
+        push_decimal(text, mm / self.request.scale, self.decimals());
+        if self.dialect.points && !text[begin..].contains('.') {
             text.push('.');
         }
-        text
     }
 
     /// A place by its axis words: `X0 Y0 Z30`.
@@ -173,19 +179,19 @@ impl<'a> Writer<'a> {
 
     /// All three axis words, whatever the last block said.
     pub fn all_words(&mut self, to: Vec3) -> String {
-        self.named(to, |_| true)
+        self.named(self.words(to), [true; 3])
     }
 
     /// Words of the two axes of the plane, whatever the last block said.
     pub fn plane_words(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
-        self.named(to, |axis| axis == a || axis == o)
+        self.named(self.words(to), [0, 1, 2].map(|axis| axis == a || axis == o))
     }
 
     /// The word of the tool axis, whatever the last block said.
     pub fn tool_word(&mut self, to: Vec3) -> String {
         let [_, _, tool] = self.request.plane.axes();
-        self.named(to, |axis| axis == tool)
+        self.named(self.words(to), [0, 1, 2].map(|axis| axis == tool))
     }
 
     /// The next line makes the next move.
@@ -217,7 +223,7 @@ impl<'a> Writer<'a> {
         if wanted == [false; 3] {
             wanted = [true; 3];
         }
-        self.named(target, |axis| wanted[axis])
+        self.named(words, wanted)
     }
 
     /// The finished program.
@@ -226,10 +232,9 @@ impl<'a> Writer<'a> {
         Program { text: self.text, move_lines: self.move_lines }
     }
 
-    fn named(&mut self, target: Vec3, wanted: impl Fn(usize) -> bool) -> String {
-        let words = self.words(target);
-        let mut block = String::new();
-        for (i, word) in words.into_iter().enumerate().filter(|(i, _)| wanted(*i)) {
+    fn named(&mut self, words: [String; 3], wanted: [bool; 3]) -> String {
+        let mut block = String::with_capacity(40);
+        for (i, word) in words.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
             block.push_str(&word);
             self.last[i] = word;
             self.stated[i] = true;
@@ -239,13 +244,20 @@ impl<'a> Writer<'a> {
 
     fn finish_block(&mut self, mut block: String, rate: Option<f64>) {
         if let Some(rate) = rate {
-            block.push_str(&format!(" F{}", self.number(rate)));
+            block.push_str(" F");
+            self.push_number(&mut block, rate);
         }
         self.line(&block);
     }
 
     fn words(&self, place: Vec3) -> [String; 3] {
-        [0, 1, 2].map(|i| format!(" {}{}", AXIS_NAMES[i], self.number(place[i])))
+        [0, 1, 2].map(|i| {
+            let mut word = String::with_capacity(14);
+            word.push(' ');
+            word.push_str(AXIS_NAMES[i]);
+            self.push_number(&mut word, place[i]);
+            word
+        })
     }
 
     fn decimals(&self) -> usize {

@@ -421,12 +421,12 @@ struct RParameters<'a> {
 impl Notation for RParameters<'_> {
     const BRACKETS: (char, char) = ('(', ')');
 
-    fn variable(&self, _: &Formula, index: usize) -> String {
-        format!("R{}", self.registers.variables[index])
+    fn variable(&self, _: &Formula, index: usize, out: &mut String) {
+        out.push_str(&format!("R{}", self.registers.variables[index]));
     }
 
-    fn trigger(&self, sample: usize, axis: usize) -> String {
-        format!("R{}", self.registers.trigger(sample, axis))
+    fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
+        out.push_str(&format!("R{}", self.registers.trigger(sample, axis)));
     }
 
     fn atan(&self, y: &str, x: &str) -> String {
