@@ -202,6 +202,8 @@ pub struct Spread {
     pub start: f64,
     /// Over which angle the touches are spread, counter-clockwise positive, radians.
     pub sweep: f64,
+    /// The paths of the job's fields that say these two angles.
+    pub fields: [&'static str; 2],
 }
 
 impl Feature {

@@ -196,6 +196,18 @@ impl View {
         }
     }
 
+    /// The path of the job's field that a `start` or `sweep` handle says.
+    #[wasm_bindgen(js_name = handleField)]
+    pub fn handle_field(&self, handle: &str) -> Option<String> {
+        let spread = self.shown.as_ref()?.planned.1.path.feature.two_circles()?.spread?;
+        let [start, sweep] = spread.fields;
+        match handle {
+            "start" => Some(start.to_owned()),
+            "sweep" => Some(sweep.to_owned()),
+            _ => None,
+        }
+    }
+
     /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {

@@ -190,9 +190,10 @@ class PicturePart extends Part {
   /** A handle is dragged: the form follows. */
   private drag(handle: string, at: { x: number; y: number }): void {
     const { store } = this;
-    if (handle === "start" || handle === "sweep") {
+    const field = this.drawing?.use((view) => view.handleField(handle));
+    if (field) {
       const degrees = this.drawing?.use((view) => view.dragAngle(handle, at.x, at.y));
-      if (degrees !== undefined) store.set(handle === "start" ? "cycle.startingAngle" : "cycle.angularLength", degrees);
+      if (degrees !== undefined) store.set(field, degrees);
       return;
     }
     const lie = this.drawing?.use((view) => view.dragPart(handle, at.x, at.y)) as {

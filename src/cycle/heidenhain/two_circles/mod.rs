@@ -342,6 +342,7 @@ impl TwoCircles {
             radius: object.nominal_diameter() / 2.0,
             start: self.form.starting_angle.to_radians(),
             sweep: self.form.angular_length.to_radians(),
+            fields: ["cycle.startingAngle", "cycle.angularLength"],
         })
     }
 
