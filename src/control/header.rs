@@ -163,10 +163,12 @@ pub fn read(text: &str) -> Said<'_> {
             }
         } else if let Some(made) = after(comment, MADE_BY) {
             said.version = said.version.or(made.split(' ').next());
-        } else if let Some(name) = after(comment, "Job: ") {
-            said.name = said.name.or(Some(name));
+        } else if let Some(name) = after(comment, "Job:") {
+            said.name = said.name.or(Some(name.trim_start()));
         } else if let Some(stated) = after(comment, HASH).filter(|_| said.unchanged.is_none()) {
-            said.unchanged = Some(stated.trim() == hash(below));
+            said.unchanged = Some(stated.trim().eq_ignore_ascii_case(&hash(below)));
+            // The header ends here.
+            return said;
         }
     }
     said

@@ -23,6 +23,7 @@ pub static DEF: PostDef = PostDef {
     computes: false,
     watches: false,
     shortest_probe: 0.0,
+    constant_error: 1e-12,
     dialect: None,
     cannot: &[],
     name: program_name,

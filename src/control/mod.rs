@@ -110,6 +110,8 @@ pub struct PostDef {
     pub watches: bool,
     /// The shortest probing move, mm: shorter positioning moves are plain.
     pub shortest_probe: f64,
+    /// By how much a written constant may be off, as a part of itself.
+    pub constant_error: f64,
     /// How its blocks are written, where it takes a program of moves.
     pub dialect: Option<&'static Dialect>,
     /// The safety rules that its programs cannot hold, and why.

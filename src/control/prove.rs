@@ -93,7 +93,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
-    let run = Run { start: away(AWAY[2]), deflected: false, until: None };
+    let run = Run { start: away(AWAY[2]), deflected: false, until: None, may_stop: false };
     let mut next = 0;
     let trace = machine::run(&script, run, &mut |step: &Step| {
         if part == Part::Unknown {
@@ -104,13 +104,17 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
             return Met::Nothing;
         }
         next += 1;
-        let stops = triggers[*k] - aside(*k);
-        Met::Something(expected.place(stops), expected.place(triggers[*k]))
+        // The axes stop on the line that the program commands, rounded as it is.
+        let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
+        let trigger = triggers[*k] / request.scale;
+        let along = (trigger - from).dot((to - from).normalize_or_zero());
+        Met::Something((from + (to - from).normalize_or_zero() * along).to_array(), trigger.to_array())
     })
     .map_err(|t| faults(vec![t]))?;
     let below = match (request.path.start, request.path.moves.first()) {
         (None, Some(step)) => {
-            let run = Run { start: away(-AWAY[2]), until: Some((expected.place(step.to), expected.digit)), ..run };
+            let run =
+                Run { start: away(-AWAY[2]), may_stop: true, until: Some((expected.place(step.to), expected.digit)), ..run };
             Some(
                 machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown })
                     .map_err(|t| faults(vec![t]))?,
@@ -165,7 +169,7 @@ struct Expected {
     scale: f64,
     /// Half of the last digit that a place is written with, and of a feed.
     digit: f64,
-    /// How far from the origin the touches are at most, mm.
+    /// By how much rounded constants may move a place that is as far from the origin as the touches, mm.
     size: f64,
     /// The touches in the order of the path: which one, and begin and end of its probing move.
     touches: Vec<(usize, (Place, Place))>,
@@ -175,7 +179,8 @@ impl Expected {
     fn of(request: &Request<'_>) -> Self {
         let path = request.path;
         let decimals = request.post.decimals(request.scale) as i32;
-        let size = path.touches.iter().map(|touch| touch.point.length()).fold(0.0, f64::max);
+        let far = path.touches.iter().map(|touch| touch.point.length()).fold(100.0, f64::max);
+        let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let mut expected =
             Expected { scale: request.scale, digit: 0.5 * 10f64.powi(-decimals) * (1.0 + 1e-6), size, touches: Vec::new() };
         let mut at = path.start.unwrap_or(Vec3::NAN);
@@ -360,12 +365,11 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
     points.into_iter().map(|(sum, count, vector)| (Some(sum / count), vector)).unzip()
 }
 
-/// Equal but for rounding: constants are written with 12 decimals, so a place of size s may be off by s times that, and what multiplies the
-/// errors of the triggers multiplies those of rounding.
+/// Equal but for the rounding of constants; what multiplies the errors of the triggers multiplies those of rounding.
 fn equal(given: f64, value: Dual, unit: f64, size: f64) -> bool {
     let reach = 1.0 + value.by_touch.iter().map(|d| d.abs()).sum::<f64>();
     let off = (given - value.value / unit).abs();
-    off <= (1e-9 + 1e-11 * size) * reach || (given.is_nan() && value.value.is_nan())
+    off <= size * reach || (given.is_nan() && value.value.is_nan())
 }
 
 /// After the write the measured point reads its nominal place, and the system is turned by what was measured.

@@ -90,7 +90,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: LOW_START,
-        says: "A stylus below the first place goes straight up, then in the plane, then down",
+        says: "A stylus below the first place goes straight up first, or nothing moves",
         why: "In the plane at a low height stand fixtures and the part.",
         must: true,
         own_cycle: false,
@@ -260,7 +260,7 @@ fn spindle_off(case: &Case<'_>) -> Vec<Break> {
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {
     let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else { return Vec::new() };
-    let run = Run { start: case.followed.start, deflected: true, until: None };
+    let run = Run { start: case.followed.start, deflected: true, until: None, may_stop: false };
     match machine::deflected(&case.followed.script, run) {
         Ok(Ending::ControlStops) => Vec::new(),
         Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
@@ -305,7 +305,11 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         let rises = step.to[tool] > step.from[tool] + crate::path::ONE_LEVEL / case.request.scale;
         let free = !rises && met < top - case.digit();
         match step.contact {
-            Ending::Exit { lifts, strays, writes, .. } => strays || writes || (lifts != free && !step.from[tool].is_nan()),
+            // As high as the path is within the last digit, a lift is neither needed nor harmful.
+            Ending::Exit { lifts, strays, writes, .. } => {
+                let known = !step.from[tool].is_nan() && (rises || (met - top).abs() > 2.0 * case.digit());
+                strays || writes || (lifts != free && known)
+            }
             Ending::ControlStops | Ending::GoesOn => true,
         }
     };

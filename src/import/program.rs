@@ -66,7 +66,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     }
     let plan = crate::job::plan(&job);
     match crate::job::examine(&job, text) {
-        Some(Err(_)) if written_for_another(&job, text) => {
+        Some(Err(faults)) if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) => {
             let message = "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
                            job's, and may have been changed";
             checker.warning("program-differs", "control.post", message);
@@ -195,14 +195,19 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
 
 /// A value of the header. A number is finite; whatever is none is text, and the check reports it.
 fn value(text: &str) -> Value {
+    nested(text, 2)
+}
+
+/// `depth` is how many lists may still begin in it.
+fn nested(text: &str, depth: usize) -> Value {
     match text {
         "true" => Value::Flag(true),
         "false" => Value::Flag(false),
         "null" => Value::Null,
         "{}" => Value::Map(Vec::new()),
         "[]" => Value::List(Vec::new()),
-        _ => match text.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')) {
-            Some(inner) => Value::List(inner.split(',').take(3).map(value).collect()),
+        _ => match text.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')).filter(|_| depth > 0) {
+            Some(inner) => Value::List(inner.split(',').take(3).map(|item| nested(item, depth - 1)).collect()),
             None => match text.parse::<f64>() {
                 Ok(x) if x.is_finite() => Value::Number(x),
                 _ => Value::Text(text.to_owned()),
@@ -231,7 +236,14 @@ fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
         None if given.len() < wanted.len() => {
             format!("The end of the program is missing.{by_hash} The job is the header's")
         }
-        None => return,
+        None => {
+            if said.unchanged == Some(false) {
+                let message =
+                    "The blocks are those that the job makes, and lines between them were changed: comments, or their order";
+                checker.info("lines-differ", "", message);
+            }
+            return;
+        }
     };
     checker.warning("program-differs", "", message);
 }
@@ -249,8 +261,13 @@ fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     text.lines()
         .enumerate()
         .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
-        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
+        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%') && !is_program_number(tokens))
         .collect()
+}
+
+/// `O1000`: a user gives a program a free number.
+fn is_program_number(tokens: &[Token]) -> bool {
+    matches!(tokens, [Token::Sign(b'O'), Token::Number(_)])
 }
 
 /// A line without its comment. Some comments do something.
@@ -332,7 +349,8 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
 
 /// A text followed as a program for a control, on a part that is not known.
 fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
-    let start = Run { start: [0.0; 3], deflected: false, until: None };
+    // Anywhere but at a place that a program may name first.
+    let start = Run { start: [417.3125, -233.6875, 301.0625], deflected: false, until: None, may_stop: false };
     let script = (post.read?)(text);
     Some(script.and_then(|script| machine::run(&script, start, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])))
 }

@@ -74,7 +74,8 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
                 let held = control.variables[&variable[1..].parse().unwrap()];
                 let row =
                     plan.results.iter().find(|r| r.code.eq_ignore_ascii_case(code)).unwrap_or_else(|| panic!("{name}: {code}"));
-                assert!((held - row.value.unwrap()).abs() < 2e-6, "{name}: {variable} = {held}, {code} is {:?}", row.value);
+                // Constants of eight digits.
+                assert!((held - row.value.unwrap()).abs() < 2e-5, "{name}: {variable} = {held}, {code} is {:?}", row.value);
                 compared += 1;
                 deviating += usize::from(row.deviation.is_some_and(|d| d.abs() > 0.01));
             }
@@ -99,7 +100,7 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
                 let place = origin(offset) + axis;
                 let moved = control.variables[&place] - before[&place];
                 let deviation = row.value.unwrap() - row.nominal.unwrap();
-                assert!((moved - deviation).abs() < 2e-6, "{name}: {code} {moved} {deviation}");
+                assert!((moved - deviation).abs() < 2e-5, "{name}: {code} {moved} {deviation}");
                 written += usize::from(moved != 0.0);
             }
         }
@@ -172,29 +173,37 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     }
 }
 
-/// From below the first place the stylus goes straight up to its height first; from above it keeps its height in the plane.
+/// A stylus below the first place does not move; from above it keeps its height in the plane, and then goes down.
 #[test]
-fn the_way_to_the_first_place_is_up_across_down() {
+fn the_way_to_the_first_place_is_across_and_down_or_none() {
     let mut seen = 0;
     for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty()) {
         if stated_start(&plan).is_some() {
             continue;
         }
         let first = plan.moves[0].to;
-        for above in [-40.0, 55.0] {
+        for (above, included, length) in [
+            (55.0, true, 121.5),
+            (55.0, true, -155.0),
+            (155.0, false, 121.5),
+            (-1.0, true, 121.5),
+            (-40.0, true, -155.0),
+            (40.0, false, 121.5),
+        ] {
             let mut control = control(&job, &plan);
+            (control.length_included, control.length) = (included, length);
             control.at[2] = first[2] + above;
             let start = control.at;
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
-            assert_eq!(control.alarm, None, "{name}");
+            // Where the control leaves the length out, it has to stand that much higher.
+            if above < if included { 0.0 } else { length } {
+                assert_eq!((control.alarm.as_deref(), control.path.len()), (Some("4 STYLUS TOO LOW TO START"), 0), "{name}");
+                continue;
+            }
+            assert_eq!(control.alarm, None, "{name} {above} {included} {length}");
             let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-3);
-            let wanted: Vec<[f64; 3]> = if above < 0.0 {
-                vec![[start[0], start[1], first[2]], first, first]
-            } else {
-                vec![[first[0], first[1], start[2]], first]
-            };
-            for (made, wanted) in control.path.iter().zip(&wanted) {
-                assert!(near(made.0, *wanted), "{name}: {:?} {wanted:?}", made.0);
+            for (made, wanted) in control.path.iter().zip([[first[0], first[1], start[2]], first]) {
+                assert!(near(made.0, wanted), "{name}: {:?} {wanted:?}", made.0);
             }
             seen += 1;
         }
@@ -235,6 +244,7 @@ fn what_these_controls_cannot_do_is_refused() {
     assert_eq!(found(&[]), [""; 0]);
     assert_eq!(found(&[("plane", Value::Text("G18".to_owned()))]), ["plane-unsupported"]);
     assert_eq!(found(&[("overtravel", number(0.1))]), ["search-too-short"]);
+    assert_eq!(found(&[("control.protection", Value::Text("none".to_owned()))]), ["protection-unsupported"]);
     assert_eq!(found(&[("control.form", Value::Text("cycle".to_owned()))]), ["form-unsupported"]);
     assert_eq!(found(&[("control.workOffset", number(7.0))]), ["work-offset-unsupported"]);
     assert_eq!(found(&[("control.workOffset", number(99.0)), ("control.post", Value::Text("haas".to_owned()))]), [""; 0]);

@@ -18,6 +18,7 @@ mod lentoax;
 mod linuxcnc;
 mod part;
 mod problems;
+mod reread;
 mod safety;
 mod sinumerik;
 mod table;

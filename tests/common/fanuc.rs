@@ -19,7 +19,7 @@ pub struct Control {
     /// The number of a move (as #149 has it) that is stopped half-way by something.
     pub blocked: Option<f64>,
     /// Modal codes: 4006 units, 4008 length, 4011 scale, 4016 rotation.
-    pub modal: [(i64, f64); 4],
+    pub modal: [(i64, f64); 5],
     /// Ends of all motions, and whether each was a G31.
     pub path: Vec<([f64; 3], bool)>,
     /// What stopped it: number and text, or the control's own alarm.
@@ -27,6 +27,8 @@ pub struct Control {
     /// Writes to origins of work offsets, in order.
     pub writes: Vec<i64>,
     pub offset: String,
+    /// Whether the block before moved: a control evaluates the next one while it still does.
+    moving: bool,
 }
 
 impl Control {
@@ -39,11 +41,12 @@ impl Control {
             at: [417.0, -233.0, 301.0],
             contacts: Vec::new(),
             blocked: None,
-            modal: [(4006, if inch { 20.0 } else { 21.0 }), (4008, 43.0), (4011, 50.0), (4016, 69.0)],
+            modal: [(4006, if inch { 20.0 } else { 21.0 }), (4008, 43.0), (4011, 50.0), (4016, 69.0), (4022, 50.1)],
             path: Vec::new(),
             alarm: None,
             writes: Vec::new(),
             offset: String::new(),
+            moving: false,
         }
     }
 
@@ -59,6 +62,15 @@ impl Control {
             }
             let code = full.split('(').next().unwrap().trim();
             next += 1;
+            // Labels and comments are no time.
+            let empty = code.is_empty() || code == "%" || code.starts_with('N');
+            if self.moving
+                && !empty
+                && (code.contains("#50") || code.starts_with("#3000") || code.starts_with("#52") || code.starts_with("#140"))
+            {
+                return Err(fail("this is evaluated while the motion before it still runs"));
+            }
+            self.moving &= empty;
             let label = |word: &str| {
                 let wanted = format!("N{}", word.trim());
                 let place = lines.iter().position(|l| *l == wanted).ok_or(format!("no label {wanted}"));
@@ -168,6 +180,7 @@ impl Control {
             }
         }
         self.at = met.unwrap_or(to);
+        self.moving = true;
         self.path.push((to, motion == "G31"));
         if (free && met.is_some()) || (must && met.is_none()) {
             self.alarm = Some(if must { "M79" } else { "M78" }.to_owned());
@@ -188,7 +201,7 @@ impl Control {
             // Wear and length of tool 7, of two kinds of memory.
             2007 if !self.haas => 0.25,
             2207 if !self.haas => self.length - 0.25,
-            4006..=4016 => self.modal.iter().find(|(code, _)| *code == number).map(|(_, value)| *value).ok_or("modal")?,
+            4006..=4022 => self.modal.iter().find(|(code, _)| *code == number).map(|(_, value)| *value).ok_or("modal")?,
             _ => *self.variables.get(&number).ok_or(format!("#{number} is empty"))?,
         })
     }

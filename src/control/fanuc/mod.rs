@@ -17,7 +17,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, safety, written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, feed_rate, safety, written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
@@ -67,7 +67,8 @@ const BASE: PostDef = PostDef {
     first_length: false,
     computes: true,
     watches: true,
-    shortest_probe: 0.0,
+    shortest_probe: SHORTEST_PROBE,
+    constant_error: 2e-8,
     dialect: Some(&DIALECT),
     cannot: &[],
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
@@ -101,18 +102,36 @@ struct Flavour {
     free: &'static str,
     /// Behind a touch, in its block.
     touch: &'static str,
-    /// A block that keeps the control from reading ahead of a comparison: behind every probing move.
-    halt: Option<&'static str>,
-    /// The same once, at the beginning and at the end.
-    halts: Option<(&'static str, &'static str)>,
+    /// A block that keeps the control from evaluating what stands behind it before the motion in front of it is done.
+    halt: &'static str,
+    /// The block that lets it read ahead again, at the end.
+    free_again: Option<&'static str>,
+    /// States in which nothing moves, beside other units.
+    states: &'static [&'static str],
 }
 
-static PLAIN: Flavour = Flavour { length: "#[2000+#4111]+#[2200+#4111]", free: "", touch: "", halt: Some("G53"), halts: None };
-static WITH_ALARMS: Flavour =
-    Flavour { length: "#5083", free: " M78", touch: " M79", halt: None, halts: Some(("G103 P1", "G103")) };
+static PLAIN: Flavour = Flavour {
+    length: "#[2000+#4111]+#[2200+#4111]",
+    free: "",
+    touch: "",
+    halt: "G53",
+    free_again: None,
+    states: &["#4008 EQ 49", "#4008 EQ 43.4", "#4016 EQ 68", "#4016 EQ 68.2", "#4011 EQ 51", "#4022 EQ 51.1"],
+};
+static WITH_ALARMS: Flavour = Flavour {
+    length: "#5083",
+    free: " M78",
+    touch: " M79",
+    halt: "G103 P1",
+    free_again: Some("G103"),
+    states: &["#4008 EQ 49", "#4016 EQ 68", "#4011 EQ 51"],
+};
 
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
 const IN_POSITION: f64 = 0.05;
+
+/// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
+const SHORTEST_PROBE: f64 = 0.2;
 
 /// The least that a touch searches, mm: in less its contact and its end cannot be distinguished.
 const SHORTEST_SEARCH: f64 = 0.2;
@@ -141,13 +160,17 @@ fn variable(n: usize) -> String {
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
-                      was run on a control: try it with a hand on the feed override";
+                      was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override";
     checker.info("not-verified", "control.post", unverified);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message = format!("G31 moves at a stated feed: rapids run as watched moves at {}/min", checker.length(RAPID_RATE));
         checker.info("rapid-at-feed", "feeds", message);
     }
-    check_watched(request, checker);
+    if !request.protected && !request.path.moves.is_empty() {
+        let message = "Without watched positioning a probe that is deflected from the start would be taken for a touch: this control takes watched \
+                       programs only";
+        checker.error("protection-unsupported", "control.protection", message);
+    }
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
     check_write(request, checker);
@@ -209,7 +232,20 @@ impl Notation for Variables<'_> {
     fn atan(&self, y: &str, x: &str) -> String {
         format!("ATAN[{y}]/[{x}]")
     }
+
+    fn decimals(&self, x: f64) -> usize {
+        decimals(x)
+    }
 }
+
+/// A constant has at most eight digits, the zero in front of the point too.
+fn decimals(x: f64) -> usize {
+    let whole = x.abs().max(1.0).log10().floor() as usize + 1;
+    DIGITS.saturating_sub(whole)
+}
+
+/// The digits of a constant: more is an alarm on some controls.
+const DIGITS: usize = 8;
 
 impl Skip<'_> {
     /// A number of the program, as a value: with its point, and in brackets where it is negative.
@@ -239,20 +275,13 @@ impl Skip<'_> {
     fn probe(&self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
         let block = format!("G31{words} F{}{alarm}", w.number(rate));
         w.line(&block);
-        if let Some(halt) = self.flavour.halt {
-            w.line(halt);
-        }
+        w.line(self.flavour.halt);
     }
 
-    /// A watched move, or a plain one, and its check on the axes whose places are known.
+    /// A watched move, and its check on the axes whose places are known.
     fn goes(&self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
-        let rate = feed_rate(self.request, None, step);
-        if !self.request.protected {
-            let feed = rate.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
-            w.line(&format!("{}{words}{feed}", if rate.is_some() { "G1" } else { "G0" }));
-            return;
-        }
-        self.probe(w, words, rate.unwrap_or(RAPID_RATE), self.flavour.free);
+        let rate = feed_rate(self.request, None, step).unwrap_or(RAPID_RATE);
+        self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
             let check = format!("IF [{} GT {}] GOTO {exit}", Self::off(w, to, axes), Self::in_position(w));
             w.line(&check);
@@ -270,11 +299,9 @@ impl Skip<'_> {
         let (near, good) = (Self::in_position(w), self.label());
         let set = format!("#148=#5043-{}", Self::number(w, height));
         w.line(&set);
-        if self.request.protected || self.request.path.start.is_some() {
-            w.line(&format!("IF [ABS[#148] LE {near}] GOTO {good}"));
-            w.line(&format!("IF [ABS[#148-{}] GT {near}] GOTO {exit}", variable(0)));
-            w.line(&format!("N{good}"));
-        }
+        w.line(&format!("IF [ABS[#148] LE {near}] GOTO {good}"));
+        w.line(&format!("IF [ABS[#148-{}] GT {near}] GOTO {exit}", variable(0)));
+        w.line(&format!("N{good}"));
         w.line(&format!("{}=#148", variable(0)));
     }
 
@@ -301,25 +328,25 @@ impl Moves for Skip<'_> {
         if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
             w.comment(&format!(
-                "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+                "The stylus must stand at {height} or higher, else nothing moves. It goes in the plane, then down to {place}: that way must be free"
             ));
         }
-        w.comment("Not verified on a control: run it with a hand on the feed override");
+        w.comment(
+            "Not verified on a control: run it without a part first, feed hold at hand. G31 may ignore the feed override",
+        );
         if self.moving() {
-            w.comment(if request.protected {
-                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move"
-            } else {
-                "Touches are G31 with a check. Positioning is NOT watched. #149 is the move"
-            });
+            w.comment(
+                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move",
+            );
         }
         for line in self.registers.lines(formula, 0, DIALECT.comment_width - 2, variable) {
             w.comment(&line);
         }
         w.says_job();
         if self.moving() {
-            w.comment("Nothing moves in other units, without a tool length, or under a rotation or a scale");
+            w.comment("Nothing moves in other units, without a tool length, or under a rotation, a scale or a mirror");
             let other_units = if request.scale == 1.0 { "#4006 EQ 20" } else { "#4006 EQ 21" };
-            for check in [other_units, "#4008 EQ 49", "#4016 EQ 68", "#4011 EQ 51"] {
+            for check in [other_units].iter().chain(self.flavour.states) {
                 w.line(&format!("IF [{check}] GOTO {STATE}"));
             }
         }
@@ -329,12 +356,10 @@ impl Moves for Skip<'_> {
         if !self.moving() {
             return;
         }
-        if let Some((begin, _)) = self.flavour.halts {
-            w.line(begin);
-        }
         if let Some(n) = request.work_offset {
             w.line(&(request.post.work_offset_word)(n));
         }
+        w.line(self.flavour.halt);
         w.line(&format!("{}={}", variable(0), self.flavour.length));
         if let Some(start) = request.path.start {
             self.settle(w, start.z, ELSEWHERE);
@@ -343,13 +368,9 @@ impl Moves for Skip<'_> {
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
         w.line("#149=1");
-        let above = self.label();
+        // By the length alone a low stylus cannot be told from a control that leaves the length out: nothing moves then.
         let height = Self::number(w, first.to.z);
-        w.line(&format!("IF [#5043-{} GE {height}] GOTO {above}", variable(0)));
-        let up = w.tool_word(first.to);
-        self.goes(w, &up, first.to, first, &[], BLOCKED);
-        self.settle(w, first.to.z, BLOCKED);
-        w.line(&format!("N{above}"));
+        w.line(&format!("IF [#5043-{} LT {height}] GOTO {ELSEWHERE}", variable(0)));
         let across = w.plane_words(first.to);
         self.goes(w, &across, first.to, first, &[0, 1], FREE);
         w.makes_move();
@@ -362,8 +383,13 @@ impl Moves for Skip<'_> {
         w.line(&format!("#149={}", step.index + 1));
         w.makes_move();
         each_piece(self.request, step, |from, to| {
+            if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
+                let rate = feed_rate(self.request, from, step.step).unwrap_or(RAPID_RATE);
+                w.straight("G1", to, true, Some(rate));
+                return;
+            }
             let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
-            let words = w.place(to, self.request.protected);
+            let words = w.place(to, true);
             self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
         });
     }
@@ -407,6 +433,7 @@ impl Moves for Skip<'_> {
 
     /// The origin moves by what was measured less what is nominal: a work offset has no rotation.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+        w.line(self.flavour.halt);
         w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
         let axes = self.request.plane.axes();
         for (i, place) in datum.place.iter().enumerate() {
@@ -415,7 +442,7 @@ impl Moves for Skip<'_> {
                 continue;
             }
             let value = print::print(&Variables(&self.registers), formula, measured, self.request.scale);
-            let nominal = match decimal(nominal / self.request.scale, 12).as_str() {
+            let nominal = match decimal(nominal / self.request.scale, decimals(nominal / self.request.scale)).as_str() {
                 "0" => String::new(),
                 text if text.starts_with('-') => format!("-[{text}]"),
                 text => format!("-{text}"),
@@ -427,7 +454,7 @@ impl Moves for Skip<'_> {
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
-        if let Some((_, end)) = self.flavour.halts.filter(|_| self.moving()) {
+        if let Some(end) = self.flavour.free_again.filter(|_| self.moving()) {
             w.line(end);
         }
         w.line("M30");
@@ -449,19 +476,18 @@ impl Skip<'_> {
             if let Some(stop) = lifts {
                 w.line(&format!("IF [#5043-{} GE {height}] GOTO {stop}", variable(0)));
                 w.line(&lift);
+                w.line(self.flavour.halt);
                 w.line(&format!("N{stop}"));
             }
             w.line(&format!("#3000={alarm}"));
         };
-        if self.request.protected {
-            exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
-            exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
-        }
+        exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
+        exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
         exit(MISSED, Some("9012"), "2(NO CONTACT IN TOUCH #149)");
         exit(STATE, None, "3(OTHER UNITS, G49, G68 OR G51)");
-        if self.request.path.start.is_some() {
-            exit(ELSEWHERE, None, "4(STYLUS NOT AT STATED START)");
-        }
+        let start =
+            if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };
+        exit(ELSEWHERE, None, start);
     }
 }
 

@@ -4,10 +4,12 @@ use crate::control::iso::codes;
 use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
 use crate::control::iso::script::{Expr, Modes, Motion, Part, Script, System, Trouble, What};
 
-static FANUC: Grammar = Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code };
+static FANUC: Grammar =
+    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
 
 static HAAS: Grammar = Grammar { code: haas_code, ..FANUC_LIKE };
-const FANUC_LIKE: Grammar = Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code };
+const FANUC_LIKE: Grammar =
+    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.
 fn system(name: &str) -> Option<System> {
@@ -30,6 +32,7 @@ fn system(name: &str) -> Option<System> {
         // Length compensation is active, nothing is turned or scaled.
         4006 => Some(System::UnitsCode),
         4008 => Some(System::Fixed(43.0)),
+        4022 => Some(System::Fixed(50.1)),
         4016 => Some(System::Fixed(69.0)),
         4011 => Some(System::Fixed(50.0)),
         5221..=5339 => origin(5221, 1),

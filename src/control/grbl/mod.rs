@@ -27,6 +27,7 @@ pub static DEF: PostDef = PostDef {
     computes: false,
     watches: false,
     shortest_probe: 0.0,
+    constant_error: 1e-12,
     dialect: Some(&DIALECT),
     cannot: &[
         (safety::WATCHED, "grbl has no conditions: a program cannot ask whether a positioning move met something"),

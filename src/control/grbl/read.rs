@@ -4,8 +4,14 @@ use crate::control::iso::codes;
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, WORD_OPERATORS};
 use crate::control::iso::script::{Script, Trouble};
 
-static GRAMMAR: Grammar =
-    Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system: |_| None, code: codes::rs274 };
+static GRAMMAR: Grammar = Grammar {
+    brackets: (b'[', b']'),
+    points: false,
+    names: Names::Hash,
+    operators: WORD_OPERATORS,
+    system: |_| None,
+    code: codes::rs274,
+};
 
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
@@ -17,7 +23,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let what = parse::words(&mut Cursor::new(code), &GRAMMAR, script)?;
+        let what = parse::words(&mut Cursor::new(parse::without_number(code)), &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
     })?;

@@ -7,6 +7,9 @@ use crate::geom::Plane;
 /// The most blocks that are followed after a probing move that went the other way: an exit is short.
 const LONGEST_EXIT: usize = 200;
 
+/// How much is done for one program: blocks, and copies of its variables at its motions. A second or so.
+const BUDGET: usize = 20_000_000;
+
 /// The most motions of an exit.
 const MOST_LIFTS: usize = 3;
 
@@ -40,6 +43,8 @@ pub struct Run {
     pub deflected: bool,
     /// The run ends when the ball has come as near as this to a place.
     pub until: Option<(Place, f64)>,
+    /// Whether the program may stop with an alarm before anything moves: that ends the run, too.
+    pub may_stop: bool,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -94,9 +99,10 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     let mut machine = Machine::new(script, run);
     let mut trace = Trace::default();
     let mut scratch = State::default();
-    let mut budget = 10_000 + 20 * script.blocks.len();
+    let mut budget = BUDGET;
     while let Some(block) = script.blocks.get(machine.state.pc) {
-        budget = budget.checked_sub(1).ok_or_else(|| trouble(block.line, "the program does not come to an end"))?;
+        let work = if matches!(block.what, What::Words(_)) { 1 + script.slots.len() / 8 } else { 1 };
+        budget = budget.checked_sub(work).ok_or_else(|| trouble(block.line, "the program does not come to an end"))?;
         let line = machine.line(block.line);
         match machine.step()? {
             Flow::Next => {}
@@ -107,6 +113,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
                 trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
             }
+            Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok(trace),
             Flow::Alarm => return Err(trouble(line, "the program stops here with an alarm though nothing is wrong")),
             Flow::End => {
                 trace.ends = true;

@@ -1,5 +1,7 @@
 //! The lexer and the parser that the readers share: words, expressions, comments.
 
+use std::collections::HashMap;
+
 use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Script, System, Trouble, Unary, What, Words};
 use crate::geom::AXIS_NAMES;
 
@@ -14,6 +16,8 @@ const LONGEST: usize = 400;
 pub struct Grammar {
     /// The brackets that group.
     pub brackets: (u8, u8),
+    /// Whether places and feeds must have a decimal point: without one they count in the smallest step of the control.
+    pub points: bool,
     /// How variables are named.
     pub names: Names,
     /// What stands between two values: the word, how tightly it binds (0 least), and what it does.
@@ -336,6 +340,11 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         let word = cursor.rest;
         cursor.take(1);
         let value = cursor.operand(grammar, script)?;
+        let written = &word[1..word.len() - cursor.rest.len()];
+        let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
+        if counted && !written.contains('.') {
+            return Err(format!("a number has no point: \"{}\"", Cursor::new(word).left()));
+        }
         block.add(letter, value, grammar, script).map_err(|reason| format!("{reason}: \"{}\"", Cursor::new(word).left()))?;
     }
     block.finish(script)
@@ -427,6 +436,7 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
     for (at, b) in line.bytes().enumerate() {
         match b {
             b'"' => quoted = !quoted,
+            b';' if sign == b'(' && !quoted => return Ok((&line[..at], Some(line[at + 1..].trim()))),
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = line[at + 1..].trim_end();
@@ -462,7 +472,17 @@ pub fn lines<'t>(
     mut block: impl FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()>,
 ) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
+    let last = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()).last().map_or(0, |(line, _)| line);
+    let mut begun = false;
     for (line, full) in text.lines().enumerate() {
+        // A tape sign stands before a program and behind it: what stands behind another is not loaded.
+        if full.trim_start().starts_with('%') {
+            if begun && line < last {
+                troubles.push(Trouble { line, message: "% ends the program here".to_owned(), understood: false });
+            }
+            continue;
+        }
+        begun |= !full.trim().is_empty() && !full.trim_start().starts_with(';');
         let read = split_comment(full, sign).and_then(|(code, comment)| {
             if let Some(comment) = comment {
                 script.start = script.start.or_else(|| stated_start(comment));
@@ -489,10 +509,13 @@ impl Targets<'_> {
     /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
+        let mut places: HashMap<String, (usize, bool)> = HashMap::new();
+        for (name, place) in &self.known {
+            places.entry(name.to_ascii_lowercase()).and_modify(|known| known.1 = true).or_insert((*place, false));
+        }
         for (from, name) in &self.wanted {
-            let mut places = self.known.iter().filter(|(known, _)| known.eq_ignore_ascii_case(name));
-            let message = match (places.next(), places.next()) {
-                (Some((_, to)), None) if !below || to > from => {
+            let message = match places.get(&name.to_ascii_lowercase()) {
+                Some((to, false)) if !below || to > from => {
                     match &mut script.blocks[*from].what {
                         What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _) => {
                             *target = *to
@@ -501,12 +524,21 @@ impl Targets<'_> {
                     }
                     continue;
                 }
-                (Some(_), None) => "a jump down finds its label above only",
-                (None, _) => "the target of this jump is nowhere",
-                (Some(_), Some(_)) => "the target of this jump is there more than once",
+                Some((_, false)) => "a jump down finds its label above only",
+                None => "the target of this jump is nowhere",
+                Some((_, true)) => "the target of this jump is there more than once",
             };
             troubles.push(Trouble { line: script.blocks[*from].line, message: message.to_owned(), understood: true });
         }
         if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+    }
+}
+
+/// A block without its number, `N10`.
+pub fn without_number(code: &str) -> &str {
+    let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    match rest {
+        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start(),
+        _ => code,
     }
 }

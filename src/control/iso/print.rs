@@ -13,6 +13,10 @@ pub trait Notation {
     fn trigger(&self, sample: usize, axis: usize, out: &mut String);
     /// The angle of the vector (x, y).
     fn atan(&self, y: &str, x: &str) -> String;
+    /// How many decimals a constant has at most: with 12, half a turn of a 10 m part moves by less than 1e-8 mm.
+    fn decimals(&self, _x: f64) -> usize {
+        12
+    }
 }
 
 /// Prints `expr` of `formula`. `scale` is the millimetres in a unit of the program.
@@ -106,10 +110,10 @@ impl<N: Notation> Printer<'_, N> {
         }
     }
 
-    /// A constant with 12 decimals at most: half a turn of a 10 m part moves by less than 1e-8 mm.
+    /// A constant, in brackets where a sign in front of it would be two.
     fn constant(&self, x: f64, binding: u8, out: &mut String) {
         let begin = out.len();
-        push_decimal(out, x, 12);
+        push_decimal(out, x, self.notation.decimals(x));
         if binding > 0 && out[begin..].starts_with('-') {
             out.insert(begin, N::BRACKETS.0);
             out.push(N::BRACKETS.1);

@@ -36,6 +36,7 @@ pub static DEF: PostDef = PostDef {
     computes: true,
     watches: true,
     shortest_probe: SHORTEST_PROBE,
+    constant_error: 1e-12,
     dialect: Some(&DIALECT),
     cannot: &[(
         safety::MISS_LIFTS,

@@ -4,8 +4,14 @@ use crate::control::iso::codes;
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
 use crate::control::iso::script::{Part, Script, System, Trouble, What};
 
-static GRAMMAR: Grammar =
-    Grammar { brackets: (b'[', b']'), names: Names::Hash, operators: WORD_OPERATORS, system, code: codes::rs274 };
+static GRAMMAR: Grammar = Grammar {
+    brackets: (b'[', b']'),
+    points: false,
+    names: Names::Hash,
+    operators: WORD_OPERATORS,
+    system,
+    code: codes::rs274,
+};
 
 /// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
 fn system(name: &str) -> Option<System> {
@@ -50,6 +56,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code == "%" {
             return Ok(());
         }
+        let code = parse::without_number(code);
         let mut cursor = Cursor::new(code);
         if code.starts_with(['o', 'O']) {
             return o_word(script, line, &mut cursor, &mut open, &mut targets);

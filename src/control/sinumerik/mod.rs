@@ -38,6 +38,7 @@ pub static DEF: PostDef = PostDef {
     computes: true,
     watches: true,
     shortest_probe: 0.0,
+    constant_error: 1e-12,
     dialect: Some(&DIALECT),
     cannot: &[],
     name: crate::control::comment_text,

@@ -5,7 +5,8 @@ use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, SIG
 use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
 use crate::geom::AXIS_NAMES;
 
-static GRAMMAR: Grammar = Grammar { brackets: (b'(', b')'), names: Names::Words, operators: SIGN_OPERATORS, system, code };
+static GRAMMAR: Grammar =
+    Grammar { brackets: (b'(', b')'), points: false, names: Names::Words, operators: SIGN_OPERATORS, system, code };
 
 fn axis_of(name: &str) -> Option<usize> {
     AXIS_NAMES.iter().position(|axis| *axis == name.trim())
@@ -66,7 +67,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
             results(script, list);
         }
-        let code = without_number(code);
+        let code = parse::without_number(code);
         // What stands before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
@@ -83,15 +84,6 @@ fn results<'t>(script: &mut Script<'t>, list: &'t str) {
     for (register, code) in list.split(", ").filter_map(|entry| entry.split_once(" = ")) {
         let slot = script.slot(register);
         script.results.push((code, slot));
-    }
-}
-
-/// A block without its number, `N10`.
-fn without_number(code: &str) -> &str {
-    let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
-    match rest {
-        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start(),
-        _ => code,
     }
 }
 

@@ -1,0 +1,133 @@
+//! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
+
+use std::time::Instant;
+
+use crate::common::{job, number, planned, with};
+use touchpath::control::trace::Kind;
+use touchpath::form::{Level, Value};
+use touchpath::import::import;
+use touchpath::job::{default_job, plan};
+
+fn program(post: &str) -> String {
+    let job = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text(post.to_owned()));
+    planned(&job).program.text
+}
+
+/// The codes of warnings and errors.
+fn said(text: &str) -> Vec<String> {
+    let findings = match import(text) {
+        Ok(imported) => imported.findings,
+        Err(error) => error.findings,
+    };
+    findings.into_iter().filter(|f| f.level != Level::Info).map(|f| f.code).collect()
+}
+
+const MOVES: [&str; 5] = ["linuxcnc", "grbl", "sinumerik", "fanuc", "haas"];
+
+#[test]
+fn numbers_without_their_point_were_read_as_the_same_number() {
+    for post in ["fanuc", "haas"] {
+        let text = program(post);
+        assert_eq!(said(&text), [""; 0], "{post}");
+        for (old, new) in [("X42.", "X42"), ("F150.", "F150"), ("Z-10.", "Z-10")] {
+            assert!(text.contains(old), "{old}");
+            assert_eq!(said(&text.replacen(old, new, 1)), ["not-understood"], "{post} {old}");
+        }
+    }
+}
+
+#[test]
+fn a_tape_sign_in_the_middle_ended_the_program_unseen() {
+    for post in ["fanuc", "haas"] {
+        let text = program(post);
+        for place in ["M30\n", "#149=11\n"] {
+            assert_eq!(said(&text.replacen(place, &format!("{place}%\n"), 1)), ["not-understood"], "{post} {place}");
+        }
+    }
+}
+
+#[test]
+fn words_of_a_job_below_the_header_overrode_it() {
+    for post in MOVES {
+        let text = program(post);
+        let (open, close) = if post == "sinumerik" { ("; ", "") } else { ("(", ")") };
+        let more = format!("{text}{open}job stylus.repeatability=0.9 cycle.width1=99{close}\n");
+        let read = import(&more).unwrap();
+        assert_eq!(crate::common::number_at(&read.job, "cycle.width1", 0.0), 80.0, "{post}");
+        assert!(read.findings.iter().any(|f| f.code == "lines-differ"), "{post}: {:?}", read.findings);
+    }
+}
+
+#[test]
+fn another_program_number_and_comments_are_no_change() {
+    let text = program("fanuc");
+    assert_eq!(said(&text.replacen("O1000", "O0042", 1)), [""; 0]);
+    for post in ["linuxcnc", "grbl"] {
+        assert_eq!(said(&format!("{}; a note\n", program(post))), [""; 0], "{post}");
+    }
+}
+
+#[test]
+fn a_fault_in_a_fanuc_program_was_said_to_be_another_control() {
+    let text = program("fanuc").replacen("#100=#[2000+#4111]", "#100=#[2200+#4111]", 1);
+    let found = said(&text);
+    assert!(found.contains(&"unsafe-program".to_owned()) || found.contains(&"program-differs".to_owned()), "{found:?}");
+    let findings = import(&text).unwrap().findings;
+    assert!(findings.iter().all(|f| f.path != "control.post"), "{findings:?}");
+}
+
+#[test]
+fn deep_lists_and_endless_programs_are_refused_in_a_moment() {
+    let start = Instant::now();
+    let deep = format!("(job cycle.type=hole cycle.origin={}{})\nG1 X1 F1\n", "[".repeat(50_000), "]".repeat(50_000));
+    let _ = said(&deep);
+    let jumps: String = (1..60_000).map(|i| format!("N{i}\nGOTO {}\n", i + 1)).collect();
+    let _ = said(&format!("{jumps}N60000\nG31 X1. F1.\nM30\n"));
+    let slots: String = (0..60_000).map(|i| format!("#{}=1\n", 1_000_000 + i)).collect();
+    let _ = said(&format!("{slots}N1\nG31 X1. F100.\n#1=#1+1\nIF [#1 LT 900000] GOTO 1\nM30\n"));
+    // Quadratic in the text it took a minute and a half in a debug build.
+    assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
+}
+
+/// The approach of a program whose first place is the origin was `unchecked`.
+#[test]
+fn a_program_without_a_job_has_no_unchecked_move() {
+    for def in touchpath::cycle::CYCLES.iter().filter(|def| def.number.is_some_and(|n| n > 1)) {
+        for post in MOVES {
+            let job = with(&default_job(def.key).unwrap(), "control.post", Value::Text(post.to_owned()));
+            let job = with(&job, "control.form", Value::Text("moves".to_owned()));
+            let plan = planned(&with(&job, "control.header", Value::Text("short".to_owned())));
+            let trace = import(&plan.program.text).unwrap().trace.unwrap();
+            assert_eq!(trace.moves.iter().filter(|m| m.kind == Kind::Unchecked).count(), 0, "{} {post}", def.key);
+            assert_eq!(trace.moves.iter().filter(|m| m.kind == Kind::Touch).count(), plan.touches.len(), "{} {post}", def.key);
+        }
+    }
+}
+
+#[test]
+fn a_name_of_nothing_stays_nothing() {
+    for post in MOVES {
+        let job = with(&default_job("hole").unwrap(), "control.post", Value::Text(post.to_owned()));
+        let text = planned(&with(&job, "name", Value::Text(String::new()))).program.text;
+        assert_eq!(import(&text).unwrap().job.get("name"), Some(&Value::Text(String::new())), "{post}");
+    }
+}
+
+/// Good jobs that were refused as not proven, or for a rule.
+#[test]
+fn good_jobs_are_proven() {
+    let corner = with(&default_job("double-wall-internal-corner").unwrap(), "control.post", Value::Text("fanuc".to_owned()));
+    for step in [0.001, 0.05, 0.19, 0.21] {
+        let job = with(&corner, "cycle.step2", number(step));
+        plan(&job).unwrap_or_else(|e| panic!("{step}: {e}"));
+    }
+    let noisy = r#"{ "format": 1, "cycle": { "type": "web", "touches": [
+        { "point": [15, 0.00004, -10], "vector": [1, 0, 0] }, { "point": [-15, -0.00004, -9.99996], "vector": [-1, 0, 0] }] } }"#;
+    for (post, protection) in [("grbl", "checked"), ("linuxcnc", "none"), ("linuxcnc", "checked"), ("sinumerik", "checked"), ("haas", "checked")] {
+        let job = with(&job(noisy), "control.post", Value::Text(post.to_owned()));
+        plan(&with(&job, "control.protection", Value::Text(protection.to_owned()))).unwrap_or_else(|e| panic!("{post}: {e}"));
+    }
+    let near = r#"{ "format": 1, "units": "inch", "stylus": { "diameter": 0.5 }, "control": { "post": "sinumerik" },
+        "cycle": { "type": "probing-two-circles", "clearanceHeight": 3.937, "start": [-26.5504, 0, 3.937007874015748] } }"#;
+    plan(&job(near)).unwrap_or_else(|e| panic!("{e}"));
+}
