@@ -272,11 +272,10 @@ fn is_program_number(tokens: &[Token]) -> bool {
 
 /// A line without its comment. Some comments do something.
 fn code(line: &str, round: bool) -> &str {
-    let sign = if round { '(' } else { ';' };
     let mut quoted = false;
     let at = line.find(|c| {
         quoted ^= c == '"';
-        c == sign && !quoted
+        (c == ';' || (round && c == '(')) && !quoted
     });
     let Some(at) = at else { return line };
     let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| line[at + 1..].starts_with(word));

@@ -123,7 +123,9 @@ fn good_jobs_are_proven() {
     }
     let noisy = r#"{ "format": 1, "cycle": { "type": "web", "touches": [
         { "point": [15, 0.00004, -10], "vector": [1, 0, 0] }, { "point": [-15, -0.00004, -9.99996], "vector": [-1, 0, 0] }] } }"#;
-    for (post, protection) in [("grbl", "checked"), ("linuxcnc", "none"), ("linuxcnc", "checked"), ("sinumerik", "checked"), ("haas", "checked")] {
+    for (post, protection) in
+        [("grbl", "checked"), ("linuxcnc", "none"), ("linuxcnc", "checked"), ("sinumerik", "checked"), ("haas", "checked")]
+    {
         let job = with(&job(noisy), "control.post", Value::Text(post.to_owned()));
         plan(&with(&job, "control.protection", Value::Text(protection.to_owned()))).unwrap_or_else(|e| panic!("{post}: {e}"));
     }

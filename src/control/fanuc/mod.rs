@@ -5,7 +5,8 @@
 //! followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a Haas M78 and M79 in the
 //! block of G31 raise the alarm in the control itself; the comparison stands behind them, too.
 //! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
-//! tool table, and the first move whose end it knows in Z shows which of the two it is.
+//! tool table, and the first move whose end it knows in Z shows which of the two it is. A macro statement is evaluated while the motion
+//! before it still runs: a block stands between the two.
 //!
 //! Ours, and marked [I] in the docs: that comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not
 //! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, #5221… as the origin that a program may write.

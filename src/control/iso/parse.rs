@@ -472,7 +472,8 @@ pub fn lines<'t>(
     mut block: impl FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()>,
 ) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
-    let last = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()).last().map_or(0, |(line, _)| line);
+    let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
+    let last = text.lines().enumerate().filter(|(_, line)| code(line.trim())).last().map_or(0, |(line, _)| line);
     let mut begun = false;
     for (line, full) in text.lines().enumerate() {
         // A tape sign stands before a program and behind it: what stands behind another is not loaded.
