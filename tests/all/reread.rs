@@ -133,3 +133,32 @@ fn good_jobs_are_proven() {
         "cycle": { "type": "probing-two-circles", "clearanceHeight": 3.937, "start": [-26.5504, 0, 3.937007874015748] } }"#;
     plan(&job(near)).unwrap_or_else(|e| panic!("{e}"));
 }
+
+/// Klartext: unchanged, the header's job comes back with what no block says; changed, what the blocks say counts.
+#[test]
+fn a_klartext_program_keeps_what_only_its_header_says() {
+    let circles = r#"{ "format": 1, "units": "inch", "stylus": { "diameter": 0.11 }, "control": { "post": "heidenhain", "form": "cycle", "tool": 7 },
+        "cycle": { "type": "probing-two-circles", "point1": [-1, 0, -0.3], "point2": [1.5, 0, -0.3], "diameter1": 0.8, "diameter2": "0.75+0.001",
+        "clearanceHeight": 3, "start": [0, 0, 3], "probe": { "dist": 0.4, "setUp": 0.05 } } }"#;
+    let plan = planned(&job(circles));
+    let text = &plan.program.text;
+    let read = import(text).unwrap();
+    assert_eq!(read.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), ["part-not-in-program"]);
+    assert_eq!(planned(&read.job).program.text, *text);
+    let at = |job: &Value, path: &str| crate::common::number_at(job, path, f64::NAN);
+    assert_eq!((at(&read.job, "stylus.diameter"), at(&read.job, "cycle.probe.dist")), (0.11, 0.4));
+    // A diameter changed on the control, with its sign as Klartext has it.
+    let changed = text.replacen("Q1116=+0.8 ", "Q1116=+0.85 ", 1);
+    assert_ne!(changed, *text);
+    let read = import(&changed).unwrap();
+    assert!(read.findings.iter().any(|f| f.code == "program-differs"), "{:?}", read.findings);
+    assert!(!read.findings.iter().any(|f| f.code == "not-in-program"), "{:?}", read.findings);
+    assert_eq!((at(&read.job, "cycle.diameter1"), at(&read.job, "stylus.diameter")), (0.85, 0.11));
+    assert_eq!(read.job.get("cycle").unwrap().get("diameter2"), Some(&Value::Text("0.75+0.001".to_owned())));
+    assert_eq!((at(&read.job, "cycle.probe.dist"), at(&read.job, "control.tool")), (0.4, 7.0));
+    // Cut in its header, or without one, it is read as any other.
+    let bare: String = text.lines().filter(|line| !line.contains("; job ")).map(|line| format!("{line}\n")).collect();
+    let read = import(&bare).unwrap();
+    assert_eq!(at(&read.job, "cycle.diameter1"), 0.8);
+    assert!(read.findings.iter().any(|f| f.code == "not-in-program"));
+}

@@ -1,8 +1,10 @@
 //! Reads Fanuc and Haas programs with G31: the blocks that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
+use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
 use crate::control::iso::script::{Expr, Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::words;
 
 static FANUC: Grammar =
     Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
@@ -78,7 +80,7 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     let mut script = Script::default();
     script.straight = true;
     let mut targets = Targets::default();
-    parse::lines(text, b'(', &mut script, |script, line, code, comment| {
+    lines::lines(text, b'(', &mut script, |script, line, code, comment| {
         let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
             let slot = script.slot(name);
@@ -123,7 +125,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
             Some(_) => return Err("the control's own values are not written".to_owned()),
         }
     } else {
-        let what = parse::words(&mut cursor, grammar, script)?;
+        let what = words::words(&mut cursor, grammar, script)?;
         script.push(line, what);
         return Ok(());
     };

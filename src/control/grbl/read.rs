@@ -1,8 +1,10 @@
 //! Reads grbl programs: words alone. grbl has no variables and no conditions.
 
 use crate::control::iso::codes;
-use crate::control::iso::parse::{self, Cursor, Grammar, Names, WORD_OPERATORS};
+use crate::control::iso::lines;
+use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS};
 use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::words;
 
 static GRAMMAR: Grammar = Grammar {
     brackets: (b'[', b']'),
@@ -16,14 +18,14 @@ static GRAMMAR: Grammar = Grammar {
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::default();
-    parse::lines(text, b'(', &mut script, |script, line, code, _| {
+    lines::lines(text, b'(', &mut script, |script, line, code, _| {
         if code.contains(['#', '[', '=']) {
             return Err("grbl has no variables".to_owned());
         }
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let what = parse::words(&mut Cursor::new(parse::without_number(code)), &GRAMMAR, script)?;
+        let what = words::words(&mut Cursor::new(lines::without_number(code)), &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
     })?;

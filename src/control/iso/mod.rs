@@ -4,9 +4,11 @@
 //! Writing and reading share no code, only the dialect's data: what both would get wrong together, the proof would not see.
 
 pub mod codes;
+pub mod lines;
 pub mod machine;
 pub mod parse;
 pub mod print;
 pub mod registers;
 pub mod script;
+pub mod words;
 pub mod writer;

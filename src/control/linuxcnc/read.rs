@@ -1,8 +1,10 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, Targets, WORD_OPERATORS};
+use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
 use crate::control::iso::script::{Part, Script, System, Trouble, What};
+use crate::control::iso::words;
 
 static GRAMMAR: Grammar = Grammar {
     brackets: (b'[', b']'),
@@ -49,14 +51,14 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::default();
     let mut targets = Targets::default();
     let mut open: Vec<Open<'_>> = Vec::new();
-    parse::lines(text, b'(', &mut script, |script, line, code, comment| {
+    lines::lines(text, b'(', &mut script, |script, line, code, comment| {
         if let Some(comment) = comment {
             active(script, line, comment)?;
         }
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let code = parse::without_number(code);
+        let code = lines::without_number(code);
         let mut cursor = Cursor::new(code);
         if code.starts_with(['o', 'O']) {
             return o_word(script, line, &mut cursor, &mut open, &mut targets);
@@ -72,7 +74,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
             script.push(line, What::Set(slot, value));
             return Ok(());
         }
-        let what = parse::words(&mut cursor, &GRAMMAR, script)?;
+        let what = words::words(&mut cursor, &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
     })?;

@@ -1,8 +1,10 @@
 //! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, Targets};
+use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS};
 use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 
 static GRAMMAR: Grammar =
@@ -63,11 +65,11 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::default();
     let mut targets = Targets::default();
-    parse::lines(text, b';', &mut script, |script, line, code, comment| {
+    lines::lines(text, b';', &mut script, |script, line, code, comment| {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
             results(script, list);
         }
-        let code = parse::without_number(code);
+        let code = lines::without_number(code);
         // What stands before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
@@ -112,7 +114,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
         targets.wanted.push((here, cursor.name().ok_or("a jump without a label")?));
         What::JumpIf(condition, 0)
     } else if cursor.eat("MEAS=1 ") {
-        match parse::words(&mut cursor, &GRAMMAR, script)? {
+        match words::words(&mut cursor, &GRAMMAR, script)? {
             What::Words(mut words) if words.motion == Some(Motion::Straight) => {
                 words.motion = Some(Motion::MayTouch);
                 What::Words(words)
@@ -132,7 +134,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
             Some(_) => return Err("the control's own values are not written".to_owned()),
         }
     } else {
-        match parse::words(&mut cursor, &GRAMMAR, script)? {
+        match words::words(&mut cursor, &GRAMMAR, script)? {
             What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
                 return Err("arcs are not understood".to_owned());
             }

@@ -1,0 +1,121 @@
+//! A program line by line: comments, numbers of blocks, jumps by name.
+
+use std::collections::HashMap;
+
+use crate::control::iso::parse::Parsed;
+use crate::control::iso::script::{Script, Trouble, What};
+use crate::geom::AXIS_NAMES;
+
+/// The code of a line and its comment, without its brackets or sign. A sign inside a text begins none.
+pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
+    let mut quoted = false;
+    for (at, b) in line.bytes().enumerate() {
+        match b {
+            b'"' => quoted = !quoted,
+            b';' if sign == b'(' && !quoted => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+            _ if b != sign || quoted => {}
+            b'(' => {
+                let inner = line[at + 1..].trim_end();
+                let inner = inner.strip_suffix(')').ok_or("a comment is not closed, or code stands behind it")?;
+                if inner.contains([')', '(']) {
+                    return Err("two comments are in one line, or one in another".to_owned());
+                }
+                return Ok((&line[..at], Some(inner)));
+            }
+            _ => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+        }
+    }
+    Ok((line, None))
+}
+
+/// Where the header says that the ball is before the start: `The stylus is taken to be at X0 Y0 Z100 before the start`.
+pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
+    const HEAD: &str = "The stylus is taken to be at ";
+    let words = comment.get(HEAD.len()..).filter(|_| comment[..HEAD.len()].eq_ignore_ascii_case(HEAD))?;
+    let mut place = [None; 3];
+    for word in words.split(' ').take(3) {
+        let axis = AXIS_NAMES.iter().position(|name| word.starts_with(name))?;
+        place[axis] = word[1..].parse::<f64>().ok().filter(|x| x.is_finite());
+    }
+    Some([place[0]?, place[1]?, place[2]?])
+}
+
+/// Reads line by line: `block` gets the code and the comment of each line. Every line that is not understood is listed.
+pub fn lines<'t>(
+    text: &'t str,
+    sign: u8,
+    script: &mut Script<'t>,
+    mut block: impl FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()>,
+) -> Result<(), Vec<Trouble>> {
+    let mut troubles = Vec::new();
+    let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
+    let last = text.lines().enumerate().filter(|(_, line)| code(line.trim())).last().map_or(0, |(line, _)| line);
+    let mut begun = false;
+    for (line, full) in text.lines().enumerate() {
+        // A tape sign stands before a program and behind it: what stands behind another is not loaded.
+        if full.trim_start().starts_with('%') {
+            if begun && line < last {
+                troubles.push(Trouble { line, message: "% ends the program here".to_owned(), understood: false });
+            }
+            continue;
+        }
+        begun |= !full.trim().is_empty() && !full.trim_start().starts_with(';');
+        let read = split_comment(full, sign).and_then(|(code, comment)| {
+            if let Some(comment) = comment {
+                script.start = script.start.or_else(|| stated_start(comment));
+            }
+            block(script, line, code.trim(), comment)
+        });
+        if let Err(message) = read {
+            troubles.push(Trouble { line, message, understood: false });
+        }
+    }
+    if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+}
+
+/// Jumps and calls by name, resolved when everything is read.
+#[derive(Debug, Default)]
+pub struct Targets<'t> {
+    /// Labels and subroutines, and where they stand.
+    pub known: Vec<(&'t str, usize)>,
+    /// Blocks that go somewhere, and where to.
+    pub wanted: Vec<(usize, &'t str)>,
+}
+
+impl Targets<'_> {
+    /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
+    pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
+        let mut troubles = Vec::new();
+        let mut places: HashMap<String, (usize, bool)> = HashMap::new();
+        for (name, place) in &self.known {
+            places.entry(name.to_ascii_lowercase()).and_modify(|known| known.1 = true).or_insert((*place, false));
+        }
+        for (from, name) in &self.wanted {
+            let message = match places.get(&name.to_ascii_lowercase()) {
+                Some((to, false)) if !below || to > from => {
+                    match &mut script.blocks[*from].what {
+                        What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _) => {
+                            *target = *to
+                        }
+                        _ => {}
+                    }
+                    continue;
+                }
+                Some((_, false)) => "a jump down finds its label above only",
+                None => "the target of this jump is nowhere",
+                Some((_, true)) => "the target of this jump is there more than once",
+            };
+            troubles.push(Trouble { line: script.blocks[*from].line, message: message.to_owned(), understood: true });
+        }
+        if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+    }
+}
+
+/// A block without its number, `N10`.
+pub fn without_number(code: &str) -> &str {
+    let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    match rest {
+        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start(),
+        _ => code,
+    }
+}

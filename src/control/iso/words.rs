@@ -1,0 +1,121 @@
+//! Blocks of words: `G1 X10 F100`.
+
+use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed};
+use crate::control::iso::script::{Motion, Node, Script, What, Words};
+
+/// The words of a block, put together.
+#[derive(Debug, Default)]
+struct Block {
+    words: Words,
+    moves: bool,
+    setting: bool,
+    ends: bool,
+    allowed: &'static str,
+    extended: Option<i32>,
+    /// L, P, R and whatever else stands there.
+    others: [Option<Node>; 26],
+}
+
+/// A block of words.
+pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
+    let mut block = Block::default();
+    if cursor.is_done() {
+        return Ok(What::Nothing);
+    }
+    while !cursor.is_done() {
+        let letter = cursor.rest.as_bytes()[0].to_ascii_uppercase();
+        if !letter.is_ascii_uppercase() {
+            return Err(format!("\"{}\" is not understood", cursor.left()));
+        }
+        let word = cursor.rest;
+        cursor.take(1);
+        let value = cursor.operand(grammar, script)?;
+        let written = &word[1..word.len() - cursor.rest.len()];
+        let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
+        if counted && !written.contains('.') {
+            return Err(format!("a number has no point: \"{}\"", Cursor::new(word).left()));
+        }
+        block.add(letter, value, grammar, script).map_err(|reason| format!("{reason}: \"{}\"", Cursor::new(word).left()))?;
+    }
+    block.finish(script)
+}
+
+impl Block {
+    fn add(&mut self, letter: u8, value: Node, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
+        let twice = |place: &mut Option<Node>| {
+            if place.replace(value).is_some() { Err("a word stands twice".to_owned()) } else { Ok(()) }
+        };
+        match letter {
+            b'X' | b'Y' | b'Z' => {
+                self.moves = true;
+                twice(&mut self.words.to[usize::from(letter - b'X')])
+            }
+            b'I' | b'J' | b'K' => twice(&mut self.words.center[usize::from(letter - b'I')]),
+            b'F' => twice(&mut self.words.feed),
+            b'G' | b'M' => {
+                let tenths = script.number(value).map(|x| (x * 10.0).round()).filter(|x| (0.0..100_000.0).contains(x));
+                match tenths.and_then(|tenths| (grammar.code)(letter, tenths as i32)) {
+                    Some(code) => self.code(code),
+                    None => Err("this code is not understood".to_owned()),
+                }
+            }
+            _ => twice(&mut self.others[usize::from(letter - b'A')]),
+        }
+    }
+
+    fn code(&mut self, code: Code) -> Parsed<()> {
+        match code {
+            Code::Motion(motion) => {
+                // A code that only says what a contact in the motion beside it means goes first or last.
+                self.words.motion = Some(match (self.words.motion, motion) {
+                    (None, motion) => motion,
+                    (Some(Motion::MayTouch), Motion::MustTouch | Motion::MustBeFree) => motion,
+                    (Some(Motion::MustTouch | Motion::MustBeFree), Motion::MayTouch) => self.words.motion.unwrap_or(motion),
+                    _ => return Err("two motions are in one block".to_owned()),
+                });
+            }
+            Code::Mode(modes) => self.words.modes = self.words.modes.then(modes),
+            Code::Setting => self.setting = true,
+            Code::End => self.ends = true,
+            Code::Extended(from) => {
+                self.extended = Some(from);
+                self.allowed = "P";
+            }
+            Code::Nothing(letters) => self.allowed = letters,
+        }
+        Ok(())
+    }
+
+    fn finish(mut self, script: &mut Script<'_>) -> Parsed<What> {
+        if let Some(from) = self.extended {
+            let number = self.others[usize::from(b'P' - b'A')].and_then(|node| script.number(node));
+            let number = number.filter(|n| (1.0..=99.0).contains(n)).ok_or("a work offset without its number")?;
+            self.words.modes.offset = Some(from + number as i32);
+        }
+        let other = |letter: u8| self.others[usize::from(letter - b'A')];
+        let allowed = if self.setting { "LPR" } else { self.allowed };
+        for (i, _) in self.others.iter().enumerate().filter(|(_, value)| value.is_some()) {
+            let letter = (b'A' + i as u8) as char;
+            if !allowed.contains(letter) {
+                return Err(format!("the word {letter} is not understood here"));
+            }
+        }
+        if self.setting {
+            let whole = |letter: u8| other(letter).and_then(|node| script.number(node)).map(|x| x as i32);
+            let number = whole(b'P').filter(|n| (1..=999).contains(n)).ok_or("G10 without the number of a work offset")?;
+            return match whole(b'L') {
+                Some(20) if other(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
+                Some(2) => Ok(What::Origin(number, self.words.to, other(b'R'))),
+                _ => Err("G10 is understood with L2 and L20".to_owned()),
+            };
+        }
+        match (self.moves, self.words.motion) {
+            (true, None) => Err("a block with axis words must name its motion".to_owned()),
+            (false, Some(_)) => Err("a motion without axis words".to_owned()),
+            (false, None) if self.words.feed.is_some() => Err("a feed without a motion".to_owned()),
+            (false, None) if self.ends => Ok(What::End),
+            (true, _) if self.ends => Err("a motion in the last block".to_owned()),
+            _ => Ok(What::Words(self.words)),
+        }
+    }
+}
