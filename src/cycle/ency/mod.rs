@@ -1,6 +1,6 @@
 //! What the cycles of the ENCY / SprutCAM family share.
 //!
-//! A cycle of the family is a form ([`Feature`]) and a [`Shape`]: what its dimensions make of it. The shape gives the touches,
+//! A cycle of the family is a form ([`Filled`]) and a [`Shape`]: what its dimensions make of it. The shape gives the touches,
 //! walks the documented steps, states the arithmetic of the results, and gives the surfaces. The touches may also be picked one
 //! by one, as in the Job Assignment: then everything follows from them, and the dimensions only fill the parameter table.
 
@@ -32,13 +32,19 @@ use crate::path::{ONE_LEVEL, Path, Setup, Surface, Touch, Tracer};
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
-/// The form of a cycle.
-trait Feature: Values + Debug {
+/// A cycle of the family with its form filled in, whichever it is.
+trait Filled: Debug {
     /// Its type number, code −1, and what the source calls it in the parameter table.
     fn kind(&self) -> (i32, &'static str);
 
+    /// Its form.
+    fn form(&self) -> &dyn Values;
+
+    /// Its form, to be changed.
+    fn form_mut(&mut self) -> &mut dyn Values;
+
     /// A copy of it.
-    fn copy(&self) -> Box<dyn Feature>;
+    fn copy(&self) -> Box<dyn Filled>;
 
     /// What its dimensions make of it.
     fn shape(&self) -> Box<dyn Shape>;
@@ -47,7 +53,7 @@ trait Feature: Values + Debug {
 /// A cycle of the family with checked values.
 #[derive(Debug)]
 struct Ency {
-    form: Box<dyn Feature>,
+    form: Box<dyn Filled>,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
     custom: Vec<Custom>,
@@ -75,22 +81,20 @@ struct Made<F> {
     shape: fn(&F) -> Box<dyn Shape>,
 }
 
-impl<F: Values> Values for Made<F> {
-    fn values(&self) -> Vec<(&'static Field, Shown)> {
-        self.form.values()
-    }
-
-    fn put(&mut self, key: &str, value: Shown) {
-        self.form.put(key, value);
-    }
-}
-
-impl<F: Values + Clone + Debug + 'static> Feature for Made<F> {
+impl<F: Values + Clone + Debug + 'static> Filled for Made<F> {
     fn kind(&self) -> (i32, &'static str) {
         self.kind
     }
 
-    fn copy(&self) -> Box<dyn Feature> {
+    fn form(&self) -> &dyn Values {
+        &self.form
+    }
+
+    fn form_mut(&mut self) -> &mut dyn Values {
+        &mut self.form
+    }
+
+    fn copy(&self) -> Box<dyn Filled> {
         Box::new(self.clone())
     }
 
@@ -110,7 +114,7 @@ pub fn read<F: Values + Clone + Debug + 'static>(
 }
 
 /// Reads what every cycle of the family may have besides its form.
-fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Feature>) -> Box<dyn Cycle> {
+fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Filled>) -> Box<dyn Cycle> {
     let properties = section.sub(&PROPERTIES, Properties::read);
     let picks = if form.kind().0 > 1 { picks::read(section) } else { None };
     let custom = custom::read(section);
@@ -127,7 +131,7 @@ pub fn place<F: Values + Clone + Debug + 'static>(
     place_by(Box::new(Made { form, kind: (0, ""), shape }), picks, plane)
 }
 
-fn place_by(mut form: Box<dyn Feature>, picks: &[Pick], plane: Plane) -> Option<(Placement, Vec<Pick>)> {
+fn place_by(mut form: Box<dyn Filled>, picks: &[Pick], plane: Plane) -> Option<(Placement, Vec<Pick>)> {
     let mut checker = Checker::default();
     let shape = form.shape();
     shape.check(picks, plane, &mut checker);
@@ -142,20 +146,20 @@ fn place_by(mut form: Box<dyn Feature>, picks: &[Pick], plane: Plane) -> Option<
 }
 
 /// Gives a form the place of its picks, and their sizes: all, or those that have no code of the source.
-fn put_in_place(form: &mut dyn Feature, placement: &Placement, coded: bool) {
-    form.put("origin", Shown::Point(placement.origin));
-    form.put("rotation", Shown::Number(placement.rotation));
-    let fields: Vec<&'static Field> = form.values().into_iter().map(|(field, _)| field).collect();
+fn put_in_place(form: &mut dyn Filled, placement: &Placement, coded: bool) {
+    form.form_mut().put("origin", Shown::Point(placement.origin));
+    form.form_mut().put("rotation", Shown::Number(placement.rotation));
+    let fields: Vec<&'static Field> = form.form().values().into_iter().map(|(field, _)| field).collect();
     for (key, size) in &placement.sizes {
         if coded || fields.iter().any(|f| f.key == *key && f.code.is_empty()) {
-            form.put(key, Shown::Number(*size));
+            form.form_mut().put(key, Shown::Number(*size));
         }
     }
 }
 
 impl Ency {
     /// The form as the picks have it.
-    fn placed(&self, plane: Plane) -> Box<dyn Feature> {
+    fn placed(&self, plane: Plane) -> Box<dyn Filled> {
         let mut form = self.form.copy();
         if let Some(picks) = &self.picks {
             put_in_place(&mut *form, &self.form.shape().place(picks, plane), true);
@@ -163,12 +167,12 @@ impl Ency {
         form
     }
 
-    fn frame(form: &dyn Feature, plane: Plane) -> Frame {
-        let origin = form.values().into_iter().find_map(|(_, value)| match value {
+    fn frame(form: &dyn Filled, plane: Plane) -> Frame {
+        let origin = form.form().values().into_iter().find_map(|(_, value)| match value {
             Shown::Point(point) => Some(point),
             _ => None,
         });
-        let rotation = form.number("rotation").unwrap_or(0.0);
+        let rotation = form.form().number("rotation").unwrap_or(0.0);
         Frame::new(plane, origin.unwrap_or(Vec3::ZERO), rotation.to_radians())
     }
 
@@ -177,9 +181,9 @@ impl Ency {
         let nominal = self.placed(setup.plane);
         let mut form = nominal.copy();
         for (key, delta) in &self.deltas {
-            if let Some(size) = form.number(key) {
+            if let Some(size) = form.form().number(key) {
                 // The angle of a corner whose walls are named the other way round is negative.
-                form.put(key, Shown::Number(size + delta * if size < 0.0 { -1.0 } else { 1.0 }));
+                form.form_mut().put(key, Shown::Number(size + delta * if size < 0.0 { -1.0 } else { 1.0 }));
             }
         }
         let frame = Self::frame(&*form, setup.plane);
@@ -220,7 +224,7 @@ impl Cycle for Ency {
         // The sizes the picks give must be ones that a form may have.
         let placement = shape.place(picks, setup.plane);
         for (key, size) in &placement.sizes {
-            let Some((field, Shown::Number(given))) = self.form.values().into_iter().find(|(f, _)| f.key == *key) else {
+            let Some((field, Shown::Number(given))) = self.form.form().values().into_iter().find(|(f, _)| f.key == *key) else {
                 continue;
             };
             if !field.hard.nearly_holds(if *key == "angle" { size.abs() } else { *size }) {
@@ -250,7 +254,7 @@ impl Cycle for Ency {
         let (shape, frame, touches) = self.seat(setup);
         let on = Seated { frame, touches: &touches, setup };
         let mut tracer = Tracer::new(setup);
-        shape.walk(&on, self.form.number("feedDistance").unwrap_or(0.0), &mut tracer);
+        shape.walk(&on, self.form.form().number("feedDistance").unwrap_or(0.0), &mut tracer);
         let (formula, surfaces, top) = (shape.formula(&on), shape.surfaces(&on), shape.top(&on));
         Path {
             moves: tracer.moves(),
@@ -270,7 +274,7 @@ impl Cycle for Ency {
     }
 
     fn review(&self, setup: &Setup, path: &Path, checker: &mut Checker) {
-        review(self.form.number("feedDistance").unwrap_or(0.0), setup, path, checker);
+        review(self.form.form().number("feedDistance").unwrap_or(0.0), setup, path, checker);
     }
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
@@ -279,8 +283,8 @@ impl Cycle for Ency {
     }
 
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
-        let (field, _) = self.form.values().into_iter().find(|(field, _)| field.size && field.key == key)?;
-        let size = self.placed(setup.plane).number(key)?.abs() + delta;
+        let (field, _) = self.form.form().values().into_iter().find(|(field, _)| field.size && field.key == key)?;
+        let size = self.placed(setup.plane).form().number(key)?.abs() + delta;
         // Walls that meet at no angle, or at a straight one, make no corner.
         let most = if field.key == "angle" { 180.0 } else { f64::INFINITY };
         if size <= 0.0 || size >= most {

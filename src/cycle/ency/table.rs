@@ -1,6 +1,6 @@
 //! The parameter table, from the form's own codes.
 
-use crate::cycle::ency::{Feature, Properties};
+use crate::cycle::ency::{Filled, Properties};
 use crate::form::{Field, Kind, Shown, Values};
 use crate::geom::AXIS_NAMES;
 use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
@@ -27,7 +27,7 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
 pub(super) fn table(
-    form: &dyn Feature,
+    form: &dyn Filled,
     properties: Option<&Properties>,
     touches: &[Touch],
     setup: &Setup,
@@ -43,7 +43,8 @@ pub(super) fn table(
         field: Some("cycle.type".to_owned()),
         touch: None,
     };
-    let mut own: Vec<Parameter> = form.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
+    let mut own: Vec<Parameter> =
+        form.form().values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
     // In the rectangular variant the touches follow from the variant alone.
     let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
