@@ -107,6 +107,8 @@ struct Flavour {
     halt: &'static str,
     /// The block that lets it read ahead again, at the end.
     free_again: Option<&'static str>,
+    /// What the program refuses to move in, in words.
+    refuses: &'static str,
     /// States in which nothing moves, beside other units.
     states: &'static [&'static str],
 }
@@ -117,6 +119,7 @@ static PLAIN: Flavour = Flavour {
     touch: "",
     halt: "G53",
     free_again: None,
+    refuses: "Nothing moves in other units, without a tool length, under G43.4, a rotation, a tilted plane, a scale or a mirror",
     states: &["#4008 EQ 49", "#4008 EQ 43.4", "#4016 EQ 68", "#4016 EQ 68.2", "#4011 EQ 51", "#4022 EQ 51.1"],
 };
 static WITH_ALARMS: Flavour = Flavour {
@@ -125,6 +128,7 @@ static WITH_ALARMS: Flavour = Flavour {
     touch: " M79",
     halt: "G103 P1",
     free_again: Some("G103"),
+    refuses: "Nothing moves in other units, without a tool length, under a rotation or a scale. A mirror is not asked: switch it off",
     states: &["#4008 EQ 49", "#4016 EQ 68", "#4011 EQ 51"],
 };
 
@@ -345,7 +349,7 @@ impl Moves for Skip<'_> {
         }
         w.says_job();
         if self.moving() {
-            w.comment("Nothing moves in other units, without a tool length, or under a rotation, a scale or a mirror");
+            w.comment(self.flavour.refuses);
             let other_units = if request.scale == 1.0 { "#4006 EQ 20" } else { "#4006 EQ 21" };
             for check in [other_units].iter().chain(self.flavour.states) {
                 w.line(&format!("IF [{check}] GOTO {STATE}"));
