@@ -190,10 +190,10 @@ mod tests {
 
     #[test]
     fn the_hash_does_not_see_line_ends_and_sees_every_digit() {
-        // XXH64 of the bytes "G1 X1\n" and seed 0, by the reference implementation's definition: equal texts, equal hash.
         assert_eq!(hash("G1 X1\n"), hash("G1 X1  \r\n\r\n"));
         assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
         assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
+        // XXH64 of nothing with the seed 0, as its specification prints it.
         assert_eq!(hash(""), "EF46DB3751D8E999");
     }
 

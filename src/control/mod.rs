@@ -138,6 +138,11 @@ impl PostDef {
     pub fn decimals(&self, scale: f64) -> usize {
         self.dialect.map_or(4, |dialect| if scale == 1.0 { dialect.decimals_mm } else { dialect.decimals_inch })
     }
+
+    /// Half of the last digit of a place or a feed, in units of the program: by so much a written one may be off.
+    pub fn half_digit(&self, scale: f64) -> f64 {
+        0.5 * 10f64.powi(-(self.decimals(scale) as i32)) * (1.0 + 1e-6)
+    }
 }
 
 /// A program to print.

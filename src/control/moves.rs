@@ -28,8 +28,8 @@ pub trait Moves {
     /// A positioning move from a known place.
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
-    /// The touch with index `k`, and what a miss leads to.
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, k: usize, touch: &Touch);
+    /// A touch, and what a miss leads to.
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
 
     /// How the control keeps the coordinate `axis` of a sample, and what it is called there: written and read. None where it keeps none.
     fn keeps(&self, sample: usize, axis: usize) -> Option<Kept>;
@@ -57,8 +57,10 @@ pub struct Kept {
     pub variable: String,
     /// What the control has it in after a touch.
     pub source: String,
-    /// The brackets that group.
-    pub brackets: (char, char),
+    /// What stands around a sum that is divided.
+    pub group: (&'static str, &'static str),
+    /// What stands around a value of more than one term.
+    pub whole: (&'static str, &'static str),
     /// A comment behind the block.
     pub comment: String,
 }
@@ -76,7 +78,7 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
             Purpose::Position if comes_from_anywhere(request, index, step) => hooks.approach(&mut w, step),
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
-                hooks.touch(&mut w, place, k, &path.touches[k]);
+                hooks.touch(&mut w, place, &path.touches[k]);
                 latch(&mut w, request, hooks, k);
             }
             Purpose::Back(_) => hooks.back(&mut w, place),
@@ -100,15 +102,12 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
 fn latch(w: &mut Writer<'_>, request: &Request<'_>, hooks: &dyn Moves, k: usize) {
     let sample = request.path.samples(k);
     for axis in (0..3).filter(|&axis| request.path.formula.uses(sample.index, axis)) {
-        let Some(Kept { variable, source, brackets: (open, close), comment }) = hooks.keeps(sample.index, axis) else {
-            continue;
-        };
+        let Some(kept) = hooks.keeps(sample.index, axis) else { continue };
+        let Kept { variable, source, group: (left, right), whole: (open, close), comment } = kept;
         w.line(&match (sample.first, sample.last) {
             (true, _) => format!("{variable}={source}{comment}"),
-            (false, false) if open == '[' => format!("{variable}=[{variable}+{source}]"),
-            (false, false) => format!("{variable}={variable}+{source}"),
-            (false, true) if open == '[' => format!("{variable}=[[{variable}+{source}]/{}]", sample.count),
-            (false, true) => format!("{variable}={open}{variable}+{source}{close}/{}", sample.count),
+            (false, false) => format!("{variable}={open}{variable}+{source}{close}"),
+            (false, true) => format!("{variable}={open}{left}{variable}+{source}{right}/{}{close}", sample.count),
         });
     }
 }

@@ -70,6 +70,8 @@ pub struct Followed<'t> {
     pub below: Option<Trace>,
     /// The triggers that the touches were given, by their order.
     triggers: Vec<Vec3>,
+    /// What the path asks of it.
+    expected: Expected,
 }
 
 /// What a program is followed on.
@@ -122,19 +124,19 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         }
         _ => None,
     };
-    Ok(Followed { start: run.start, script, trace, below, triggers })
+    Ok(Followed { start: run.start, script, trace, below, triggers, expected })
 }
 
 /// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
 pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usize>]) -> Result<Proof, Vec<Fault>> {
     debug_assert!(request.form == Form::Moves, "a control's own cycle is not proven");
     let mut faults = Vec::new();
-    let expected = Expected::of(request);
+    let expected = &followed.expected;
     if let Err(fault) = expected.path(request, &followed.trace, lines) {
         faults.push(fault);
     }
     let arithmetic = request.post.computes;
-    if let Err(fault) = results(request, followed, &expected) {
+    if let Err(fault) = results(request, followed) {
         faults.push(fault);
     }
     if !followed.trace.ends {
@@ -165,6 +167,7 @@ fn spread(n: usize) -> f64 {
 }
 
 /// What the path asks of a program, in its units.
+#[derive(Clone, Debug)]
 struct Expected {
     scale: f64,
     /// Half of the last digit that a place is written with, and of a feed.
@@ -178,11 +181,10 @@ struct Expected {
 impl Expected {
     fn of(request: &Request<'_>) -> Self {
         let path = request.path;
-        let decimals = request.post.decimals(request.scale) as i32;
         let far = path.touches.iter().map(|touch| touch.point.length()).fold(100.0, f64::max);
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
-        let mut expected =
-            Expected { scale: request.scale, digit: 0.5 * 10f64.powi(-decimals) * (1.0 + 1e-6), size, touches: Vec::new() };
+        let digit = request.post.half_digit(request.scale);
+        let mut expected = Expected { scale: request.scale, digit, size, touches: Vec::new() };
         let mut at = path.start.unwrap_or(Vec3::NAN);
         for step in &path.moves {
             if let Purpose::Touch(k) = step.purpose {
@@ -206,34 +208,33 @@ impl Expected {
 
     /// Every move of the path is in the program, in order, and no other.
     fn path(&self, request: &Request<'_>, trace: &Trace, lines: &[Option<usize>]) -> Result<(), Fault> {
-        let mut steps = trace.steps.iter().peekable();
+        let mut steps = trace.steps.iter();
         let mut from = request.path.start;
         for (i, step) in request.path.moves.iter().enumerate() {
             let wanted = self.place(match step.purpose {
                 Purpose::Touch(k) => search_end(step, &request.path.touches[k]),
                 Purpose::Position | Purpose::Back(_) => step.to,
             });
-            let anywhere = from.is_none();
             let mut first = None;
+            // The first place is reached in steps, an arc may be made of straight pieces; any other move is one motion.
             let last = loop {
                 let made = steps.next().ok_or_else(|| Fault::of(format!("move {} is missing", i + 1)))?;
                 first = first.or(Some(made.line));
                 let there = self.near(made.to, wanted);
-                if there || !(anywhere || step.arc.is_some()) {
-                    if !there {
+                match (step.arc, from) {
+                    _ if there => {}
+                    (_, None) => {}
+                    (Some(arc), Some(_)) => self.on_arc(i, &arc, made)?,
+                    (None, Some(_)) => {
                         return Err(Fault::at(made.line, format!("move {} ends elsewhere than in the path", i + 1)));
                     }
-                    self.step(request, (i, step), from, made)?;
+                }
+                self.step(request, (i, step), from, made)?;
+                if there {
                     break made.line;
                 }
-                if let (Some(arc), Some(_)) = (step.arc, from) {
-                    self.on_arc(i, &arc, made)?;
-                    self.step(request, (i, step), from, made)?;
-                } else {
-                    self.step(request, (i, step), from, made)?;
-                }
             };
-            let line = if anywhere { Some(last) } else { first };
+            let line = if from.is_none() { Some(last) } else { first };
             if lines.get(i).copied().flatten() != line {
                 return Err(Fault::at(last, format!("move {} is said to be in another line", i + 1)));
             }
@@ -326,8 +327,8 @@ fn words(kind: Kind) -> &'static str {
 }
 
 /// The program's own arithmetic, and what it writes, on the triggers of the proof.
-fn results(request: &Request<'_>, followed: &Followed<'_>, expected: &Expected) -> Result<(), Fault> {
-    let (path, trace) = (request.path, &followed.trace);
+fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> {
+    let (path, trace, expected) = (request.path, &followed.trace, &followed.expected);
     if !request.post.computes {
         let silent = trace.outputs.is_empty() && trace.writes.is_empty();
         return if silent { Ok(()) } else { Err(Fault::of("this control computes nothing, and the program does")) };

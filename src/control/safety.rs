@@ -216,7 +216,7 @@ impl Case<'_> {
 
     /// Half of the last digit of a place.
     fn digit(&self) -> f64 {
-        0.5 * 10f64.powi(-(self.request.post.decimals(self.request.scale) as i32)) * 1.000_001
+        self.request.post.half_digit(self.request.scale)
     }
 
     /// Motions that are not the way back from a touch: index and motion.

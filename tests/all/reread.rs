@@ -1,7 +1,5 @@
 //! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
 
-use std::time::Instant;
-
 use crate::common::{job, number, planned, with};
 use touchpath::control::trace::Kind;
 use touchpath::form::{Level, Value};
@@ -76,17 +74,23 @@ fn a_fault_in_a_fanuc_program_was_said_to_be_another_control() {
     assert!(findings.iter().all(|f| f.path != "control.post"), "{findings:?}");
 }
 
+/// It overflowed the stack, took half a minute to look its labels up, or never came back.
 #[test]
-fn deep_lists_and_endless_programs_are_refused_in_a_moment() {
-    let start = Instant::now();
+fn deep_lists_many_labels_and_endless_programs_come_back() {
     let deep = format!("(job cycle.type=hole cycle.origin={}{})\nG1 X1 F1\n", "[".repeat(50_000), "]".repeat(50_000));
-    let _ = said(&deep);
+    let found = said(&deep);
+    assert!(found.contains(&"not-understood".to_owned()) || found.contains(&"header-unsound".to_owned()), "{found:?}");
     let jumps: String = (1..60_000).map(|i| format!("N{i}\nGOTO {}\n", i + 1)).collect();
-    let _ = said(&format!("{jumps}N60000\nG31 X1. F1.\nM30\n"));
+    let read = import(&format!("{jumps}N60000\nG31 X1. F1.\nM30\n")).unwrap();
+    assert_eq!(read.trace.unwrap().moves.len(), 1);
     let slots: String = (0..60_000).map(|i| format!("#{}=1\n", 1_000_000 + i)).collect();
-    let _ = said(&format!("{slots}N1\nG31 X1. F100.\n#1=#1+1\nIF [#1 LT 900000] GOTO 1\nM30\n"));
-    // Quadratic in the text it took a minute and a half in a debug build.
-    assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
+    for program in [
+        format!("#1=0\n{slots}N1\nG31 X1. F100.\n#1=#1+1\nIF [#1 LT 900000] GOTO 1\nM30\n"),
+        "N1\nGOTO 1\nG31 X1. F1.\n".to_owned(),
+    ] {
+        let error = import(&program).unwrap_err();
+        assert!(error.findings.iter().any(|f| f.message.contains("does not come to an end")), "{error}");
+    }
 }
 
 /// The approach of a program whose first place is the origin was `unchecked`.

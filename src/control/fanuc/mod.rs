@@ -399,7 +399,7 @@ impl Moves for Skip<'_> {
         });
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.line(&format!("#149={}", step.index + 1));
         w.makes_move();
         let end = step.step.to - touch.vector * touch.search;
@@ -414,7 +414,8 @@ impl Moves for Skip<'_> {
         Some(Kept {
             variable: variable(self.registers.trigger(sample, axis)),
             source: format!("#{}{length}", 5061 + axis),
-            brackets: ('[', ']'),
+            group: ("[", "]"),
+            whole: ("[", "]"),
             comment: String::new(),
         })
     }

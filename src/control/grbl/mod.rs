@@ -119,7 +119,7 @@ impl Moves for Grbl<'_> {
         plain(w, self.request, step);
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.makes_move();
         w.touch("G38.2", step.step, touch, false, self.request.feeds.work);
     }

@@ -146,7 +146,7 @@ impl Moves for LinuxCnc<'_> {
         }
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.makes_move();
         w.touch("G38.2", step.step, touch, self.request.protected, self.request.feeds.work);
     }
@@ -155,7 +155,8 @@ impl Moves for LinuxCnc<'_> {
         Some(Kept {
             variable: format!("#<{}>", print::trigger_name(sample, axis)),
             source: format!("#{}", 5061 + axis),
-            brackets: ('[', ']'),
+            group: ("[", "]"),
+            whole: ("[", "]"),
             comment: String::new(),
         })
     }

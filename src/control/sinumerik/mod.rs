@@ -156,7 +156,7 @@ impl Moves for Sinumerik<'_> {
         position(w, self.request, step);
     }
 
-    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, _k: usize, touch: &Touch) {
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.line(&format!("TP_MOVE={}", step.index + 1));
         w.makes_move();
         // MEAS takes the positions of the axes that its block names.
@@ -171,7 +171,8 @@ impl Moves for Sinumerik<'_> {
         Some(Kept {
             variable: format!("R{}", self.registers.trigger(sample, axis)),
             source: format!("$AA_MW[{}]", AXIS_NAMES[axis]),
-            brackets: ('(', ')'),
+            group: ("(", ")"),
+            whole: ("", ""),
             comment: format!(" ; {}", print::trigger_name(sample, axis)),
         })
     }
