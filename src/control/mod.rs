@@ -11,6 +11,7 @@ pub mod iso;
 mod linuxcnc;
 mod moves;
 pub mod prove;
+pub mod release;
 pub mod safety;
 mod sinumerik;
 pub mod trace;
@@ -252,6 +253,14 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         let message = "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
                        position, Q1120, nor a rotation, Q1121)";
         checker.warning("nothing-to-write", "control.workOffset", message);
+    }
+}
+
+/// What a program does with a work offset, in words. `word` selects one, and `write` says what becomes of it.
+fn offset_line(request: &Request<'_>, word: impl Fn(i32) -> String, write: &str) -> String {
+    match request.work_offset {
+        Some(n) => format!("Work offset: {} is selected first; {write}", word(n)),
+        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
     }
 }
 

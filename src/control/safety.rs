@@ -47,6 +47,15 @@ pub struct Verdict {
     pub message: String,
     /// The lines that break it, 0-based.
     pub lines: Vec<usize>,
+    /// Whether a program without it is refused.
+    pub must: bool,
+}
+
+impl Verdict {
+    /// Whether a program is refused for it.
+    pub fn refuses(&self) -> bool {
+        self.must && self.holds == Some(false)
+    }
 }
 
 /// Positioning is watched.
@@ -173,7 +182,10 @@ pub static RULES: &[Rule] = &[
 /// What every rule says of a program of a control's own cycle that is not followed.
 pub fn not_followed() -> Vec<Verdict> {
     let message = "The control's own cycle makes every move itself";
-    RULES.iter().map(|rule| Verdict { rule: rule.name, holds: None, message: message.to_owned(), lines: Vec::new() }).collect()
+    RULES
+        .iter()
+        .map(|rule| Verdict { rule: rule.name, holds: None, message: message.to_owned(), lines: Vec::new(), must: rule.must })
+        .collect()
 }
 
 /// What every rule says of a followed program.
@@ -197,7 +209,7 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
             Some((_, what)) => (Some(false), what, lines),
         }
     };
-    Verdict { rule: rule.name, holds, message, lines }
+    Verdict { rule: rule.name, holds, message, lines, must: rule.must }
 }
 
 impl Case<'_> {

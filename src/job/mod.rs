@@ -8,17 +8,18 @@
 //! ```
 
 mod defaults;
+mod examine;
 mod lentoax;
 mod plan;
+mod rows;
 mod sections;
 mod units;
 
 pub use defaults::{default_job, default_job_in, resolved};
+pub use examine::{examine, proves, stages};
 pub use lentoax::lentoax_query;
-pub use plan::{
-    Arc, Move, ParameterRow, ParameterValue, Plan, Planned, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, examine,
-    proves, stages,
-};
+pub use plan::Planned;
+pub use rows::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
 pub use sections::{FORMAT, Job, SECTIONS, Units};
 pub use units::convert_units;
 

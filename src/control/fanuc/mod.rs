@@ -18,7 +18,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, feed_rate, safety, written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, feed_rate, offset_line, safety, written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
@@ -321,14 +321,8 @@ impl Moves for Skip<'_> {
         let formula = &request.path.formula;
         w.line("%");
         w.line("O1000");
-        let offset = match request.work_offset {
-            Some(n) => {
-                let word = (request.post.work_offset_word)(n);
-                format!("Work offset: {word} is selected first; {}", written(request, formula.datum.as_ref()))
-            }
-            None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
-        };
-        w.header(&offset);
+        let write = written(request, formula.datum.as_ref());
+        w.header(&offset_line(request, request.post.work_offset_word, &write));
         w.comment("The number O1000 is any: give it a free one");
         if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));

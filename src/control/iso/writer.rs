@@ -136,6 +136,16 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Which way must be free, of a program that comes to its first place from anywhere: up, across and down.
+    pub fn way_up_across_down(&mut self) {
+        let path = self.request.path;
+        let (Some(first), None) = (path.moves.first(), path.start) else { return };
+        let (height, place) = (self.height_word(first.to), self.place_words(first.to));
+        self.comment(&format!(
+            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
+        ));
+    }
+
     /// The job, the version and the hash over what follows, as comments.
     pub fn says_job(&mut self) {
         let (open, close) = self.dialect.comment;

@@ -16,7 +16,8 @@ use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, work_offset_word, written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, offset_line,
+    work_offset_word, written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
@@ -194,19 +195,9 @@ impl Moves for LinuxCnc<'_> {
 /// What stands before the first move.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
-    let offset = match request.work_offset {
-        Some(n) => {
-            format!("Work offset: {} P{n} is selected first; {}", work_offset_word(n), written(request, formula.datum.as_ref()))
-        }
-        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
-    };
-    w.header(&offset);
-    if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
-        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
-        w.comment(&format!(
-            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
-        ));
-    }
+    let word = |n| format!("{} P{n}", work_offset_word(n));
+    w.header(&offset_line(request, word, &written(request, formula.datum.as_ref())));
+    w.way_up_across_down();
     if !request.path.moves.is_empty() {
         w.comment(if request.protected {
             "Positioning is G38.3 with a check of #5070: a contact lifts and stops. The first of them also looks whether the probe is tripped"

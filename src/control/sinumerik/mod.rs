@@ -18,7 +18,8 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
+    written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
@@ -205,17 +206,8 @@ impl Moves for Sinumerik<'_> {
 
 /// What stands before the first move. Nothing has moved when one of the checks says no.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
-    let offset = match request.work_offset {
-        Some(n) => format!("Work offset: {} is selected first; {written}", (DEF.work_offset_word)(n)),
-        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
-    };
-    w.header(&offset);
-    if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
-        let (height, place) = (w.height_word(first.to), w.place_words(first.to));
-        w.comment(&format!(
-            "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
-        ));
-    }
+    w.header(&offset_line(request, DEF.work_offset_word, written));
+    w.way_up_across_down();
     w.comment("Not verified on a control: run it with a hand on the feed override");
     w.comment(match (request.protected, request.form) {
         (true, Form::Moves) => "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round",

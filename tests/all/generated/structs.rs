@@ -9,7 +9,7 @@ use syn::{Attribute, Expr, Fields, GenericArgument, Item, Lit, Meta, PathArgumen
 const SOURCES: &[(&str, &[&str])] = &[
     ("src/form/finding.rs", &["Level", "Finding"]),
     (
-        "src/job/plan.rs",
+        "src/job/rows.rs",
         &[
             "TouchPoint",
             "Arc",

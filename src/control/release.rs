@@ -1,0 +1,44 @@
+//! No program leaves without its proof: one of moves is read back and proven equal to its path, and every rule that must hold holds.
+
+use crate::control::prove::{self, Fault, Part, Proof};
+use crate::control::safety::{self, Verdict};
+use crate::control::{Form, Program, Request};
+
+/// A program that may be handed out. There is no way to make one but [`release`].
+#[derive(Clone, Debug)]
+pub struct Released {
+    program: Program,
+    proof: Option<Proof>,
+    verdicts: Vec<Verdict>,
+}
+
+/// Why a program is not handed out. Both are faults of the writer.
+#[derive(Clone, Debug)]
+pub enum Refusal {
+    /// Read back it is not the path.
+    NotProven(Vec<Fault>),
+    /// Rules that it must hold, and does not.
+    Broken(Vec<Verdict>),
+}
+
+impl Released {
+    /// The program, what was proven of it (nothing of a control's own cycle), and what every rule says of it.
+    pub fn into_parts(self) -> (Program, Option<Proof>, Vec<Verdict>) {
+        (self.program, self.proof, self.verdicts)
+    }
+}
+
+/// Reads a written program back, proves it, and asks every rule.
+pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refusal> {
+    if request.post.read.is_none() && request.form == Form::Cycle {
+        return Ok(Released { program, proof: None, verdicts: safety::not_followed() });
+    }
+    let followed = prove::follow(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
+    let proof = match request.form {
+        Form::Moves => Some(prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?),
+        Form::Cycle => None,
+    };
+    let verdicts = safety::check(request, &followed);
+    let broken: Vec<Verdict> = verdicts.iter().filter(|verdict| verdict.refuses()).cloned().collect();
+    if broken.is_empty() { Ok(Released { program, proof, verdicts }) } else { Err(Refusal::Broken(broken)) }
+}

@@ -1,0 +1,52 @@
+//! A text held against a job: what the rules say of it, and whether it is proven to be the job's program.
+
+use crate::control::prove::{self, Fault, Followed, Part};
+use crate::control::{Request, safety};
+use crate::form::{Checker, Value};
+use crate::job::defaults::resolved;
+use crate::job::plan::{Planned, request};
+use crate::job::{Job, SafetyRow};
+
+/// Asks something about the program that a job is to have; none where the job has errors.
+fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
+    let planned = Planned::of(Job::read(&mut Checker::default(), value)?);
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    let whole = if header { resolved(value) } else { None };
+    Some(ask(&request(&planned, &feeds, whole.as_ref())))
+}
+
+/// What the safety rules say of a text that is to be the program of this job; none where the job has errors, or its control's programs are
+/// not read. Faults are lines that are not understood, or do not work where they stand.
+pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
+    about(value, false, |request| {
+        request.post.read?;
+        let rules = |followed: Followed<'_>| safety::check(request, &followed).into_iter().map(SafetyRow::from).collect();
+        Some(prove::follow(request, text, Part::Unknown).map(rules))
+    })?
+}
+
+/// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
+pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
+    let lines: Vec<Option<usize>> = lines.iter().map(|line| usize::try_from(*line).ok()).collect();
+    let proven = about(value, false, |request| {
+        prove::follow(request, text, Part::Path).and_then(|followed| prove::prove(request, &followed, &lines))
+    });
+    proven.is_some_and(|proof| proof.is_ok())
+}
+
+/// How long printing, proof and rules take, for the bench: each with what it needs done before, `rounds` times.
+#[doc(hidden)]
+pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
+    use std::hint::black_box;
+    about(value, true, |request| {
+        let program = (request.post.emit)(request);
+        let prove = || {
+            let followed = prove::follow(request, &program.text, Part::Path)?;
+            prove::prove(request, &followed, &program.move_lines).map(|_| followed)
+        };
+        let Ok(followed) = prove() else { return };
+        timed("print", &mut || (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request)))));
+        timed("prove", &mut || (0..rounds).for_each(|_| drop(black_box(prove()))));
+        timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed)))));
+    });
+}

@@ -1,0 +1,266 @@
+//! What goes out: a plan as plain rows, in the job's units.
+
+use serde::Serialize;
+
+use crate::control::prove::Proof;
+use crate::control::safety::Verdict;
+use crate::form::Finding;
+use crate::formula::Unit;
+use crate::geom::Vec3;
+use crate::job::Job;
+use crate::num::{decimal, tidy};
+use crate::part;
+use crate::path::{self, Accessor, Feed, Feeds, Path, Purpose};
+
+/// A point or vector as a list.
+pub type Triple = [f64; 3];
+
+/// Everything that follows from a job. Lengths in the job's units, angles in degrees.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Plan {
+    /// The nominal touches, on the surface.
+    pub touches: Vec<TouchPoint>,
+    /// The moves, of the ball centre.
+    pub moves: Vec<Move>,
+    /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
+    pub length: f64,
+    /// Minutes for the same, rapids at 5000 mm/min.
+    pub time: f64,
+    /// The program.
+    pub program: ProgramText,
+    /// The source's parameter table.
+    pub table: Vec<ParameterRow>,
+    /// What the control will have stored, for the virtual part.
+    pub results: Vec<ResultRow>,
+    /// Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
+    pub triggers: Vec<Option<Triple>>,
+    /// Warnings and notes.
+    pub findings: Vec<Finding>,
+    /// What each safety rule says of the program.
+    pub safety: Vec<SafetyRow>,
+}
+
+/// What a safety rule says of the program.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SafetyRow {
+    /// The name of the rule.
+    pub rule: &'static str,
+    /// Null where this control cannot hold it, or its own cycle answers for it.
+    pub holds: Option<bool>,
+    /// What the rule asks, what is wrong, or why the control cannot.
+    pub message: String,
+    /// The 0-based lines that break it.
+    pub lines: Vec<usize>,
+}
+
+/// What was proven of a program of moves: read back, it is the path.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProofRow {
+    /// How many moves.
+    pub moves: usize,
+    /// How many of them are touches.
+    pub touches: usize,
+    /// Whether the program computes the results itself, and the right ones.
+    pub arithmetic: bool,
+}
+
+impl From<Proof> for ProofRow {
+    fn from(proof: Proof) -> Self {
+        ProofRow { moves: proof.moves(), touches: proof.touches(), arithmetic: proof.arithmetic() }
+    }
+}
+
+/// One nominal touch.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TouchPoint {
+    /// On the surface.
+    pub point: Triple,
+    /// Target vector: outward normal of the surface.
+    pub vector: Triple,
+    /// Wall or circle, from 0.
+    pub group: usize,
+}
+
+/// One move of the ball centre.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Move {
+    /// Where it ends; a touch at its nominal contact.
+    pub to: Triple,
+    /// `approach`, `longLink`, `work`, `retract`, `return` or `rapid`.
+    pub feed: &'static str,
+    /// `position`, `touch` or `back`.
+    pub kind: &'static str,
+    /// Step of the cycle's documented list, from 1.
+    pub step: u8,
+    /// The touch it belongs to.
+    pub touch: Option<usize>,
+    /// The arc it runs along; null is a straight line.
+    pub arc: Option<Arc>,
+}
+
+/// An arc about the tool axis.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Arc {
+    /// Its centre.
+    pub center: Triple,
+    /// Degrees, counter-clockwise positive.
+    pub sweep: f64,
+}
+
+/// The program as text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ProgramText {
+    /// Which control it is for.
+    pub post: &'static str,
+    /// The usual file extension, without the dot.
+    pub extension: &'static str,
+    /// The lines.
+    pub text: String,
+    /// For each move the 0-based line that makes it.
+    pub move_lines: Vec<i32>,
+    /// What was proven of it; null in the form `cycle`.
+    pub proof: Option<ProofRow>,
+}
+
+/// One row of the parameter table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParameterRow {
+    /// `CmdPrm.Flt[-53]`.
+    pub code: String,
+    /// The type column of the source.
+    #[serde(rename = "type")]
+    pub type_name: &'static str,
+    /// The value, lengths in the job's units.
+    pub value: ParameterValue,
+    /// What it means.
+    pub meaning: String,
+    /// Path of the job's field it comes from.
+    pub field: Option<String>,
+    /// The touch it comes from.
+    pub touch: Option<usize>,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ParameterValue {
+    /// A whole number.
+    Whole(i32),
+    /// True or false.
+    Flag(bool),
+    /// Any other number.
+    Number(f64),
+    /// Text, as it was given.
+    Text(String),
+}
+
+/// One result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ResultRow {
+    /// `center.x`.
+    pub code: String,
+    /// What it is.
+    pub meaning: String,
+    /// `mm`, `inch` or `deg`.
+    pub unit: &'static str,
+    /// On the nominal part.
+    pub nominal: Option<f64>,
+    /// What the control computes.
+    pub value: Option<f64>,
+    /// Value less nominal.
+    pub deviation: Option<f64>,
+    /// One sigma of the value.
+    pub uncertainty: Option<f64>,
+    /// Good, rework or scrap, where a tolerance is given.
+    pub verdict: Option<String>,
+    /// What is true of the virtual part, where there is one.
+    pub truth: Option<f64>,
+    /// Why the value is not the truth, where it is not.
+    pub note: Option<String>,
+}
+
+impl From<Verdict> for SafetyRow {
+    fn from(verdict: Verdict) -> Self {
+        SafetyRow { rule: verdict.rule, holds: verdict.holds, message: verdict.message, lines: verdict.lines }
+    }
+}
+
+pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
+    if let Some(n) = job.work_offset {
+        part::write_offset(&mut rows, &path.formula, job.setup.plane, &(job.post.work_offset_word)(n));
+    }
+    rows.into_iter()
+        .map(|row| {
+            let (scale, unit) = match row.unit {
+                Unit::Length => (job.scale, job.unit),
+                Unit::Angle => (1.0, "deg"),
+                Unit::None => (1.0, ""),
+            };
+            let convert = |x: Option<f64>| x.filter(|x| x.is_finite()).map(|x| tidy(x / scale));
+            let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
+            let note = off.and_then(|off| {
+                let reason = job.cycle.turned_error(&row.code).filter(|_| job.lie.turn != 0.0)?;
+                let sign = if off > 0.0 { "+" } else { "" };
+                Some(format!("{sign}{} {} from the truth: {reason}", decimal(off / scale, 5), job.unit))
+            });
+            ResultRow {
+                code: row.code,
+                meaning: row.meaning,
+                unit,
+                nominal: convert(row.nominal),
+                value: convert(row.value),
+                deviation: convert(row.deviation),
+                uncertainty: convert(row.uncertainty),
+                verdict: row.verdict,
+                truth: convert(row.truth),
+                note,
+            }
+        })
+        .collect()
+}
+
+pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
+    let (kind, touch) = match step.purpose {
+        Purpose::Position => ("position", None),
+        Purpose::Touch(k) => ("touch", Some(k)),
+        Purpose::Back(k) => ("back", Some(k)),
+    };
+    let feed = match step.feed {
+        feed if feeds.is_rapid(feed) => "rapid",
+        Feed::Rapid => "rapid",
+        Feed::Approach => "approach",
+        Feed::LongLink => "longLink",
+        Feed::Work => "work",
+        Feed::Retract => "retract",
+        Feed::Return => "return",
+    };
+    let arc = step.arc.map(|arc| Arc { center: triple(arc.center, job.scale), sweep: tidy(arc.sweep.to_degrees()) });
+    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc }
+}
+
+pub(super) fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
+    ParameterRow {
+        code: match parameter.accessor {
+            Accessor::Q => format!("Q{}", parameter.code),
+            accessor => format!("CmdPrm.{}[{}]", accessor.word(), parameter.code),
+        },
+        type_name: parameter.type_name,
+        value: match &parameter.value {
+            path::ParameterValue::Length(mm) => ParameterValue::Number(tidy(mm / job.scale)),
+            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(*x)),
+            path::ParameterValue::Whole(n) => ParameterValue::Whole(*n),
+            path::ParameterValue::Flag(on) => ParameterValue::Flag(*on),
+            path::ParameterValue::Text(text) => ParameterValue::Text(text.clone()),
+            path::ParameterValue::Word(word) => ParameterValue::Text((*word).to_owned()),
+        },
+        meaning: parameter.meaning.clone(),
+        field: parameter.field.clone(),
+        touch: parameter.touch,
+    }
+}
+
+pub(super) fn triple(v: Vec3, scale: f64) -> Triple {
+    v.to_array().map(|x| tidy(x / scale))
+}
