@@ -1,7 +1,9 @@
 //! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
 
-use crate::control::{Header, Request, comment_text};
+use crate::control::iso::lines::next_line;
+use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
+use crate::num::{count, push_in_full};
 
 /// What begins a comment that says values of the job.
 pub const JOB_LINE: &str = "job ";
@@ -54,78 +56,124 @@ fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
 /// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.
 pub fn hash(text: &str) -> String {
     let mut state = xxhash_rust::xxh64::Xxh64::new(0);
-    for line in text.lines().map(str::trim_end).filter(|line| !line.is_empty()) {
-        state.update(line.as_bytes());
-        state.update(b"\n");
+    let mut rest = text;
+    while !rest.is_empty() {
+        let line = next_line(&mut rest).trim_end();
+        if !line.is_empty() {
+            state.update(line.as_bytes());
+            state.update(b"\n");
+        }
     }
     format!("{:016X}", state.digest())
 }
 
 /// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
 fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
-    let most = width - JOB_LINE.len();
-    let mut words = Vec::new();
+    let mut words = Words { width, capitals, path: String::new(), word: String::new(), lines: Vec::new() };
     if let Value::Map(entries) = job {
         for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
-            push_words(key, value, (most, capitals), &mut words);
+            words.within(&[key], |words| words.push(value));
         }
     }
-    let mut lines: Vec<String> = Vec::new();
-    for word in words {
-        match lines.last_mut().filter(|line| line.len() + 1 + word.len() <= width) {
-            Some(line) => {
-                line.push(' ');
-                line.push_str(&word);
-            }
-            None => lines.push(format!("{JOB_LINE}{word}")),
-        }
-    }
-    lines
+    words.lines
 }
 
-fn push_words(path: &str, value: &Value, limits: (usize, bool), words: &mut Vec<String>) {
-    let (most, capitals) = limits;
-    // The words outside the cycle are those of choices: the reader knows them in capitals, too.
-    let marked = capitals && path.starts_with("cycle.") && path != "cycle.type";
-    match value {
-        Value::Map(entries) if !entries.is_empty() => {
-            entries.iter().for_each(|(key, inner)| push_words(&format!("{path}.{key}"), inner, limits, words));
-        }
-        Value::List(items) => {
-            let word = format!("{path}={}", value_word(value, marked));
-            let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
-            // A list that is too long for a line is said value by value.
-            if items.is_empty() || (!nested && word.len() <= most) {
-                words.push(word);
-            } else {
-                items.iter().enumerate().for_each(|(i, inner)| push_words(&format!("{path}[{i}]"), inner, limits, words));
+/// Lines of words while they are written.
+struct Words {
+    width: usize,
+    capitals: bool,
+    /// Where in the job the value stands.
+    path: String,
+    word: String,
+    lines: Vec<String>,
+}
+
+impl Words {
+    /// Goes to a place inside, and back.
+    fn within(&mut self, parts: &[&str], push: impl FnOnce(&mut Self)) {
+        let outside = self.path.len();
+        parts.iter().for_each(|part| self.path.push_str(part));
+        push(self);
+        self.path.truncate(outside);
+    }
+
+    fn push(&mut self, value: &Value) {
+        match value {
+            Value::Map(entries) if !entries.is_empty() => {
+                entries.iter().for_each(|(key, inner)| self.within(&[".", key], |words| words.push(inner)));
+            }
+            Value::List(items) => {
+                self.write(value);
+                let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
+                // A list that is too long for a line is said value by value.
+                if items.is_empty() || (!nested && self.word.len() + JOB_LINE.len() <= self.width) {
+                    return self.keep();
+                }
+                let each = |(i, inner): (usize, &Value)| self.within(&["[", &count(i), "]"], |words| words.push(inner));
+                items.iter().enumerate().for_each(each);
+            }
+            value => {
+                self.write(value);
+                self.keep();
             }
         }
-        value => words.push(format!("{path}={}", value_word(value, marked))),
+    }
+
+    /// Makes the word of a value.
+    fn write(&mut self, value: &Value) {
+        // The words outside the cycle are those of choices: the reader knows them in capitals, too.
+        let marked = self.capitals && self.path.starts_with("cycle.") && self.path != "cycle.type";
+        self.word.clear();
+        self.word.push_str(&self.path);
+        self.word.push('=');
+        push_value(&mut self.word, value, marked);
+    }
+
+    /// Puts the word into the last line, or into a new one where that is full.
+    fn keep(&mut self) {
+        let lead = match self.lines.last_mut() {
+            Some(line) if line.len() + 1 + self.word.len() <= self.width => " ",
+            _ => {
+                self.lines.push(String::with_capacity(self.width));
+                JOB_LINE
+            }
+        };
+        if let Some(line) = self.lines.last_mut() {
+            line.push_str(lead);
+            line.push_str(&self.word);
+        }
     }
 }
 
-/// A value as a word: no spaces, nothing that could end a comment.
-fn value_word(value: &Value, capitals: bool) -> String {
+/// A value in a word: no spaces, nothing that could end a comment.
+fn push_value(word: &mut String, value: &Value, capitals: bool) {
     match value {
-        Value::Map(_) => "{}".to_owned(),
+        Value::Map(_) => word.push_str("{}"),
         Value::List(items) => {
-            format!("[{}]", items.iter().map(|item| value_word(item, capitals)).collect::<Vec<_>>().join(","))
+            word.push('[');
+            for (i, item) in items.iter().enumerate() {
+                word.push_str(if i > 0 { "," } else { "" });
+                push_value(word, item, capitals);
+            }
+            word.push(']');
         }
-        Value::Null | Value::Other(_) => "null".to_owned(),
-        Value::Flag(on) => on.to_string(),
+        Value::Null | Value::Other(_) => word.push_str("null"),
+        Value::Flag(on) => word.push_str(if *on { "true" } else { "false" }),
         // In full, so that it reads back as the same number; never -0.
-        Value::Number(x) => format!("{:?}", x + 0.0).trim_end_matches(".0").to_owned(),
-        Value::Text(text) => text
-            .chars()
-            .filter(|c| *c != ' ')
-            .map(|c| match c {
-                ',' => ".".to_owned(),
-                '@' | '?' => c.to_string(),
-                'a'..='z' if capitals => format!("+{}", c.to_ascii_uppercase()),
-                c => comment_text(&c.to_string()),
-            })
-            .collect(),
+        Value::Number(x) => push_in_full(word, x + 0.0),
+        Value::Text(text) => {
+            for c in text.chars().filter(|c| *c != ' ') {
+                match c {
+                    ',' => word.push('.'),
+                    'a'..='z' if capitals => {
+                        word.push('+');
+                        word.push(c.to_ascii_uppercase());
+                    }
+                    '@' | '?' => word.push(c),
+                    c => word.push(comment_char(c)),
+                }
+            }
+        }
     }
 }
 

@@ -199,13 +199,15 @@ pub fn find(key: &str) -> Option<&'static PostDef> {
 /// a block, or mean something to a control. Everything else becomes `_`; what is too long for a line is cut.
 pub fn comment_text(text: &str) -> String {
     const LONGEST: usize = 60;
-    text.chars()
-        .take(LONGEST)
-        .map(|c| match c {
-            'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
-            _ => '_',
-        })
-        .collect()
+    text.chars().take(LONGEST).map(comment_char).collect()
+}
+
+/// A character as a comment may have it.
+fn comment_char(c: char) -> char {
+    match c {
+        'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
+        _ => '_',
+    }
 }
 
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.

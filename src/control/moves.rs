@@ -2,9 +2,10 @@
 
 use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, pieces};
 use crate::control::{Program, Request};
-use crate::formula::{Datum, Formula};
+use crate::formula::{Datum, Formula, Used};
 use crate::geom::Vec3;
-use crate::path::{Move, Purpose, Touch};
+use crate::num::count;
+use crate::path::{Move, Path, Purpose, Touch};
 
 /// A move of the path, and its place in it.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +32,9 @@ pub trait Moves {
     /// A touch, and what a miss leads to.
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
 
-    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: written and read. None where it keeps none.
-    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept>;
+    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put behind the empty texts of `kept`. False
+    /// where it keeps none.
+    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool;
 
     /// The way back from a touch.
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
@@ -51,7 +53,7 @@ pub trait Moves {
 }
 
 /// Where a control keeps a coordinate of a trigger.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Kept {
     /// The variable it is kept in.
     pub variable: String,
@@ -70,6 +72,8 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
     let path = request.path;
     let formula = &path.formula;
     let mut w = Writer::new(request, dialect);
+    let used = formula.used();
+    let mut kept = Kept::default();
     hooks.begin(&mut w);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -79,7 +83,7 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
-                latch(&mut w, request, hooks, k);
+                latch(&mut w, path, hooks, (k, &used), &mut kept);
             }
             Purpose::Back(_) => hooks.back(&mut w, place),
         }
@@ -99,16 +103,21 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
 }
 
 /// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, request: &Request<'_>, hooks: &dyn Moves, k: usize) {
-    let sample = request.path.samples(k);
-    for axis in (0..3).filter(|&axis| request.path.formula.uses(sample.index, axis)) {
-        let Some(kept) = hooks.keeps(sample.index, axis) else { continue };
-        let Kept { variable, source, group: (left, right), whole: (open, close), comment } = kept;
-        w.line(&match (sample.first, sample.last) {
-            (true, _) => format!("{variable}={source}{comment}"),
-            (false, false) => format!("{variable}={open}{variable}+{source}{close}"),
-            (false, true) => format!("{variable}={open}{left}{variable}+{source}{right}/{}{close}", sample.count),
-        });
+fn latch(w: &mut Writer<'_>, path: &Path, hooks: &dyn Moves, (k, used): (usize, &Used), kept: &mut Kept) {
+    let sample = path.samples(k);
+    for axis in (0..3).filter(|&axis| used.has(sample.index, axis)) {
+        [&mut kept.variable, &mut kept.source, &mut kept.comment].into_iter().for_each(|text| text.clear());
+        if !hooks.keeps(sample.index, axis, kept) {
+            continue;
+        }
+        let Kept { variable, source, group: (left, right), whole: (open, close), comment } = &*kept;
+        match (sample.first, sample.last) {
+            (true, _) => w.parts(&[variable, "=", source, comment]),
+            (false, false) => w.parts(&[variable, "=", open, variable, "+", source, close]),
+            (false, true) => {
+                w.parts(&[variable, "=", open, left, variable, "+", source, right, "/", &count(sample.count), close]);
+            }
+        }
     }
 }
 

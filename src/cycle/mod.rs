@@ -8,9 +8,9 @@ pub use ency::{CODE_GROUPS, Pick, Placement, code_of, only_angular};
 use std::fmt::Debug;
 
 use crate::form::{Checker, Field, Section, SubForm};
-use crate::formula::ResultRow;
+use crate::formula::{Formula, ResultRow};
 use crate::geom::{Plane, Vec3};
-use crate::path::{Path, Setup, Subject, Surface};
+use crate::path::{Parameter, Path, Setup, Subject, Surface, Touch};
 
 /// Every cycle, in the order of the gallery.
 pub static CYCLES: &[&CycleDef] = &[
@@ -80,6 +80,12 @@ pub trait Cycle: Debug {
 
     /// The whole path. Total on every cycle that passed its rules.
     fn plan(&self, setup: &Setup) -> Path;
+
+    /// What the control computes, as [`Cycle::plan`] gives it.
+    fn formula(&self, setup: &Setup) -> Formula;
+
+    /// The source's parameter table: what goes out, and nothing that anything is computed from. `touches` are those of the path.
+    fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter>;
 
     /// Reports what only the whole path shows: where it begins and ends against the feature. Paths start with `cycle.`.
     fn review(&self, _setup: &Setup, _path: &Path, _checker: &mut Checker) {}

@@ -2,7 +2,7 @@
 
 use glam::DMat3;
 
-use crate::formula::{Expr, Formula, Function, Value};
+use crate::formula::{Expr, Formula, Function, Name, Value};
 use crate::geom::{Vec2, Vec3};
 
 /// A circle fitted to points of a plane.
@@ -76,16 +76,16 @@ impl Formula {
         let samples = first..first + count;
         let mean = |axis: usize| Expr::sum(samples.clone().map(|k| Expr::trigger(k, axis))) / n();
         let (mean_a, mean_o) = (mean(a), mean(o));
-        let mean_a = self.set(format!("c{number}_mean_a"), mean_a);
-        let mean_o = self.set(format!("c{number}_mean_o"), mean_o);
+        let mean_a = self.set(Name::new("c", number).and("_mean_a"), mean_a);
+        let mean_o = self.set(Name::new("c", number).and("_mean_o"), mean_o);
         let mut sums: [Option<Value>; 5] = Default::default();
         for k in samples {
-            let u = self.set(format!("u{}", k + 1), Expr::trigger(k, a) - mean_a);
-            let v = self.set(format!("v{}", k + 1), Expr::trigger(k, o) - mean_o);
-            let z = self.set(format!("w{}", k + 1), u * u + v * v);
+            let u = self.set(Name::new("u", k + 1), Expr::trigger(k, a) - mean_a);
+            let v = self.set(Name::new("v", k + 1), Expr::trigger(k, o) - mean_o);
+            let z = self.set(Name::new("w", k + 1), u * u + v * v);
             let terms = [u * u, v * v, u * v, u * z, v * z];
             for (i, (sum, term)) in sums.iter_mut().zip(terms).enumerate() {
-                let name = format!("c{number}_{}_{}", ["uu", "vv", "uv", "uz", "vz"][i], k - first + 1);
+                let name = Name::new("c", number).and(["_uu_", "_vv_", "_uv_", "_uz_", "_vz_"][i]).at(k - first + 1);
                 *sum = Some(self.set(
                     name,
                     match *sum {
@@ -97,14 +97,14 @@ impl Formula {
         }
         let [uu, vv, uv, uz, vz] = sums.map(|s| s.expect("three points or more"));
         let det = (uu * vv - uv * uv) * Expr::Number(2.0);
-        let det = self.set(format!("c{number}_det"), det);
+        let det = self.set(Name::new("c", number).and("_det"), det);
         let u = (vv * uz - uv * vz) / det;
-        let u = self.set(format!("c{number}_u"), u);
-        let v = self.set(format!("c{number}_v"), (uu * vz - uv * uz) / det);
+        let u = self.set(Name::new("c", number).and("_u"), u);
+        let v = self.set(Name::new("c", number).and("_v"), (uu * vz - uv * uz) / det);
         let square = u * u + v * v + (uu + vv) / n();
-        let x = self.set(format!("c{number}_a"), mean_a + u);
-        let y = self.set(format!("c{number}_o"), mean_o + v);
-        let r = self.set(format!("c{number}_r"), Expr::Call(Function::Sqrt, Box::new(square)));
+        let x = self.set(Name::new("c", number).and("_a"), mean_a + u);
+        let y = self.set(Name::new("c", number).and("_o"), mean_o + v);
+        let r = self.set(Name::new("c", number).and("_r"), Expr::Call(Function::Sqrt, Box::new(square)));
         [x, y, r]
     }
 }

@@ -9,8 +9,10 @@
 //! Angles are in degrees here, as controls take them.
 
 mod circle;
+mod name;
 
 pub use circle::{CircleFit, fit_circle};
+pub use name::Name;
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -90,8 +92,8 @@ pub enum Function {
 /// One assignment.
 #[derive(Clone, Debug)]
 pub struct Assignment {
-    /// Name: lower-case letters, digits and underscores.
-    pub name: String,
+    /// Its name.
+    pub name: Name,
     /// Its value.
     pub expr: Expr,
 }
@@ -247,7 +249,7 @@ impl Value {
 
 impl Formula {
     /// Names a value and gives its handle.
-    pub fn set(&mut self, name: impl Into<String>, expr: impl Into<Expr>) -> Value {
+    pub fn set(&mut self, name: impl Into<Name>, expr: impl Into<Expr>) -> Value {
         self.assignments.push(Assignment { name: name.into(), expr: expr.into() });
         Value(self.assignments.len() - 1)
     }
@@ -268,7 +270,12 @@ impl Formula {
 
     /// The same computation in plain arithmetic: every circle is fitted by its normal equations, which are closed. They give
     /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
-    pub fn plain(&self) -> Formula {
+    pub fn plain(self) -> Formula {
+        let mut circles = false;
+        self.assignments.iter().for_each(|a| a.expr.each(&mut |node| circles |= matches!(node, Expr::Circle { .. })));
+        if !circles {
+            return self;
+        }
         let mut plain = Formula::default();
         let mut places: Vec<Value> = Vec::with_capacity(self.assignments.len());
         let mut circles: Vec<(usize, [Value; 3])> = Vec::new();
@@ -291,7 +298,7 @@ impl Formula {
                 }
                 _ => None,
             });
-            places.push(plain.set(assignment.name.clone(), expr));
+            places.push(plain.set(assignment.name, expr));
         }
         let moved = |e: &Expr| match e {
             Expr::Variable(index) => places[*index].into(),
@@ -309,9 +316,19 @@ impl Formula {
         plain
     }
 
-    /// Whether coordinate `axis` of this touch's trigger is used at all.
-    pub fn uses(&self, touch: usize, axis: usize) -> bool {
-        self.assignments.iter().any(|a| a.expr.uses(touch, axis))
+    /// Which coordinates of the triggers are used at all.
+    pub fn used(&self) -> Used {
+        let mut used = Used::default();
+        for assignment in &self.assignments {
+            assignment.expr.each(&mut |node| match node {
+                Expr::Trigger { touch, axis } => used.0[*touch] |= 1 << axis,
+                Expr::Circle { first, count, axes, .. } => {
+                    used.0[*first..first + count].iter_mut().for_each(|own| *own |= 1 << axes.0 | 1 << axes.1);
+                }
+                _ => {}
+            });
+        }
+        used
     }
 
     /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
@@ -328,6 +345,17 @@ impl Formula {
 
 /// The most samples that a formula computes with: a derivative is kept for each.
 pub const MOST_SAMPLES: usize = 16;
+
+/// The coordinates of the triggers that a formula reads: a bit an axis.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Used([u8; MOST_SAMPLES]);
+
+impl Used {
+    /// Whether coordinate `axis` of a sample is read.
+    pub fn has(&self, sample: usize, axis: usize) -> bool {
+        self.0.get(sample).is_some_and(|axes| axes & (1 << axis) != 0)
+    }
+}
 
 /// A number and its derivative by each touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -424,20 +452,6 @@ impl Expr {
             Expr::Number(x) | Expr::Length(x) => *x == number,
             _ => false,
         }
-    }
-
-    fn uses(&self, touch: usize, axis: usize) -> bool {
-        let mut used = false;
-        self.each(&mut |node| {
-            used |= match node {
-                Expr::Trigger { touch: t, axis: a } => (*t, *a) == (touch, axis),
-                Expr::Circle { first, count, axes, .. } => {
-                    (*first..first + count).contains(&touch) && (axis == axes.0 || axis == axes.1)
-                }
-                _ => false,
-            };
-        });
-        used
     }
 
     /// Its value, where it is made of named values and constants alone.

@@ -136,7 +136,7 @@ fn whole(text: &str) -> Option<f64> {
         whole.len() == 3 && whole.bytes().all(|b| b.is_ascii_digit()) && (last || whole == *group)
     });
     let plain = grouped.then(|| groups.concat().replace(',', "."))?;
-    plain.parse::<f64>().ok().filter(|x| x.is_finite()).map(|x| sign * x)
+    crate::num::read(&plain).filter(|x| x.is_finite()).map(|x| sign * x)
 }
 
 /// The first number or truth value of a text.
@@ -176,7 +176,7 @@ fn number(text: &str) -> Option<(usize, f64)> {
             }
         }
     }
-    let parsed = text[start..end].replace(',', ".").parse::<f64>().ok().filter(|x| x.is_finite())?;
+    let parsed = crate::num::read(&text[start..end].replace(',', ".")).filter(|x| x.is_finite())?;
     Some((start, parsed))
 }
 

@@ -129,7 +129,7 @@ impl Reader {
         match words.first().map(|t| t.parse::<i32>()) {
             Some(Ok(number)) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
             // Only a spindle speed: the tool stays.
-            Some(Err(_)) if words[0].starts_with('S') && words[0][1..].parse::<f64>().is_ok() => {}
+            Some(Err(_)) if words[0].starts_with('S') && crate::num::read(&words[0][1..]).is_some() => {}
             _ => {
                 let message = "The tool is called by its name: its number is not known, and no tool is called";
                 self.checker.warning("tool-by-name", "control.tool", message);
@@ -252,7 +252,7 @@ fn says(blocks: &[String], word: &str) -> bool {
 
 /// A word of ISO programming: a letter and a number, a program name, or the end sign.
 fn is_iso_word(word: &str) -> bool {
-    let number = |text: &str| text.parse::<f64>().is_ok();
+    let number = |text: &str| crate::num::read(text).is_some();
     word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
 }
 
@@ -336,8 +336,8 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
         };
         rest = &value[(text.len() + 2 * usize::from(quoted)).min(value.len())..];
         let plain = text.replace(',', ".");
-        match plain.parse::<f64>() {
-            Ok(x) if !quoted && x.is_finite() => found.push((number, Value::Number(x))),
+        match crate::num::read(&plain) {
+            Some(x) if !quoted && x.is_finite() => found.push((number, Value::Number(x))),
             _ if quoted => found.push((number, Value::Text(plain))),
             _ if PREDEFINED.iter().any(|(n, _)| *n == number) && plain.eq_ignore_ascii_case("PREDEF") => {
                 found.push((number, Value::Flag(true)));

@@ -120,7 +120,7 @@ fn written_for_another(job: &Value, text: &str) -> bool {
 fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
     let find = |path: &str| said.values.iter().find(|(p, _)| p.eq_ignore_ascii_case(path)).map(|(_, v)| *v);
     let def = cycle::find(&find("cycle.type")?.to_ascii_lowercase())?;
-    let format = find("format").and_then(|v| v.parse::<f64>().ok()).unwrap_or(FORMAT);
+    let format = find("format").and_then(crate::num::read).unwrap_or(FORMAT);
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
     for (path, text) in said.values.iter().filter(|(path, _)| !path.eq_ignore_ascii_case("format")) {
@@ -208,8 +208,8 @@ fn nested(text: &str, depth: usize) -> Value {
         "[]" => Value::List(Vec::new()),
         _ => match text.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')).filter(|_| depth > 0) {
             Some(inner) => Value::List(inner.split(',').take(3).map(|item| nested(item, depth - 1)).collect()),
-            None => match text.parse::<f64>() {
-                Ok(x) if x.is_finite() => Value::Number(x),
+            None => match crate::num::read(text) {
+                Some(x) if x.is_finite() => Value::Number(x),
                 _ => Value::Text(text.to_owned()),
             },
         },
@@ -297,7 +297,7 @@ fn tokens(code: &str) -> Vec<Token> {
     let mut at = 0;
     while at < bytes.len() {
         let end = bytes[at..].iter().position(|b| !(b.is_ascii_digit() || *b == b'.')).map_or(bytes.len(), |n| at + n);
-        match code.get(at..end).and_then(|word| word.parse::<f64>().ok()) {
+        match code.get(at..end).and_then(crate::num::read) {
             Some(number) if end > at => {
                 tokens.push(Token::Number(number));
                 at = end;

@@ -55,10 +55,12 @@ pub fn check(value: &Value) -> Vec<Finding> {
 
 /// The whole plan of a job, in the job's units.
 pub fn plan(value: &Value) -> Result<Plan, JobError> {
-    plan_with_path(value).map(|(_, plan)| plan)
+    let (planned, mut plan) = plan_with_path(value)?;
+    plan.table = planned.table();
+    Ok(plan)
 }
 
-/// The same with the path that it is made of: what a picture needs.
+/// The same with the path that it is made of, and without the table, which [`Planned::table`] makes where it is read.
 pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     let mut checker = Checker::default();
     let Some(job) = Job::read(&mut checker, value) else {
@@ -79,7 +81,7 @@ pub fn planned(value: &Value) -> Option<Planned> {
 pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Surface>, crate::part::Run)> {
     let job = Job::read(&mut Checker::default(), value)?;
     let path = job.cycle.plan(&job.setup);
-    let surfaces = plan::actual_surfaces(&job);
+    let surfaces = plan::actual_surfaces(&job, &path);
     let run = crate::part::run(&path, &surfaces, &job.setup);
     Some((job, path, surfaces, run))
 }

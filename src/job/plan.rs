@@ -5,7 +5,7 @@ use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
 use crate::geom::AXIS_NAMES;
 use crate::job::rows::{
-    Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
+    ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
 };
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
@@ -13,16 +13,18 @@ use crate::part;
 use crate::path::{Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 
 /// The surfaces of the actual part where it really lies.
-pub fn actual_surfaces(job: &Job) -> Vec<Surface> {
-    let cycle = job.actual.as_deref().unwrap_or(&*job.cycle);
-    part::place(&cycle.surfaces(&job.setup), &job.lie)
+pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
+    match job.actual.as_deref() {
+        Some(cycle) => part::place(&cycle.surfaces(&job.setup), &job.lie),
+        None => part::place(&path.surfaces, &job.lie),
+    }
 }
 
 /// The path, with the formula as the control computes it.
 fn planned(job: &Job) -> Path {
     let mut path = job.cycle.plan(&job.setup);
     if job.post.computes {
-        path.formula = path.formula.plain();
+        path.formula = std::mem::take(&mut path.formula).plain();
     }
     path
 }
@@ -44,9 +46,15 @@ impl Planned {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
         let path = planned(&job);
-        let surfaces = actual_surfaces(&job);
+        let surfaces = actual_surfaces(&job, &path);
         let run = part::run(&path, &surfaces, &job.setup);
         Planned { job, path, surfaces, run }
+    }
+
+    /// The parameter table, in the job's units.
+    pub fn table(&self) -> Vec<ParameterRow> {
+        let parameters = self.job.cycle.parameters(&self.job.setup, &self.path.touches);
+        parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()
     }
 }
 
@@ -80,7 +88,7 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     job.cycle.review(&job.setup, path, checker);
 }
 
-/// Makes the plan; `value` is the job as it was given. `checker` holds what the check has found.
+/// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
     for (field, label) in job.cycle.set_on_the_control() {
@@ -101,7 +109,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         return Err(JobError { findings: checker.findings() });
     }
     let mut rows = part::evaluate(path, &run.triggers, job.repeatability);
-    let actual_formula = job.actual.as_deref().map(|cycle| cycle.plan(&job.setup).formula);
+    let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
     let results = result_rows(job, path, rows);
@@ -136,7 +144,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             proof: proof.map(ProofRow::from),
         },
         safety: verdicts.into_iter().map(SafetyRow::from).collect(),
-        table: path.parameters.iter().map(|p| parameter_row(job, p)).collect(),
+        table: Vec::new(),
         results,
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
         findings: checker.findings(),

@@ -240,23 +240,23 @@ pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
     Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc }
 }
 
-pub(super) fn parameter_row(job: &Job, parameter: &path::Parameter) -> ParameterRow {
+pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterRow {
     ParameterRow {
         code: match parameter.accessor {
             Accessor::Q => format!("Q{}", parameter.code),
             accessor => format!("CmdPrm.{}[{}]", accessor.word(), parameter.code),
         },
         type_name: parameter.type_name,
-        value: match &parameter.value {
+        value: match parameter.value {
             path::ParameterValue::Length(mm) => ParameterValue::Number(tidy(mm / job.scale)),
-            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(*x)),
-            path::ParameterValue::Whole(n) => ParameterValue::Whole(*n),
-            path::ParameterValue::Flag(on) => ParameterValue::Flag(*on),
-            path::ParameterValue::Text(text) => ParameterValue::Text(text.clone()),
-            path::ParameterValue::Word(word) => ParameterValue::Text((*word).to_owned()),
+            path::ParameterValue::Number(x) => ParameterValue::Number(tidy(x)),
+            path::ParameterValue::Whole(n) => ParameterValue::Whole(n),
+            path::ParameterValue::Flag(on) => ParameterValue::Flag(on),
+            path::ParameterValue::Text(text) => ParameterValue::Text(text),
+            path::ParameterValue::Word(word) => ParameterValue::Text(word.to_owned()),
         },
-        meaning: parameter.meaning.clone(),
-        field: parameter.field.clone(),
+        meaning: parameter.meaning,
+        field: parameter.field,
         touch: parameter.touch,
     }
 }

@@ -83,7 +83,7 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
     let separator = |c: char| c == ';' || c.is_whitespace() || (c == ',' && !decimal_comma);
     line.split(separator)
         .filter(|part| !part.is_empty())
-        .map(|part| part.replace(',', ".").parse::<f64>().ok().filter(|x| x.is_finite() && x.abs() <= 1e6))
+        .map(|part| crate::num::read(&part.replace(',', ".")).filter(|x| x.is_finite() && x.abs() <= 1e6))
         .collect()
 }
 

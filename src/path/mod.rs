@@ -193,8 +193,6 @@ pub struct Path {
     pub frame: Frame,
     /// What the control computes from the touches.
     pub formula: Formula,
-    /// The source's parameter table: what goes out, and nothing that anything is computed from.
-    pub parameters: Vec<Parameter>,
     /// What is probed.
     pub feature: Feature,
 }

@@ -267,7 +267,7 @@ fn number(text: &str) -> Option<f64> {
         && digits.bytes().all(|b| b.is_ascii_digit() || b == b'.')
         && digits.bytes().any(|b| b.is_ascii_digit())
         && digits.len() <= 20;
-    good.then(|| plain.parse().ok()).flatten().filter(|x: &f64| x.abs() <= 100_000.0)
+    good.then(|| crate::num::read(&plain)).flatten().filter(|x| x.abs() <= 100_000.0)
 }
 
 /// Where the number at the start of a text ends; none where it starts with none.

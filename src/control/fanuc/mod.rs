@@ -23,7 +23,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{Plane, Vec3};
-use crate::num::decimal;
+use crate::num::{Digits, count, decimal};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
 
 /// Fanuc 30i, 31i, 32i, 0i-F.
@@ -160,7 +160,14 @@ fn serves(_subject: Subject, form: Form) -> Result<(), &'static str> {
 }
 
 fn variable(n: usize) -> String {
-    format!("#{}", FIRST + n)
+    let mut text = String::new();
+    push_variable(&mut text, n);
+    text
+}
+
+fn push_variable(text: &mut String, n: usize) {
+    text.push('#');
+    text.push_str(&count(FIRST + n));
 }
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
@@ -225,18 +232,16 @@ struct Variables<'a>(&'a Registers);
 
 impl Notation for Variables<'_> {
     const BRACKETS: (char, char) = ('[', ']');
+    const ATAN: [&'static str; 3] = print::ATAN_OF_TWO;
 
     fn variable(&self, _: &Formula, index: usize, out: &mut String) {
-        out.push_str(&variable(self.0.variables[index]));
+        push_variable(out, self.0.variables[index]);
     }
 
     fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
-        out.push_str(&variable(self.0.trigger(sample, axis)));
+        push_variable(out, self.0.trigger(sample, axis));
     }
 
-    fn atan(&self, y: &str, x: &str) -> String {
-        format!("ATAN[{y}]/[{x}]")
-    }
 
     fn decimals(&self, x: f64) -> usize {
         decimals(x)
@@ -252,34 +257,44 @@ fn decimals(x: f64) -> usize {
 /// The digits of a constant: more is an alarm on some controls.
 const DIGITS: usize = 8;
 
+/// Where the ball stopped in the last G31, along each axis.
+const STOPPED_AT: [&str; 3] = ["#5061", "#5062", "#5063"];
+
 impl Skip<'_> {
     /// A number of the program, as a value: with its point, and in brackets where it is negative.
     fn number(w: &Writer<'_>, mm: f64) -> String {
         let text = w.number(mm);
-        if text.starts_with('-') { format!("[{text}]") } else { text }
+        if text.starts_with('-') { format!("[{text}]") } else { text.to_string() }
     }
 
     /// How far the ball stopped off a place, along the axes that are known, as a sum.
     fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
-        let terms = axes.iter().map(|&axis| {
-            let length = if axis == 2 { format!("-{}", variable(0)) } else { String::new() };
-            let place = match Self::number(w, to[axis]) {
-                zero if zero == "0." => String::new(),
-                place => format!("-{place}"),
-            };
-            format!("ABS[#{}{length}{place}]", 5061 + axis)
-        });
-        terms.collect::<Vec<_>>().join("+")
+        let mut sum = String::with_capacity(80);
+        for &axis in axes {
+            sum.push_str(if sum.is_empty() { "ABS[" } else { "+ABS[" });
+            sum.push_str(STOPPED_AT[axis]);
+            if axis == 2 {
+                sum.push('-');
+                push_variable(&mut sum, 0);
+            }
+            let place = Self::number(w, to[axis]);
+            if place != "0." {
+                sum.push('-');
+                sum.push_str(&place);
+            }
+            sum.push(']');
+        }
+        sum
     }
 
-    fn in_position(w: &Writer<'_>) -> String {
+    fn in_position(w: &Writer<'_>) -> Digits {
         w.number(IN_POSITION)
     }
 
     /// A probing move, and the block that keeps the control from reading ahead.
     fn probe(&self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
-        let block = format!("G31{words} F{}{alarm}", w.number(rate));
-        w.line(&block);
+        let feed = w.number(rate);
+        w.parts(&["G31", words, " F", &feed, alarm]);
         w.line(self.flavour.halt);
     }
 
@@ -288,8 +303,8 @@ impl Skip<'_> {
         let rate = feed_rate(self.request, None, step).unwrap_or(RAPID_RATE);
         self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
-            let check = format!("IF [{} GT {}] GOTO {exit}", Self::off(w, to, axes), Self::in_position(w));
-            w.line(&check);
+            let (off, near) = (Self::off(w, to, axes), Self::in_position(w));
+            w.parts(&["IF [", &off, " GT ", &near, "] GOTO ", exit]);
         }
     }
 
@@ -379,7 +394,7 @@ impl Moves for Skip<'_> {
     }
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
-        w.line(&format!("#149={}", step.index + 1));
+        w.parts(&["#149=", &count(step.index + 1)]);
         w.makes_move();
         each_piece(self.request, step, |from, to| {
             if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
@@ -394,24 +409,24 @@ impl Moves for Skip<'_> {
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
-        w.line(&format!("#149={}", step.index + 1));
+        w.parts(&["#149=", &count(step.index + 1)]);
         w.makes_move();
         let end = step.step.to - touch.vector * touch.search;
         let words = w.all_words(end);
         self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
-        let check = format!("IF [{} LE {}] GOTO {MISSED}", Self::off(w, end, &[0, 1, 2]), Self::in_position(w));
-        w.line(&check);
+        let (off, near) = (Self::off(w, end, &[0, 1, 2]), Self::in_position(w));
+        w.parts(&["IF [", &off, " LE ", &near, "] GOTO ", MISSED]);
     }
 
-    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
-        let length = if axis == 2 { format!("-{}", variable(0)) } else { String::new() };
-        Some(Kept {
-            variable: variable(self.registers.trigger(sample, axis)),
-            source: format!("#{}{length}", 5061 + axis),
-            group: ("[", "]"),
-            whole: ("[", "]"),
-            comment: String::new(),
-        })
+    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
+        push_variable(&mut kept.variable, self.registers.trigger(sample, axis));
+        kept.source.push_str(STOPPED_AT[axis]);
+        if axis == 2 {
+            kept.source.push('-');
+            push_variable(&mut kept.source, 0);
+        }
+        (kept.group, kept.whole) = (("[", "]"), ("[", "]"));
+        true
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
@@ -421,8 +436,11 @@ impl Moves for Skip<'_> {
     }
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
-        let value = print::print(&Variables(&self.registers), formula, &formula.assignments[index].expr, self.request.scale);
-        w.line(&format!("{}={value}", variable(self.registers.variables[index])));
+        w.build(|text| {
+            push_variable(text, self.registers.variables[index]);
+            text.push('=');
+            print::print_to(text, &Variables(&self.registers), formula, &formula.assignments[index].expr, self.request.scale);
+        });
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {

@@ -77,7 +77,7 @@ pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 }
 
 fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
-    let mut script = Script::default();
+    let mut script = Script::with_room_for(text);
     script.straight = true;
     let mut targets = Targets::default();
     lines::lines(text, b'(', &mut script, |script, line, code, comment| {

@@ -124,8 +124,8 @@ impl Moves for Grbl<'_> {
         w.touch("G38.2", step.step, touch, false, self.request.feeds.work);
     }
 
-    fn keeps(&self, _sample: usize, _axis: usize) -> Option<Kept> {
-        None
+    fn keeps(&self, _sample: usize, _axis: usize, _kept: &mut Kept) -> bool {
+        false
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

@@ -81,9 +81,6 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("/", 3, Binary::Divide),
 ];
 
-/// How tightly the tightest operator binds.
-const TIGHTEST: u8 = 3;
-
 /// A place in a line.
 #[derive(Debug)]
 pub struct Cursor<'t> {
@@ -113,7 +110,8 @@ impl<'t> Cursor<'t> {
 
     pub(super) fn take(&mut self, bytes: usize) -> &'t str {
         let (taken, rest) = self.rest.split_at(bytes);
-        self.rest = rest.trim_start();
+        // Nearly always there is nothing to trim.
+        self.rest = if rest.as_bytes().first().is_some_and(|b| b.is_ascii_graphic()) { rest } else { rest.trim_start() };
         taken
     }
 
@@ -155,8 +153,8 @@ impl<'t> Cursor<'t> {
     /// A number without a sign.
     pub fn number(&mut self) -> Parsed<f64> {
         let end = self.rest.bytes().position(|b| !(b.is_ascii_digit() || b == b'.')).unwrap_or(self.rest.len());
-        match self.rest[..end].parse::<f64>() {
-            Ok(number) if number.is_finite() => {
+        match crate::num::read(&self.rest[..end]) {
+            Some(number) if number.is_finite() => {
                 self.take(end);
                 Ok(number)
             }
@@ -186,28 +184,37 @@ impl<'t> Cursor<'t> {
 
     /// A value.
     pub fn value(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
-        self.level(0, grammar, script)
+        self.bound(0, grammar, script)
     }
 
-    fn level(&mut self, level: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
-        if level > TIGHTEST {
-            return self.operand(grammar, script);
-        }
-        let mut left = self.level(level + 1, grammar, script)?;
-        'next: loop {
-            for (word, own, binary) in grammar.operators {
-                if *own == level && self.eat(word) {
-                    self.operators += 1;
-                    if self.operators > LONGEST {
-                        return Err("this value is too long".to_owned());
-                    }
-                    let right = self.level(level + 1, grammar, script)?;
-                    left = script.node(Expr::Binary(*binary, left, right));
-                    continue 'next;
-                }
+    /// A value whose operators bind as tightly as this, or tighter.
+    fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+        let mut left = self.operand(grammar, script)?;
+        while let Some((word, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
+            self.take(word.len());
+            self.operators += 1;
+            if self.operators > LONGEST {
+                return Err("this value is too long".to_owned());
             }
-            return Ok(left);
+            let right = self.bound(binds + 1, grammar, script)?;
+            left = script.node(Expr::Binary(*binary, left, right));
         }
+        Ok(left)
+    }
+
+    /// The operator that is next, without going past it.
+    fn operator<'g>(&self, grammar: &'g Grammar) -> Option<(&'g str, u8, &'g Binary)> {
+        let first = self.rest.as_bytes().first()?;
+        // Most values end in a bracket or at the end of the line.
+        if *first == grammar.brackets.1 {
+            return None;
+        }
+        let here = |(word, ..): &&(&str, u8, Binary)| {
+            let word = word.as_bytes();
+            word[0].eq_ignore_ascii_case(first)
+                && self.rest.as_bytes().get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word))
+        };
+        grammar.operators.iter().find(here).map(|(word, binds, binary)| (*word, *binds, binary))
     }
 
     /// One value without an operator around it.
@@ -265,30 +272,32 @@ impl<'t> Cursor<'t> {
     }
 
     fn call(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
-        let unary = match name.to_ascii_uppercase().as_str() {
-            "SIN" => Unary::Sin,
-            "COS" => Unary::Cos,
-            "SQRT" => Unary::Sqrt,
-            "ABS" => Unary::Abs,
-            // ATAN[y]/[x], ATAN2(y,x).
-            "ATAN" => {
-                let y = self.bracketed(grammar, script)?;
-                self.expect("/")?;
-                let x = self.bracketed(grammar, script)?;
-                return Ok(script.node(Expr::Binary(Binary::Atan, y, x)));
-            }
-            "ATAN2" => {
-                self.take(1);
-                let y = self.value(grammar, script)?;
-                self.expect(",")?;
-                let x = self.value(grammar, script)?;
-                self.expect(sign(close))?;
-                return Ok(script.node(Expr::Binary(Binary::Atan, y, x)));
-            }
-            _ => return Err(format!("the function {} is not understood", crate::form::printable(name))),
+        const FUNCTIONS: [(&str, Unary); 4] =
+            [("SIN", Unary::Sin), ("COS", Unary::Cos), ("SQRT", Unary::Sqrt), ("ABS", Unary::Abs)];
+        let Some((_, unary)) = FUNCTIONS.into_iter().find(|(word, _)| name.eq_ignore_ascii_case(word)) else {
+            return self.angle(name, close, grammar, script);
         };
         let inner = self.bracketed(grammar, script)?;
         Ok(script.node(Expr::Unary(unary, inner)))
+    }
+
+    /// `ATAN[y]/[x]`, `ATAN2(y,x)`.
+    fn angle(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+        let (y, x) = if name.eq_ignore_ascii_case("ATAN") {
+            let y = self.bracketed(grammar, script)?;
+            self.expect("/")?;
+            (y, self.bracketed(grammar, script)?)
+        } else if name.eq_ignore_ascii_case("ATAN2") {
+            self.take(1);
+            let y = self.value(grammar, script)?;
+            self.expect(",")?;
+            let x = self.value(grammar, script)?;
+            self.expect(sign(close))?;
+            (y, x)
+        } else {
+            return Err(format!("the function {} is not understood", crate::form::printable(name)));
+        };
+        Ok(script.node(Expr::Binary(Binary::Atan, y, x)))
     }
 
     /// A value in brackets.

@@ -1,7 +1,7 @@
 //! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
 
-use crate::formula::{Expr, Formula, Function, Op};
-use crate::num::push_decimal;
+use crate::formula::{Expr, Formula, Function, Name, Op};
+use crate::num::{count, push_decimal};
 
 /// How a control writes expressions.
 pub trait Notation {
@@ -11,8 +11,8 @@ pub trait Notation {
     fn variable(&self, formula: &Formula, index: usize, out: &mut String);
     /// Writes coordinate `axis` of a sample's trigger.
     fn trigger(&self, sample: usize, axis: usize, out: &mut String);
-    /// The angle of the vector (x, y).
-    fn atan(&self, y: &str, x: &str) -> String;
+    /// What stands before, between and behind the two parts of the angle of the vector (x, y), y first.
+    const ATAN: [&'static str; 3];
     /// How many decimals a constant has at most: with 12, half a turn of a 10 m part moves by less than 1e-8 mm.
     fn decimals(&self, _x: f64) -> usize {
         12
@@ -22,40 +22,46 @@ pub trait Notation {
 /// Prints `expr` of `formula`. `scale` is the millimetres in a unit of the program.
 pub fn print<N: Notation>(notation: &N, formula: &Formula, expr: &Expr, scale: f64) -> String {
     let mut text = String::with_capacity(64);
-    Printer { notation, formula, scale }.put(expr, 0, &mut text);
+    print_to(&mut text, notation, formula, expr, scale);
     text
+}
+
+/// The same, written behind a text.
+pub fn print_to<N: Notation>(text: &mut String, notation: &N, formula: &Formula, expr: &Expr, scale: f64) {
+    Printer { notation, formula, scale }.put(expr, 0, text);
 }
 
 /// The RS274 family: square brackets, named parameters.
 #[derive(Debug)]
 pub struct Rs274;
 
+/// `ATAN[y]/[x]`.
+pub const ATAN_OF_TWO: [&str; 3] = ["ATAN[", "]/[", "]"];
+
 impl Notation for Rs274 {
     const BRACKETS: (char, char) = ('[', ']');
+    const ATAN: [&'static str; 3] = ATAN_OF_TWO;
 
     fn variable(&self, formula: &Formula, index: usize, out: &mut String) {
         out.push_str("#<");
-        out.push_str(&formula.assignments[index].name);
+        formula.assignments[index].name.push_to(out);
         out.push('>');
     }
 
     fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
         out.push_str("#<");
         out.push_str(AXES[axis]);
-        push_decimal(out, sample as f64 + 1.0, 0);
+        out.push_str(&count(sample + 1));
         out.push('>');
     }
 
-    fn atan(&self, y: &str, x: &str) -> String {
-        format!("ATAN[{y}]/[{x}]")
-    }
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The name of the parameter that holds coordinate `axis` of a sample's trigger.
-pub fn trigger_name(sample: usize, axis: usize) -> String {
-    format!("{}{}", AXES[axis], sample + 1)
+pub fn trigger_name(sample: usize, axis: usize) -> Name {
+    Name::new(AXES[axis], sample + 1)
 }
 
 struct Printer<'a, N> {
@@ -84,10 +90,11 @@ impl<N: Notation> Printer<'_, N> {
             }
             Expr::Circle { .. } => unreachable!("programs get the plain formula"),
             Expr::Atan2(y, x) => {
-                let (mut of, mut by) = (String::new(), String::new());
-                self.put(y, 0, &mut of);
-                self.put(x, 0, &mut by);
-                out.push_str(&self.notation.atan(&of, &by));
+                out.push_str(N::ATAN[0]);
+                self.put(y, 0, out);
+                out.push_str(N::ATAN[1]);
+                self.put(x, 0, out);
+                out.push_str(N::ATAN[2]);
             }
             Expr::Binary(op, a, b) => {
                 let (sign, own, right) = match op {

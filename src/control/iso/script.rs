@@ -1,6 +1,8 @@
 //! A program as it is read: blocks with resolved jumps, over one arena of expressions.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
+
+use rustc_hash::FxBuildHasher;
 
 use crate::geom::Plane;
 
@@ -253,7 +255,9 @@ pub struct Script<'t> {
     /// The names of its variables.
     pub slots: Vec<&'t str>,
     /// The same by name.
-    names: HashMap<&'t str, Slot>,
+    names: HashMap<&'t str, Slot, FxBuildHasher>,
+    /// Those beyond the usual number.
+    more_names: BTreeMap<&'t str, Slot>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
@@ -262,18 +266,36 @@ pub struct Script<'t> {
     pub results: Vec<(&'t str, Slot)>,
 }
 
+/// A control has a few hundred variables. Names beyond these are looked up in a tree: in a table of hashes, names that were chosen to collide
+/// would make it slow.
+const USUAL_NAMES: usize = 1000;
+
 impl<'t> Script<'t> {
+    /// An empty script with room for a program as long as this text.
+    pub fn with_room_for(text: &str) -> Self {
+        // A block has about thirty characters, and a value about ten.
+        let (blocks, nodes) = (text.len() / 32 + 16, text.len() / 12 + 16);
+        Script { blocks: Vec::with_capacity(blocks), nodes: Vec::with_capacity(nodes), ..Script::default() }
+    }
+
     /// The variable of this name, a new one where there is none yet.
     pub fn slot(&mut self, name: &'t str) -> Slot {
-        *self.names.entry(name).or_insert_with(|| {
-            self.slots.push(name);
-            self.slots.len() as Slot - 1
-        })
+        if let Some(slot) = self.find(name) {
+            return slot;
+        }
+        let slot = self.slots.len() as Slot;
+        self.slots.push(name);
+        if self.names.len() < USUAL_NAMES {
+            self.names.insert(name, slot);
+        } else {
+            self.more_names.insert(name, slot);
+        }
+        slot
     }
 
     /// The variable of this name, where there is one.
     pub fn find(&self, name: &str) -> Option<Slot> {
-        self.names.get(name).copied()
+        self.names.get(name).or_else(|| self.more_names.get(name)).copied()
     }
 
     /// Keeps a value.

@@ -2,7 +2,7 @@
 
 use crate::control::{Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::num::push_decimal;
+use crate::num::Digits;
 use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
@@ -38,8 +38,8 @@ pub struct Writer<'a> {
     text: String,
     lines: usize,
     move_lines: Vec<Option<usize>>,
-    /// The axis words of the last block.
-    last: [String; 3],
+    /// The numbers of the last block's axis words.
+    last: [Digits; 3],
     /// Which axes a block has named.
     stated: [bool; 3],
 }
@@ -54,20 +54,35 @@ impl<'a> Writer<'a> {
             text: String::with_capacity(4096),
             lines: 0,
             move_lines,
-            last: Default::default(),
+            last: [const { Digits::NONE }; 3],
             stated: [false; 3],
         };
         if let Some(start) = request.path.start {
-            writer.last = writer.words(start);
+            writer.last = writer.numbers(start);
         }
         writer
     }
 
     /// One line.
     pub fn line(&mut self, text: &str) {
-        debug_assert!(!text.contains(['\n', '\r']), "a line is one line");
-        debug_assert!(text.starts_with(['(', ';']) || text.len() <= self.dialect.longest_block, "{text}");
-        self.text.push_str(text);
+        self.parts(&[text]);
+    }
+
+    /// One line of these parts.
+    pub fn parts(&mut self, parts: &[&str]) {
+        self.build(|text| parts.iter().for_each(|part| text.push_str(part)));
+    }
+
+    /// One line, as it is written behind the program.
+    pub fn build(&mut self, write: impl FnOnce(&mut String)) {
+        let begin = self.text.len();
+        write(&mut self.text);
+        debug_assert!(!self.text[begin..].contains(['\n', '\r']), "a line is one line");
+        debug_assert!(
+            self.text[begin..].starts_with(['(', ';']) || self.text.len() - begin <= self.dialect.longest_block,
+            "{}",
+            &self.text[begin..]
+        );
         self.text.push('\n');
         self.lines += 1;
     }
@@ -76,38 +91,40 @@ impl<'a> Writer<'a> {
     pub fn comment(&mut self, text: &str) {
         debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
         let (open, close) = self.dialect.comment;
-        for mut line in wrapped(text, self.dialect.comment_width - open.len() - close.len()) {
-            if self.dialect.capitals {
-                line.make_ascii_uppercase();
-            }
-            self.line(&format!("{open}{line}{close}"));
-        }
+        let capitals = self.dialect.capitals;
+        each_line(text, self.dialect.comment_width - open.len() - close.len(), |line| {
+            self.build(|text| {
+                text.push_str(open);
+                let begin = text.len();
+                text.push_str(line);
+                if capitals {
+                    text[begin..].make_ascii_uppercase();
+                }
+                text.push_str(close);
+            });
+        });
     }
 
     /// A length or feed in the program's units, with the decimals the control takes.
-    pub fn number(&self, mm: f64) -> String {
-        let mut text = String::with_capacity(12);
-        self.push_number(&mut text, mm);
-        text
-    }
-
-    fn push_number(&self, text: &mut String, mm: f64) {
-        let begin = text.len();
-        push_decimal(text, mm / self.request.scale, self.decimals());
-        if self.dialect.points && !text[begin..].contains('.') {
-            text.push('.');
-        }
+    pub fn number(&self, mm: f64) -> Digits {
+        let digits = Digits::of(mm / self.request.scale, self.decimals());
+        if self.dialect.points { digits.pointed() } else { digits }
     }
 
     /// A place by its axis words: `X0 Y0 Z30`.
     pub fn place_words(&self, place: Vec3) -> String {
-        self.words(place).concat().trim_start().to_owned()
+        axis_words(&self.numbers(place), [true; 3]).split_off(1)
     }
 
     /// The axis word of the tool axis: `Z30`.
     pub fn height_word(&self, place: Vec3) -> String {
+        axis_words(&self.numbers(place), self.tool()).split_off(1)
+    }
+
+    /// The tool axis alone.
+    fn tool(&self) -> [bool; 3] {
         let [_, _, tool] = self.request.plane.axes();
-        self.words(place)[tool].trim_start().to_owned()
+        [0, 1, 2].map(|axis| axis == tool)
     }
 
     /// The first lines: what will happen, in which units, with which stylus, and from where.
@@ -159,15 +176,20 @@ impl<'a> Writer<'a> {
         let request = self.request;
         self.line(if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 });
         let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { self.dialect.arcs } else { "" };
-        self.line(&format!("{} {}{arcs} G94", request.plane.word(), self.dialect.modes));
+        self.parts(&[request.plane.word(), " ", self.dialect.modes, arcs, " G94"]);
     }
 
     /// A straight move as one block: `word`, axis words, and a feed where there is one. `all` names every axis whose place has been
     /// stated, else only those that change.
     pub fn straight(&mut self, word: &str, to: Vec3, all: bool, rate: Option<f64>) {
-        let mut block = word.to_owned();
-        block.push_str(&self.place(to, all));
-        self.finish_block(block, rate);
+        let words = self.changed(to, all);
+        self.block(word, words, rate);
+    }
+
+    /// The same with all three axis words, whatever the last block said.
+    pub fn straight_in_full(&mut self, word: &str, to: Vec3, rate: f64) {
+        let words = (self.numbers(to), [true; 3]);
+        self.block(word, words, Some(rate));
     }
 
     /// A touch as one block: it runs on past its contact by the search length, along the inverted target vector.
@@ -177,31 +199,30 @@ impl<'a> Writer<'a> {
 
     /// A positioning move along an arc from where the ball stands, with an incremental centre.
     pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
-        let mut block = if arc.sweep > 0.0 { "G3" } else { "G2" }.to_owned();
-        block.push_str(&self.place(step.to, false));
+        let word = if arc.sweep > 0.0 { "G3" } else { "G2" };
+        let words = self.place(step.to, false);
         let to_center = arc.center - from;
         let [a, o, _] = self.request.plane.axes();
-        for axis in [a.min(o), a.max(o)] {
-            block.push_str(&format!(" {}{}", ["I", "J", "K"][axis], self.number(to_center[axis])));
-        }
-        self.finish_block(block, rate);
+        let (first, second) = (a.min(o), a.max(o));
+        let [one, two] = [first, second].map(|axis| self.number(to_center[axis]));
+        let (sign, feed) = self.feed(rate);
+        self.parts(&[word, &words, CENTER[first], &one, CENTER[second], &two, sign, &feed]);
     }
 
     /// All three axis words, whatever the last block said.
     pub fn all_words(&mut self, to: Vec3) -> String {
-        self.named(self.words(to), [true; 3])
+        self.named(self.numbers(to), [true; 3])
     }
 
     /// Words of the two axes of the plane, whatever the last block said.
     pub fn plane_words(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
-        self.named(self.words(to), [0, 1, 2].map(|axis| axis == a || axis == o))
+        self.named(self.numbers(to), [0, 1, 2].map(|axis| axis == a || axis == o))
     }
 
     /// The word of the tool axis, whatever the last block said.
     pub fn tool_word(&mut self, to: Vec3) -> String {
-        let [_, _, tool] = self.request.plane.axes();
-        self.named(self.words(to), [0, 1, 2].map(|axis| axis == tool))
+        self.named(self.numbers(to), self.tool())
     }
 
     /// The next line makes the next move.
@@ -216,16 +237,22 @@ impl<'a> Writer<'a> {
 
     /// The ball stands at a place that a block named by other means than axis words.
     pub fn stands_at(&mut self, place: Vec3) {
-        self.last = self.words(place);
+        self.last = self.numbers(place);
         self.stated = [true; 3];
     }
 
     /// The axis words of a block to `target`: those that differ from the last block, and with `all` every other one that was stated
     /// before. The axes of the plane are first named together. A block never is empty.
     pub fn place(&mut self, target: Vec3, all: bool) -> String {
+        let (numbers, wanted) = self.changed(target, all);
+        self.named(numbers, wanted)
+    }
+
+    /// The numbers of a block to `target`, and which of them it names.
+    fn changed(&self, target: Vec3, all: bool) -> ([Digits; 3], [bool; 3]) {
         let [a, o, _] = self.request.plane.axes();
-        let words = self.words(target);
-        let mut wanted = [0, 1, 2].map(|i| words[i] != self.last[i] || (all && self.stated[i]));
+        let numbers = self.numbers(target);
+        let mut wanted = [0, 1, 2].map(|i| *numbers[i] != *self.last[i] || (all && self.stated[i]));
         let in_plane = wanted[a] || wanted[o];
         if in_plane && !(self.stated[a] && self.stated[o]) {
             (wanted[a], wanted[o]) = (true, true);
@@ -233,7 +260,7 @@ impl<'a> Writer<'a> {
         if wanted == [false; 3] {
             wanted = [true; 3];
         }
-        self.named(words, wanted)
+        (numbers, wanted)
     }
 
     /// The finished program.
@@ -242,36 +269,61 @@ impl<'a> Writer<'a> {
         Program { text: self.text, move_lines: self.move_lines }
     }
 
-    fn named(&mut self, words: [String; 3], wanted: [bool; 3]) -> String {
-        let mut block = String::with_capacity(40);
-        for (i, word) in words.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
-            block.push_str(&word);
-            self.last[i] = word;
-            self.stated[i] = true;
-        }
+    fn named(&mut self, numbers: [Digits; 3], wanted: [bool; 3]) -> String {
+        let block = axis_words(&numbers, wanted);
+        self.keep(numbers, wanted);
         block
     }
 
-    fn finish_block(&mut self, mut block: String, rate: Option<f64>) {
-        if let Some(rate) = rate {
-            block.push_str(" F");
-            self.push_number(&mut block, rate);
+    /// What a block has named stands until the next one.
+    fn keep(&mut self, numbers: [Digits; 3], wanted: [bool; 3]) {
+        for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
+            self.last[i] = number;
+            self.stated[i] = true;
         }
-        self.line(&block);
     }
 
-    fn words(&self, place: Vec3) -> [String; 3] {
-        [0, 1, 2].map(|i| {
-            let mut word = String::with_capacity(14);
-            word.push(' ');
-            word.push_str(AXIS_NAMES[i]);
-            self.push_number(&mut word, place[i]);
-            word
-        })
+    /// A block of a word, axis words, and a feed where there is one.
+    fn block(&mut self, word: &str, (numbers, wanted): ([Digits; 3], [bool; 3]), rate: Option<f64>) {
+        let (sign, feed) = self.feed(rate);
+        self.build(|text| {
+            text.push_str(word);
+            push_axis_words(text, &numbers, wanted);
+            text.push_str(sign);
+            text.push_str(&feed);
+        });
+        self.keep(numbers, wanted);
+    }
+
+    /// The word of a feed in two parts; nothing where there is none.
+    fn feed(&self, rate: Option<f64>) -> (&'static str, Digits) {
+        rate.map_or(("", Digits::NONE), |rate| (" F", self.number(rate)))
+    }
+
+    fn numbers(&self, place: Vec3) -> [Digits; 3] {
+        [0, 1, 2].map(|i| self.number(place[i]))
     }
 
     fn decimals(&self) -> usize {
         if self.request.scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
+    }
+}
+
+/// The words of the incremental centre of an arc.
+const CENTER: [&str; 3] = [" I", " J", " K"];
+
+/// The wanted axis words, each behind a space.
+fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3]) -> String {
+    let mut words = String::with_capacity(40);
+    push_axis_words(&mut words, numbers, wanted);
+    words
+}
+
+fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3]) {
+    for (i, number) in numbers.iter().enumerate().filter(|(i, _)| wanted[*i]) {
+        text.push(' ');
+        text.push_str(AXIS_NAMES[i]);
+        text.push_str(number);
     }
 }
 
@@ -288,26 +340,28 @@ pub fn stated_start(request: &Request<'_>, place: &str) -> String {
 
 /// A text in lines of at most `width` characters, parted at spaces where there are any.
 pub fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let line = lines.last_mut().expect("there is a line");
-        if line.is_empty() {
-            line.push_str(word);
-        } else if line.len() + 1 + word.len() <= width {
-            line.push(' ');
-            line.push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    // A word longer than a line is cut: comments are ASCII.
+    let mut lines = Vec::new();
+    each_line(text, width, |line| lines.push(line.to_owned()));
     lines
-        .into_iter()
-        .flat_map(|line| {
-            let pieces: Vec<String> = line.as_bytes().chunks(width).map(|c| String::from_utf8_lossy(c).into_owned()).collect();
-            if pieces.is_empty() { vec![String::new()] } else { pieces }
-        })
-        .collect()
+}
+
+/// The same, line by line.
+pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
+    let mut rest = text;
+    while rest.len() > width {
+        // The last space that leaves no more than a line; else the first one behind it.
+        let space = rest.as_bytes()[..=width].iter().rposition(|b| *b == b' ').or_else(|| rest.find(' '));
+        let (head, tail) = space.map_or((rest, ""), |at| (&rest[..at], &rest[at + 1..]));
+        // A word longer than a line is cut: comments are ASCII.
+        for piece in head.as_bytes().chunks(width) {
+            line(&String::from_utf8_lossy(piece));
+        }
+        if space.is_none() {
+            return;
+        }
+        rest = tail;
+    }
+    line(rest);
 }
 
 /// Whether a move goes down the tool axis, up it, or neither: −1, 1, 0.

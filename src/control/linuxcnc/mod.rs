@@ -11,7 +11,7 @@
 
 mod read;
 
-use crate::control::iso::print;
+use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
@@ -22,7 +22,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::num::decimal;
+use crate::num::{Digits, count, decimal};
 use crate::path::{Move, Purpose, RAPID_RATE, Touch};
 
 pub static DEF: PostDef = PostDef {
@@ -152,14 +152,11 @@ impl Moves for LinuxCnc<'_> {
         w.touch("G38.2", step.step, touch, self.request.protected, self.request.feeds.work);
     }
 
-    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
-        Some(Kept {
-            variable: format!("#<{}>", print::trigger_name(sample, axis)),
-            source: format!("#{}", 5061 + axis),
-            group: ("[", "]"),
-            whole: ("[", "]"),
-            comment: String::new(),
-        })
+    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
+        print::Rs274.trigger(sample, axis, &mut kept.variable);
+        kept.source.push_str(["#5061", "#5062", "#5063"][axis]);
+        (kept.group, kept.whole) = (("[", "]"), ("[", "]"));
+        true
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
@@ -169,15 +166,25 @@ impl Moves for LinuxCnc<'_> {
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
         let assignment = &formula.assignments[index];
-        let value = print::print(&print::Rs274, formula, &assignment.expr, self.request.scale);
-        w.line(&format!("#<{}>=[{value}]", assignment.name));
+        w.build(|text| {
+            text.push_str("#<");
+            assignment.name.push_to(text);
+            text.push_str(">=[");
+            print::print_to(text, &print::Rs274, formula, &assignment.expr, self.request.scale);
+            text.push(']');
+        });
     }
 
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
         for result in &formula.results {
             if let Some(variable) = result.variable {
-                let name = &formula.assignments[variable].name;
-                w.line(&format!("(PRINT,{}=#<{name}>)", result.code));
+                w.build(|text| {
+                    text.push_str("(PRINT,");
+                    text.push_str(result.code);
+                    text.push('=');
+                    print::Rs274.variable(formula, variable, text);
+                    text.push(')');
+                });
             }
         }
     }
@@ -228,9 +235,9 @@ struct Labels {
 const FIRST_LABEL: usize = 4;
 
 impl Labels {
-    fn take(&mut self) -> usize {
+    fn take(&mut self) -> Digits {
         self.next += 1;
-        self.next - 1
+        count(self.next - 1)
     }
 }
 
@@ -284,7 +291,7 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
         let place = [0, 1, 2].map(|i| w.number(step.to[i]));
         // Which axes move: the others stay where they are.
         let call = |w: &mut Writer<'_>, moves: &dyn Fn(usize) -> bool, free: u8| {
-            let target = [0, 1, 2].map(|i| format!("[{}]", if moves(i) { &place[i] } else { CURRENT[i] }));
+            let target = [0, 1, 2].map(|i| format!("[{}]", if moves(i) { &*place[i] } else { CURRENT[i] }));
             w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
         };
         call(w, &|i| i == tool, 0);
@@ -318,10 +325,10 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
         w.straight("G38.3", to, true, rate);
         let label = labels.take();
         // On the way up a lift would push on against what was met.
-        let free = u8::from(upwards(request, from, to) <= 0);
-        w.line(&format!("o{label} if [#5070 NE 0]"));
-        w.line(&format!("o<tp_exit> call [{}] [{free}]", place.index + 1));
-        w.line(&format!("o{label} endif"));
+        let free = if upwards(request, from, to) <= 0 { "1" } else { "0" };
+        w.parts(&["o", &label, " if [#5070 NE 0]"]);
+        w.parts(&["o<tp_exit> call [", &count(place.index + 1), "] [", free, "]"]);
+        w.parts(&["o", &label, " endif"]);
     });
 }
 

@@ -48,7 +48,7 @@ enum Open<'t> {
 
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    let mut script = Script::default();
+    let mut script = Script::with_room_for(text);
     let mut targets = Targets::default();
     let mut open: Vec<Open<'_>> = Vec::new();
     lines::lines(text, b'(', &mut script, |script, line, code, comment| {

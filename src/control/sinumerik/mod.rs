@@ -24,7 +24,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::AXIS_NAMES;
-use crate::num::decimal;
+use crate::num::{count, decimal};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
 
 pub static DEF: PostDef = PostDef {
@@ -138,6 +138,12 @@ struct Sinumerik<'a> {
     registers: Registers,
 }
 
+impl Sinumerik<'_> {
+    fn notation(&self) -> RParameters<'_> {
+        RParameters { registers: &self.registers }
+    }
+}
+
 impl Moves for Sinumerik<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let formula = &self.request.path.formula;
@@ -158,24 +164,21 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
-        w.line(&format!("TP_MOVE={}", step.index + 1));
+        w.parts(&["TP_MOVE=", &count(step.index + 1)]);
         w.makes_move();
         // MEAS takes the positions of the axes that its block names.
-        let words = w.all_words(step.step.to - touch.vector * touch.search);
-        let block = format!("MEAS=1 G1{words} F{}", w.number(self.request.feeds.work));
-        w.line(&block);
+        w.straight_in_full("MEAS=1 G1", step.step.to - touch.vector * touch.search, self.request.feeds.work);
         w.line("STOPRE");
         w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
     }
 
-    fn keeps(&self, sample: usize, axis: usize) -> Option<Kept> {
-        Some(Kept {
-            variable: format!("R{}", self.registers.trigger(sample, axis)),
-            source: format!("$AA_MW[{}]", AXIS_NAMES[axis]),
-            group: ("(", ")"),
-            whole: ("", ""),
-            comment: format!(" ; {}", print::trigger_name(sample, axis)),
-        })
+    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
+        self.notation().trigger(sample, axis, &mut kept.variable);
+        kept.source.push_str(["$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"][axis]);
+        kept.comment.push_str(" ; ");
+        print::trigger_name(sample, axis).push_to(&mut kept.comment);
+        (kept.group, kept.whole) = (("(", ")"), ("", ""));
+        true
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
@@ -185,8 +188,13 @@ impl Moves for Sinumerik<'_> {
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
         let assignment = &formula.assignments[index];
-        let value = print::print(&RParameters { registers: &self.registers }, formula, &assignment.expr, self.request.scale);
-        w.line(&format!("R{}={value} ; {}", self.registers.variables[index], assignment.name));
+        w.build(|text| {
+            self.notation().variable(formula, index, text);
+            text.push('=');
+            print::print_to(text, &self.notation(), formula, &assignment.expr, self.request.scale);
+            text.push_str(" ; ");
+            assignment.name.push_to(text);
+        });
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
@@ -258,7 +266,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
 /// watched.
 fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
-    w.line(&format!("TP_MOVE={}", place.index + 1));
+    w.parts(&["TP_MOVE=", &count(place.index + 1)]);
     if comes_from_anywhere(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
@@ -267,8 +275,8 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
         if request.protected {
             // On the way up an exit that lifts would push on against what was met.
             let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
-            let words = w.place(to, false);
-            watched(w, &words, rate_of(request, place.step), exit);
+            w.straight("MEAS=1 G1", to, false, Some(rate_of(request, place.step)));
+            must_be_free(w, exit);
         } else {
             let rate = feed_rate(request, from, place.step);
             w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
@@ -303,10 +311,15 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
 
 /// One move in which nothing may be touched, and where a contact jumps to.
 fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
-    let block = format!("MEAS=1 G1{words} F{}", w.number(rate));
-    w.line(&block);
+    let feed = w.number(rate);
+    w.parts(&["MEAS=1 G1", words, " F", &feed]);
+    must_be_free(w, exit);
+}
+
+/// The check behind it.
+fn must_be_free(w: &mut Writer<'_>, exit: &str) {
     w.line("STOPRE");
-    w.line(&format!("IF $AC_MEA[1]<>0 GOTOF {exit}"));
+    w.parts(&["IF $AC_MEA[1]<>0 GOTOF ", exit]);
 }
 
 /// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
@@ -414,16 +427,16 @@ struct RParameters<'a> {
 
 impl Notation for RParameters<'_> {
     const BRACKETS: (char, char) = ('(', ')');
+    const ATAN: [&'static str; 3] = ["ATAN2(", ",", ")"];
 
     fn variable(&self, _: &Formula, index: usize, out: &mut String) {
-        out.push_str(&format!("R{}", self.registers.variables[index]));
+        out.push('R');
+        out.push_str(&count(self.registers.variables[index]));
     }
 
     fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
-        out.push_str(&format!("R{}", self.registers.trigger(sample, axis)));
+        out.push('R');
+        out.push_str(&count(self.registers.trigger(sample, axis)));
     }
 
-    fn atan(&self, y: &str, x: &str) -> String {
-        format!("ATAN2({y},{x})")
-    }
 }

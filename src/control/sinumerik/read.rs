@@ -63,7 +63,7 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    let mut script = Script::default();
+    let mut script = Script::with_room_for(text);
     let mut targets = Targets::default();
     lines::lines(text, b';', &mut script, |script, line, code, comment| {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {

@@ -26,8 +26,9 @@ use std::fmt::Debug;
 
 use crate::cycle::Cycle;
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
+use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{ONE_LEVEL, Path, Setup, Surface, Touch, Tracer};
+use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Surface, Touch, Tracer};
 
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
@@ -264,13 +265,21 @@ impl Cycle for Ency {
             feeds: None,
             frame,
             formula,
-            parameters: table(&*self.form, self.properties.as_ref(), &touches, setup, |k| shape.name(k))
-                .into_iter()
-                .chain(self.custom.iter().map(Custom::row))
-                .collect(),
             feature: shape.feature(self.picks.is_some()),
             touches,
         }
+    }
+
+    fn formula(&self, setup: &Setup) -> Formula {
+        let (shape, frame, touches) = self.seat(setup);
+        shape.formula(&Seated { frame, touches: &touches, setup })
+    }
+
+    fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
+        let (shape, ..) = self.seat(setup);
+        let mut rows = table(&*self.form, self.properties.as_ref(), touches, setup, |k| shape.name(k));
+        rows.extend(self.custom.iter().map(Custom::row));
+        rows
     }
 
     fn review(&self, setup: &Setup, path: &Path, checker: &mut Checker) {

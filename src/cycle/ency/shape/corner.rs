@@ -7,7 +7,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role, Value, project};
+use crate::formula::{Datum, Expr, Formula, Name, Role, Value, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 
@@ -354,32 +354,32 @@ impl Line {
         let place = |touch: usize, direction| project(Expr::trigger(touch, a), Expr::trigger(touch, o), direction);
         if self.count == 1 {
             let height = place(self.first, self.normal) - Expr::Length(radius);
-            let offset = formula.set(format!("q{n}"), height);
+            let offset = formula.set(Name::new("q", n), height);
             let normal = (constant(self.normal.0), constant(self.normal.1));
             return Fitted { normal, offset, tilt: None };
         }
         let places: Vec<(Value, Value)> = touches
             .map(|touch| {
-                let s = formula.set(format!("s{}", touch + 1), place(touch, self.along));
-                let h = formula.set(format!("h{}", touch + 1), place(touch, self.normal));
+                let s = formula.set(Name::new("s", touch + 1), place(touch, self.along));
+                let h = formula.set(Name::new("h", touch + 1), place(touch, self.normal));
                 (s, h)
             })
             .collect();
         let count = Expr::Number(self.count as f64);
-        let mean_s = formula.set(format!("mean_s{n}"), Expr::sum(places.iter().map(|p| p.0)) / count.clone());
-        let mean_h = formula.set(format!("mean_h{n}"), Expr::sum(places.iter().map(|p| p.1)) / count);
+        let mean_s = formula.set(Name::new("mean_s", n), Expr::sum(places.iter().map(|p| p.0)) / count.clone());
+        let mean_h = formula.set(Name::new("mean_h", n), Expr::sum(places.iter().map(|p| p.1)) / count);
         let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
             ((*h2 - *h1) / (*s2 - *s1)).atan2(Expr::Number(1.0))
         } else {
             self.least_squares(formula, &places, (mean_s, mean_h))
         };
-        let tilt = formula.set(format!("tilt{n}"), tilt);
-        let sin = formula.set(format!("sin{n}"), tilt.sin());
-        let cos = formula.set(format!("cos{n}"), tilt.cos());
+        let tilt = formula.set(Name::new("tilt", n), tilt);
+        let sin = formula.set(Name::new("sin", n), tilt.sin());
+        let cos = formula.set(Name::new("cos", n), tilt.cos());
         let offset = mean_h * cos - mean_s * sin - Expr::Length(radius);
-        let offset = formula.set(format!("q{n}"), offset);
+        let offset = formula.set(Name::new("q", n), offset);
         let mut turned =
-            |name: &str, along: f64, normal: f64| formula.set(format!("{name}{n}"), project(cos, sin, (normal, -along)));
+            |name: &'static str, along: f64, normal: f64| formula.set(Name::new(name, n), project(cos, sin, (normal, -along)));
         let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
         Fitted { normal, offset, tilt: Some(tilt) }
     }
@@ -390,11 +390,11 @@ impl Line {
         let (mut ss, mut hh, mut sh) = (Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0));
         for (i, &(s, h)) in places.iter().enumerate() {
             let touch = self.first + i + 1;
-            let ds = formula.set(format!("ds{touch}"), s - mean_s);
-            let dh = formula.set(format!("dh{touch}"), h - mean_h);
-            ss = formula.set(format!("ss{n}_{}", i + 1), ss + ds * ds).into();
-            hh = formula.set(format!("hh{n}_{}", i + 1), hh + dh * dh).into();
-            sh = formula.set(format!("sh{n}_{}", i + 1), sh + ds * dh).into();
+            let ds = formula.set(Name::new("ds", touch), s - mean_s);
+            let dh = formula.set(Name::new("dh", touch), h - mean_h);
+            ss = formula.set(Name::new("ss", n).and("_").at(i + 1), ss + ds * ds).into();
+            hh = formula.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
+            sh = formula.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
         }
         (Expr::Number(2.0) * sh).atan2(ss - hh) / Expr::Number(2.0)
     }

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role, project};
+use crate::formula::{Datum, Expr, Formula, Name, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 
@@ -203,12 +203,12 @@ impl Shape for Pairs {
         let [a, o, w] = plane.axes();
         let origin = on.frame.origin;
         let mut formula = Formula::default();
-        let mut pair = |first: usize, names: [&str; 2]| {
+        let mut pair = |first: usize, names: [&'static str; 2]| {
             let along = flat(plane, on.touches[first].vector * self.sign());
             let mut wall = |touch: usize, side: f64| {
                 let place = project(Expr::trigger(touch, a), Expr::trigger(touch, o), along);
                 let radius = Expr::Length(-side * self.sign() * on.setup.radius);
-                formula.set(format!("wall{}", touch + 1), place + radius)
+                formula.set(Name::new("wall", touch + 1), place + radius)
             };
             let (plus, minus) = (wall(first, 1.0), wall(first + 1, -1.0));
             let width = formula.set(names[0], plus - minus);
@@ -232,7 +232,7 @@ impl Shape for Pairs {
         // Along the walls the middle stands where it nominally is.
         let across = (-along.1, along.0);
         let rest = origin[a] * across.0 + origin[o] * across.1;
-        let mut place = |name: &str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
+        let mut place = |name: &'static str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
             if crate::num::tidy(c) == 0.0 {
                 return Expr::Length(nominal);
             }

@@ -200,7 +200,7 @@ impl Shape for Circle {
         let mut formula = Formula::default();
         let known = gives_circle(on.touches.iter().map(|t| t.vector));
         let part = |part| Expr::Circle { first: 0, count: on.touches.len(), axes: (a, o), part };
-        let mut value = |name: &str, expr: Expr| known.then(|| formula.set(name, expr));
+        let mut value = |name: &'static str, expr: Expr| known.then(|| formula.set(name, expr));
         let x = value("center_x", part(CirclePart::Abscissa));
         let y = value("center_y", part(CirclePart::Ordinate));
         let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);

@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::corner::{self, sides_rule};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role, Value};
+use crate::formula::{Datum, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 
@@ -202,7 +202,7 @@ impl Shape for Triple {
         let q: Vec<Value> = (0..3)
             .map(|k| {
                 let sum = axes.iter().map(|&axis| Expr::trigger(k, axis) * constant(n[k][axis])).reduce(|s, t| s + t);
-                formula.set(format!("q{}", k + 1), sum.unwrap_or(Expr::Number(0.0)) - Expr::Length(on.setup.radius))
+                formula.set(Name::new("q", k + 1), sum.unwrap_or(Expr::Number(0.0)) - Expr::Length(on.setup.radius))
             })
             .collect();
         let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];

@@ -1,7 +1,7 @@
 //! What the control computes in 1411.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Datum, Expr, Formula, Role, Value};
+use crate::formula::{CirclePart, Datum, Expr, Formula, Name, Role, Value};
 use crate::path::Setup;
 
 /// Codes and meanings of one object's rows, by object.
@@ -38,9 +38,14 @@ struct Measured {
     diameter: Option<Value>,
 }
 
+/// The name of a value: `q950` of the code `Q950`.
+fn q(code: &str) -> Name {
+    Name::new("q", code[1..].parse().unwrap_or_default())
+}
+
 impl TwoCircles {
     /// The formula: both circles, the turn of the line through their centres, deviations, and what is written.
-    pub(super) fn formula(&self, setup: &Setup) -> Formula {
+    pub(super) fn computed(&self, setup: &Setup) -> Formula {
         let mut f = Formula::default();
         let mut first = 0;
         let objects = self.objects();
@@ -71,7 +76,7 @@ impl TwoCircles {
             for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let reference = object.reference(axis);
                 let off = known.centre[axis].zip(reference);
-                let off = off.map(|(value, reference)| f.set(code.to_lowercase(), value - Expr::Length(reference)));
+                let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
                 f.result(code, Role::Shift, meaning, 0.0, off);
             }
         }
@@ -79,7 +84,7 @@ impl TwoCircles {
         f.result("Q995", Role::Turn, "Angle deviation of the table rotation", 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETER_OFFSETS) {
             let off = known.diameter.zip(object.diameter.reference());
-            let off = off.map(|(value, reference)| f.set(code.to_lowercase(), value - Expr::Length(reference)));
+            let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
             f.result(code, Role::Shift, meaning, 0.0, off);
         }
         self.presets(&mut f, &objects, &measured, rotation);
@@ -93,7 +98,7 @@ impl TwoCircles {
             State::Given => {
                 let mut at = |axis: usize| {
                     let actual = object.point[axis].actual?;
-                    Some(f.set(format!("given{number}_{axis}"), Expr::Length(actual)))
+                    Some(f.set(Name::new("given", number).and("_").at(axis), Expr::Length(actual)))
                 };
                 Measured { centre: [at(0), at(1), at(2)], diameter: None }
             }
@@ -101,13 +106,13 @@ impl TwoCircles {
                 let [a, o, _] = setup.plane.axes();
                 let count = self.form.probe_points as usize;
                 let part = |part| Expr::Circle { first, count, axes: (a, o), part };
-                let x = f.set(CENTRES[number - 1][0].0.to_lowercase(), part(CirclePart::Abscissa));
-                let y = f.set(CENTRES[number - 1][1].0.to_lowercase(), part(CirclePart::Ordinate));
+                let x = f.set(q(CENTRES[number - 1][0].0), part(CirclePart::Abscissa));
+                let y = f.set(q(CENTRES[number - 1][1].0), part(CirclePart::Ordinate));
                 let height = object.point[2].nominal.unwrap_or(0.0);
-                let z = f.set(CENTRES[number - 1][2].0.to_lowercase(), Expr::Length(height));
+                let z = f.set(q(CENTRES[number - 1][2].0), Expr::Length(height));
                 // The ball centres of a hole lie a radius inside its wall, those of a stud outside.
                 let wall = part(CirclePart::Radius) + Expr::Length(object.outward() * setup.radius);
-                let diameter = f.set(DIAMETERS[number - 1].0.to_lowercase(), Expr::Number(2.0) * wall);
+                let diameter = f.set(q(DIAMETERS[number - 1].0), Expr::Number(2.0) * wall);
                 Measured { centre: [Some(x), Some(y), Some(z)], diameter: Some(diameter) }
             }
         }
@@ -133,7 +138,7 @@ impl TwoCircles {
         let form = &self.form;
         let mut place = [None, None, None];
         if form.transfer_position != 0 {
-            let mut axis = |i: usize, name: &str| {
+            let mut axis = |i: usize, [mean, preset]: [&'static str; 2]| {
                 let one = measured[0].centre[i].zip(objects[0].point[i].nominal);
                 let two = measured[1].centre[i].zip(objects[1].point[i].nominal);
                 let (value, nominal) = match form.transfer_position {
@@ -141,13 +146,13 @@ impl TwoCircles {
                     2 => two?,
                     _ => {
                         let ((v1, n1), (v2, n2)) = (one?, two?);
-                        (f.set(format!("mean_{name}"), (v1 + v2) / Expr::Number(2.0)), (n1 + n2) / 2.0)
+                        (f.set(mean, (v1 + v2) / Expr::Number(2.0)), (n1 + n2) / 2.0)
                     }
                 };
-                let shift = f.set(format!("preset_{name}"), value - Expr::Length(nominal));
+                let shift = f.set(preset, value - Expr::Length(nominal));
                 Some((value, nominal, shift))
             };
-            let (x, y) = (axis(0, "a"), axis(1, "o"));
+            let (x, y) = (axis(0, ["mean_a", "preset_a"]), axis(1, ["mean_o", "preset_o"]));
             let shift = |axis: Option<(Value, f64, Value)>| axis.map(|a| a.2);
             f.result("preset.x", Role::Shift, "Shift of the preset in the main axis (Q1120)", 0.0, shift(x));
             f.result("preset.y", Role::Shift, "Shift of the preset in the minor axis (Q1120)", 0.0, shift(y));

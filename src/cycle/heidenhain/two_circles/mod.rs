@@ -11,11 +11,11 @@ mod rules;
 
 use crate::cycle::{Cycle, CycleDef};
 use crate::form::{Checker, Code, Field, SubForm, form};
-use crate::formula::ResultRow;
+use crate::formula::{Formula, ResultRow};
 use crate::geom::{Frame, Vec3};
 use crate::path::{
     self, Accessor, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject,
-    Surface,
+    Surface, Touch,
 };
 use crate::tolerance::Nominal;
 
@@ -459,9 +459,16 @@ impl Cycle for TwoCircles {
             }),
             feature: Feature::TwoCircles(Box::new(self.feature(setup))),
             frame: Self::frame(setup),
-            formula: self.formula(setup),
-            parameters: rows(self.settings()),
+            formula: self.computed(setup),
         }
+    }
+
+    fn formula(&self, setup: &Setup) -> Formula {
+        self.computed(setup)
+    }
+
+    fn parameters(&self, _setup: &Setup, _touches: &[Touch]) -> Vec<Parameter> {
+        rows(self.settings())
     }
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {

@@ -1,5 +1,11 @@
 //! Decimals as controls write them, and tidy numbers for people.
 
+mod read;
+
+pub use read::read;
+
+use std::ops::Deref;
+
 /// A number with at most `places` decimals: rounded, trailing zeros dropped, never an exponent, never `-0`.
 ///
 /// `decimal(12.5, 4)` is `12.5`, `decimal(-0.00001, 4)` is `0`. The value must be finite.
@@ -11,15 +17,106 @@ pub fn decimal(value: f64, places: usize) -> String {
 
 /// The same, written behind a text.
 pub fn push_decimal(text: &mut String, value: f64, places: usize) {
-    debug_assert!(value.is_finite(), "only checked numbers are written");
-    match whole(value, places) {
-        Some(whole) => push_whole(text, value < 0.0 && whole != 0, whole, places),
-        None => push_exactly(text, value, places),
+    text.push_str(&Digits::of(value, places));
+}
+
+/// A number as text: [`decimal`] without an allocation, since a program is made of thousands.
+#[derive(Clone, Debug)]
+pub enum Digits {
+    /// As nearly every number is: the last `len` bytes.
+    Short {
+        /// ASCII.
+        bytes: [u8; Digits::MOST],
+        /// How many count.
+        len: u8,
+    },
+    /// One that is too long for that, or that only the library rounds.
+    Long(Box<str>),
+}
+
+impl Digits {
+    /// A sign, sixteen digits, a point and a zero in front of it, and a point behind.
+    const MOST: usize = 24;
+
+    /// No number.
+    pub const NONE: Digits = Digits::Short { bytes: [0; Digits::MOST], len: 0 };
+
+    /// A number with at most so many decimals: see [`decimal`].
+    pub fn of(value: f64, places: usize) -> Self {
+        debug_assert!(value.is_finite(), "only checked numbers are written");
+        match whole(value, places) {
+            Some(whole) => Digits::of_whole(value < 0.0 && whole != 0, whole, places),
+            None => Digits::Long(exactly(value, places).into()),
+        }
+    }
+
+    /// A number with a point behind it where it has none.
+    pub fn pointed(self) -> Self {
+        if self.contains('.') {
+            return self;
+        }
+        match self {
+            Digits::Short { mut bytes, len } => {
+                bytes.rotate_left(1);
+                bytes[Digits::MOST - 1] = b'.';
+                Digits::Short { bytes, len: len + 1 }
+            }
+            Digits::Long(text) => Digits::Long(format!("{text}.").into()),
+        }
+    }
+
+    fn of_whole(negative: bool, mut whole: u64, mut places: usize) -> Self {
+        while places > 0 && whole.is_multiple_of(10) {
+            (whole, places) = (whole / 10, places - 1);
+        }
+        // From the last digit on.
+        let mut bytes = [0u8; Digits::MOST];
+        let mut at = bytes.len();
+        let mut written = 0;
+        while whole > 0 || written <= places {
+            if written == places && places > 0 {
+                at -= 1;
+                bytes[at] = b'.';
+            }
+            at -= 1;
+            bytes[at] = b'0' + (whole % 10) as u8;
+            whole /= 10;
+            written += 1;
+        }
+        if negative {
+            at -= 1;
+            bytes[at] = b'-';
+        }
+        Digits::Short { bytes, len: (Digits::MOST - at) as u8 }
     }
 }
 
+impl Deref for Digits {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        match self {
+            Digits::Short { bytes, len } => std::str::from_utf8(&bytes[Digits::MOST - usize::from(*len)..]).unwrap_or_default(),
+            Digits::Long(text) => text,
+        }
+    }
+}
+
+impl std::fmt::Display for Digits {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self)
+    }
+}
+
+/// A whole number as text.
+pub fn count(number: usize) -> Digits {
+    Digits::of_whole(false, number as u64, 0)
+}
+
 /// Powers of ten that are exact.
-const POWERS: [f64; 16] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+const POWERS: [f64; 23] = [
+    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
 
 /// The size of a number in its last decimals, rounded; none where the rounding of the product could decide between two.
 fn whole(value: f64, places: usize) -> Option<u64> {
@@ -30,37 +127,28 @@ fn whole(value: f64, places: usize) -> Option<u64> {
     (scaled < 1e15 && 0.5 - off > unsure).then(|| scaled.round() as u64)
 }
 
-fn push_whole(text: &mut String, negative: bool, mut whole: u64, mut places: usize) {
-    while places > 0 && whole.is_multiple_of(10) {
-        (whole, places) = (whole / 10, places - 1);
-    }
-    if negative {
-        text.push('-');
-    }
-    // From the last digit on: sixteen digits, a point and a leading zero at most.
-    let mut digits = [0u8; 24];
-    let mut at = digits.len();
-    let mut written = 0;
-    while whole > 0 || written <= places {
-        if written == places && places > 0 {
-            at -= 1;
-            digits[at] = b'.';
+/// A number in as few digits as read back as the same number.
+pub fn push_in_full(text: &mut String, value: f64) {
+    // Most numbers of people have a few decimals, which are enough where they read back.
+    if value == 0.0 || (1e-4..1e9).contains(&value.abs()) {
+        for places in [0, 1, 2, 3, 4, 6] {
+            let digits = Digits::of(value, places);
+            if read(&digits) == Some(value) && !matches!(digits, Digits::Long(_)) {
+                return text.push_str(&digits);
+            }
         }
-        at -= 1;
-        digits[at] = b'0' + (whole % 10) as u8;
-        whole /= 10;
-        written += 1;
     }
-    text.push_str(std::str::from_utf8(&digits[at..]).expect("digits are ASCII"));
+    let library = format!("{value:?}");
+    text.push_str(library.strip_suffix(".0").unwrap_or(&library));
 }
 
 /// By the library, which rounds the exact value.
-fn push_exactly(text: &mut String, value: f64, places: usize) {
+fn exactly(value: f64, places: usize) -> String {
     let mut exact = format!("{value:.places$}");
     if exact.contains('.') {
         exact.truncate(exact.trim_end_matches('0').trim_end_matches('.').len());
     }
-    text.push_str(if exact == "-0" { "0" } else { &exact });
+    if exact == "-0" { "0".to_owned() } else { exact }
 }
 
 /// The same number without the noise of floating point: rounded to 12 decimals, and to zero where it is nothing else.
@@ -110,11 +198,6 @@ mod tests {
     /// Bit for bit what the library writes: near ties, at powers of ten, huge, tiny, and anywhere.
     #[test]
     fn decimals_are_those_of_the_library() {
-        let library = |value: f64, places: usize| {
-            let mut text = String::new();
-            push_exactly(&mut text, value, places);
-            text
-        };
         let mut state = 0x9E37_79B9_7F4A_7C15u64;
         let mut random = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -132,15 +215,26 @@ mod tests {
                 3 => (unit - 0.5) * 10f64.powi((random() % 40) as i32 - 20),
                 _ => f64::from(round) / 8.0,
             };
-            assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
+            assert_eq!(decimal(value, places), exactly(value, places), "{value:?} {places}");
             quick += u32::from(whole(value, places).is_some());
         }
         for value in [0.0, -0.0, 1.0, -1.0, 0.1, 9.999_99, 99_999.999_95, 1e15, 1e22, 5e-324, -0.000_05, 0.5, 1.5, 2.5] {
             for places in 0..14 {
-                assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
+                assert_eq!(decimal(value, places), exactly(value, places), "{value:?} {places}");
             }
         }
         assert!(quick > 200_000, "{quick}");
+    }
+
+    #[test]
+    fn numbers_in_full_are_the_shortest_that_read_back() {
+        for value in [0.0, -0.0, 1.0, 80.5, 0.001, -0.0005, 25.4, 1.0 / 3.0, 1e-6, 5e-7, 123_456_789.25, 1e9, 1e16, 1e300, f64::NAN, 0.1 + 0.2, 2.54e-5] {
+            let mut text = String::new();
+            push_in_full(&mut text, value);
+            let library = format!("{value:?}");
+            let negative_zero = value == 0.0;
+            assert_eq!(text, if negative_zero { "0" } else { library.trim_end_matches(".0") });
+        }
     }
 
     #[test]
