@@ -218,7 +218,7 @@ fn inch_and_mm_are_the_same_part() {
 /// Turning the job about the tool axis turns the path and nothing else.
 #[test]
 fn a_turned_job_is_a_turned_path() {
-    law(600, 100, (whole_job(), -180.0..180.0f64), |(job, turn)| {
+    law(1000, 100, (whole_job(), -180.0..180.0f64), |(job, turn)| {
         let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
         let axes: [usize; 3] = match job.get("plane") {
             Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
