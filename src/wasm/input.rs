@@ -1,33 +1,49 @@
-//! A walk over any JavaScript value. It never throws and always ends: cycles, getters that throw, lists of any length.
+//! A value as JavaScript hands it over: numbers and one text. `www/core/coded.ts` is the other half, and what walks whatever a caller has.
+//!
+//! Each value is a tag and what belongs to it: see [`Tag`]. All texts stand one behind the other, each with a line feed behind it, so that
+//! halves of a character do not join; what belongs to a text is its length in UTF-16 units, since that is how JavaScript counts.
 
-use js_sys::{JsString, Reflect};
+use js_sys::JsString;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use crate::form::Value;
-use crate::job::LONGEST_TEXT;
 
-#[wasm_bindgen]
-extern "C" {
-    /// `Array.isArray`, which throws on a revoked proxy. An exception that passed through this module would leave it unusable.
-    #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
-    fn is_array(value: &JsValue) -> Result<bool, JsValue>;
+/// The tags, by their numbers.
+#[derive(Clone, Copy)]
+enum Tag {
+    Null,
+    False,
+    True,
+    /// The number.
+    Number,
+    /// Its length.
+    Text,
+    /// How many values, then those.
+    List,
+    /// How many entries, then of each the length of its key, and its value.
+    Map,
+    /// What it is, as a place in [`OTHERS`].
+    Other,
 }
 
-/// The most values a job may hold, and how deep they may lie. A job has about a hundred.
-const MOST_VALUES: usize = 20_000;
-const DEEPEST: usize = 16;
+const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text, Tag::List, Tag::Map, Tag::Other];
 
-/// How much of a value may still be read.
-struct Budget {
-    values: usize,
-    /// UTF-16 units of all texts together.
-    text: usize,
-}
+/// What has no place in a job.
+const OTHERS: [&str; 8] = [
+    "undefined",
+    "something that is no data",
+    "something unreadable",
+    "something nested too deeply",
+    "more than a job can hold",
+    "more text than a job can hold",
+    "a list longer than a job can hold",
+    "an object with more keys than a job can hold",
+];
 
-/// Any JavaScript value as a loose value. Never throws, always ends.
-pub fn from_js(value: &JsValue) -> Value {
-    walk(value, 0, &mut Budget { values: MOST_VALUES, text: LONGEST_TEXT })
+/// Reads a coded value. What is not coded as `coded.ts` does it is something unreadable.
+pub fn decoded(codes: &[f64], text: &str) -> Value {
+    Coded { codes: codes.iter(), text, ascii: text.is_ascii() }.value(0).unwrap_or(Value::Other(OTHERS[2]))
 }
 
 /// A text that is not longer than `most` UTF-16 units; a longer one is not copied.
@@ -36,68 +52,55 @@ pub fn text_of(value: &JsValue, most: usize) -> Option<String> {
     if length <= most { value.as_string() } else { None }
 }
 
-fn walk(value: &JsValue, depth: usize, left: &mut Budget) -> Value {
-    if let Some(b) = value.as_bool() {
-        return Value::Flag(b);
+struct Coded<'a> {
+    codes: std::slice::Iter<'a, f64>,
+    text: &'a str,
+    ascii: bool,
+}
+
+impl Coded<'_> {
+    /// The depth ends the recursion whatever the codes say: `coded.ts` stops long before.
+    fn value(&mut self, depth: usize) -> Option<Value> {
+        let tag = self.count()?;
+        Some(match TAGS.get(tag).filter(|_| depth < 32)? {
+            Tag::Null => Value::Null,
+            Tag::False => Value::Flag(false),
+            Tag::True => Value::Flag(true),
+            Tag::Number => Value::Number(*self.codes.next()?),
+            Tag::Text => Value::Text(self.text()?),
+            Tag::List => {
+                let count = self.count().filter(|count| *count <= self.codes.len())?;
+                Value::List((0..count).map(|_| self.value(depth + 1)).collect::<Option<_>>()?)
+            }
+            Tag::Map => {
+                let count = self.count().filter(|count| *count <= self.codes.len())?;
+                let entry = |_| Some((self.text()?, self.value(depth + 1)?));
+                Value::Map((0..count).map(entry).collect::<Option<_>>()?)
+            }
+            Tag::Other => Value::Other(OTHERS.get(self.count()?)?),
+        })
     }
-    if let Some(x) = value.as_f64() {
-        return Value::Number(x);
+
+    fn count(&mut self) -> Option<usize> {
+        self.codes.next().map(|code| *code as usize)
     }
-    if value.is_string() {
-        let Some(text) = text_of(value, left.text) else { return Value::Other("more text than a job can hold") };
-        left.text = left.text.saturating_sub(text.len());
-        return Value::Text(text);
+
+    fn text(&mut self) -> Option<String> {
+        let units = self.count()?;
+        let end = if self.ascii { units } else { end_of(self.text, units) };
+        let (text, rest) = self.text.split_at_checked(end)?;
+        self.text = rest.strip_prefix('\n')?;
+        Some(text.to_owned())
     }
-    if value.is_null() {
-        return Value::Null;
-    }
-    if value.is_undefined() {
-        return Value::Other("undefined");
-    }
-    if value.is_function() || !value.is_object() {
-        return Value::Other("something that is no data");
-    }
-    if depth == DEEPEST {
-        return Value::Other("something nested too deeply");
-    }
-    let take = |key: &JsValue, left: &mut Budget| {
-        left.values = left.values.saturating_sub(1);
-        match Reflect::get(value, key) {
-            Ok(_) if left.values == 0 => Value::Other("more than a job can hold"),
-            Ok(inner) => walk(&inner, depth + 1, left),
-            Err(_) => Value::Other("something unreadable"),
+}
+
+/// Where so many UTF-16 units end, in bytes.
+fn end_of(text: &str, mut units: usize) -> usize {
+    for (at, c) in text.char_indices() {
+        if units == 0 {
+            return at;
         }
-    };
-    let Ok(list) = is_array(value) else { return Value::Other("something unreadable") };
-    if list {
-        let length = Reflect::get(value, &JsValue::from_str("length")).ok().and_then(|n| n.as_f64()).unwrap_or(0.0);
-        if length > MOST_VALUES as f64 {
-            return Value::Other("a list longer than a job can hold");
-        }
-        if length.is_nan() || length < 0.0 {
-            return Value::Other("something unreadable");
-        }
-        return Value::List((0..length as u32).map(|i| take(&JsValue::from_f64(f64::from(i)), left)).collect());
+        units = units.saturating_sub(c.len_utf16());
     }
-    let Ok(keys) = Reflect::own_keys(value) else {
-        return Value::Other("something unreadable");
-    };
-    if keys.length() as usize > MOST_VALUES {
-        return Value::Other("an object with more keys than a job can hold");
-    }
-    let mut entries = Vec::new();
-    for key in keys.iter() {
-        // Symbols are no keys of a job.
-        if !key.is_string() {
-            continue;
-        }
-        let Some(name) = text_of(&key, left.text) else { return Value::Other("more text than a job can hold") };
-        left.text = left.text.saturating_sub(name.len());
-        match take(&key, left) {
-            // A key that is set to undefined is a key that is not there.
-            Value::Other("undefined") => {}
-            inner => entries.push((name, inner)),
-        }
-    }
-    Value::Map(entries)
+    text.len()
 }

@@ -1,17 +1,20 @@
 //! The same for JavaScript. JavaScript sees plain objects only; the only module that names `wasm_bindgen` besides the canvas.
 //!
-//! Jobs come in through a walk that survives anything JavaScript can hand over: cycles, getters that throw, lists of any
-//! length. A refused job is thrown as an `Error` named `JobError` with its `findings`; the package makes a class of it.
+//! A value comes in as numbers and a text, made by a walk that survives anything a caller can hand over (`www/core/coded.ts`), and a plan goes
+//! out as numbers and a text (`www/core/plan.ts`): what crosses is one piece, not a call a value. What is small or rare goes as objects. A refused
+//! job is thrown as an `Error` named `JobError` with its `findings`; the package makes a class of it.
 
 mod input;
+mod output;
 mod view;
 
+pub use output::Sink;
 pub use view::View;
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array};
+use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
@@ -19,9 +22,9 @@ use wasm_bindgen::prelude::*;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
 use crate::import;
-use crate::job::{self, JobError, Move, Planned};
+use crate::job::{self, JobError, Planned};
 use crate::tool_length;
-use crate::wasm::input::from_js;
+use crate::wasm::input::decoded;
 
 /// Everything a form needs.
 #[wasm_bindgen]
@@ -41,51 +44,79 @@ pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
 
 /// Everything that is wrong, unusual or worth knowing.
 #[wasm_bindgen]
-pub fn check(job: &JsValue) -> Result<JsValue, JsValue> {
-    to_js(&job::check(&from_js(job)))
+pub fn check(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
+    to_js(&job::check(&decoded(codes, text)))
 }
 
-/// The whole plan; throws where the job has an error.
+/// The whole plan but its table; throws where the job has an error.
 #[wasm_bindgen]
-pub fn plan(job: &JsValue) -> Result<JsValue, JsValue> {
-    let value = from_js(job);
-    let (planned, plan) = job::plan_with_path(&value).map_err(refused)?;
-    LAST.with_borrow_mut(|last| *last = Some(Rc::new((value, planned))));
-    to_js(&plan)
+pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
+    let (planned, plan) = job::plan_with_path(&decoded(codes, text)).map_err(refused)?;
+    keep(codes, text, planned);
+    output::give(&plan, sink);
+    Ok(())
+}
+
+/// The parameter table of a job that has a plan.
+#[wasm_bindgen]
+pub fn table(codes: &[f64], text: &str, sink: &Sink) {
+    if let Some(last) = planned(codes, text) {
+        output::give_table(&last.planned.table(), sink);
+    }
+}
+
+/// The job that was planned last.
+#[derive(Debug)]
+struct Last {
+    codes: Vec<f64>,
+    text: String,
+    planned: Planned,
+}
+
+impl Last {
+    fn is(&self, codes: &[f64], text: &str) -> bool {
+        // As bits: what is no number is the same as itself.
+        let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
+        self.text == text && self.codes.len() == codes.len() && self.codes.iter().zip(codes).all(same)
+    }
 }
 
 thread_local! {
-    /// The job that was planned last, and its path: its picture needs no second plan.
-    static LAST: RefCell<Option<Rc<(Value, Planned)>>> = const { RefCell::new(None) };
+    /// The job that was planned last, and its path: its picture and its table need no second plan.
+    static LAST: RefCell<Option<Rc<Last>>> = const { RefCell::new(None) };
+}
+
+fn keep(codes: &[f64], text: &str, planned: Planned) {
+    let last = Last { codes: codes.to_vec(), text: text.to_owned(), planned };
+    LAST.with_borrow_mut(|place| *place = Some(Rc::new(last)));
 }
 
 /// The path of a job: of the last plan where it is the same job, else planned now. None for a job with errors.
-fn planned(job: &JsValue) -> Option<Rc<(Value, Planned)>> {
-    let value = from_js(job);
-    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.0 == value) {
+fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
+    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.is(codes, text)) {
         return Some(last);
     }
-    let planned = job::planned(&value)?;
-    Some(Rc::new((value, planned)))
+    let planned = job::planned(&decoded(codes, text))?;
+    Some(Rc::new(Last { codes: Vec::new(), text: String::new(), planned }))
 }
 
 /// The same job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. What is no value stays as it is.
 #[wasm_bindgen(js_name = convertUnits)]
-pub fn convert_units(job: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
+pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsValue, JsValue> {
     let units = input::text_of(units, 100).unwrap_or_default();
-    job::convert_units(&from_js(job), &units).map(|job| value_to_js(&job)).map_err(refused)
+    job::convert_units(&decoded(codes, text), &units).map(|job| value_to_js(&job)).map_err(refused)
 }
 
 /// The results from points that a machine really measured.
 #[wasm_bindgen]
-pub fn evaluate(job: &JsValue, measured: &JsValue) -> Result<JsValue, JsValue> {
-    to_js(&job::evaluate(&from_js(job), &from_js(measured)).map_err(refused)?)
+pub fn evaluate(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
+    to_js(&job::evaluate(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
 }
 
 /// The parameter table as text: `csv`, `json` or `text`.
 #[wasm_bindgen(js_name = exportTable)]
-pub fn export_table(job: &JsValue, format: &JsValue) -> Result<String, JsValue> {
-    let plan = job::plan(&from_js(job)).map_err(refused)?;
+pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {
+    let plan = job::plan(&decoded(codes, text)).map_err(refused)?;
     describe::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
 }
 
@@ -96,57 +127,34 @@ pub fn job_schema() -> JsValue {
 }
 
 /// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; of a program
-/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it.
+/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are what the text
+/// says as JSON, and no codes where it is none; where the job is just that, `job` is left out.
 #[wasm_bindgen(js_name = importJob)]
-pub fn import_job(text: &JsValue) -> Result<JsValue, JsValue> {
+pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
     let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
     if length > job::LONGEST_TEXT {
         // Not even copied.
         return Err(refused(import::too_long(length)));
     }
     let text = text.as_string().unwrap_or_default();
-    let parsed = js_sys::JSON::parse(text.trim_start_matches('\u{feff}')).ok();
-    let value = parsed.as_ref().map(from_js);
+    let value = (!codes.is_empty()).then(|| decoded(codes, json));
     let imported = import::import_with(&text, value.as_ref()).map_err(refused)?;
-    // A job in JSON is given back as it is, also where it holds more than a job can.
-    let same = value.as_ref() == Some(&imported.job);
-    let job = parsed.filter(|_| same).unwrap_or_else(|| value_to_js(&imported.job));
-    let findings = imported.findings;
     let result = Object::new();
-    set(&result, "job", &job);
+    // A job in JSON is given back as it is, also where it holds more than a job can.
+    if value.as_ref() != Some(&imported.job) {
+        set(&result, "job", &value_to_js(&imported.job));
+    }
     if let Some(trace) = &imported.trace {
         set(&result, "trace", &to_js(trace)?);
     }
-    set(&result, "findings", &to_js(&findings)?);
+    set(&result, "findings", &to_js(&imported.findings)?);
     Ok(result.into())
-}
-
-/// The moves as columns: `to` (three numbers a move), `step`, `touch` (−1 is none), and `feed` and `kind` as indices into
-/// `feeds` and `kinds`.
-#[wasm_bindgen(js_name = moveColumns)]
-pub fn move_columns(job: &JsValue) -> Result<JsValue, JsValue> {
-    const FEEDS: [&str; 6] = ["approach", "longLink", "work", "retract", "return", "rapid"];
-    const KINDS: [&str; 3] = ["position", "touch", "back"];
-    let moves = job::plan(&from_js(job)).map_err(refused)?.moves;
-    let index = |names: &[&str], name: &str| names.iter().position(|n| *n == name).map_or(u8::MAX, |i| i as u8);
-    let bytes = |f: &dyn Fn(&Move) -> u8| Uint8Array::from(moves.iter().map(f).collect::<Vec<u8>>().as_slice());
-    let to: Vec<f64> = moves.iter().flat_map(|m| m.to).collect();
-    let touch: Vec<i32> = moves.iter().map(|m| m.touch.map_or(-1, |k| k as i32)).collect();
-    let columns = Object::new();
-    set(&columns, "to", &Float64Array::from(to.as_slice()));
-    set(&columns, "feed", &bytes(&|m| index(&FEEDS, m.feed)));
-    set(&columns, "kind", &bytes(&|m| index(&KINDS, m.kind)));
-    set(&columns, "step", &bytes(&|m| m.step));
-    set(&columns, "touch", &Int32Array::from(touch.as_slice()));
-    set(&columns, "feeds", &names(&FEEDS));
-    set(&columns, "kinds", &names(&KINDS));
-    Ok(columns.into())
 }
 
 /// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.
 #[wasm_bindgen]
-pub fn lentoax(query: &JsValue) -> Result<JsValue, JsValue> {
-    let query = job::lentoax_query(&from_js(query)).map_err(refused)?;
+pub fn lentoax(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
+    let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
     let answer = tool_length::lentoax(&query);
     let result = Object::new();
     set(&result, "status", &JsValue::from(answer.status));
@@ -158,8 +166,8 @@ pub fn lentoax(query: &JsValue) -> Result<JsValue, JsValue> {
 
 /// The same in words: `{ meaning, sentence, program }`, the last being NC lines that ask the control itself.
 #[wasm_bindgen(js_name = lentoaxWords)]
-pub fn lentoax_words(query: &JsValue) -> Result<JsValue, JsValue> {
-    let query = job::lentoax_query(&from_js(query)).map_err(refused)?;
+pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
+    let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
     let answer = tool_length::lentoax(&query);
     let result = Object::new();
     set(&result, "meaning", &JsValue::from_str(tool_length::meaning(answer.status)));
@@ -197,10 +205,6 @@ fn thrown(findings: &[Finding], message: &str) -> JsValue {
 fn set(object: &JsValue, key: &str, value: &JsValue) {
     let done = Reflect::set(object, &JsValue::from_str(key), value);
     debug_assert!(done.is_ok(), "a plain object takes any key");
-}
-
-fn names(list: &[&str]) -> Array {
-    list.iter().map(|name| JsValue::from_str(name)).collect()
 }
 
 fn value_to_js(value: &Value) -> JsValue {

@@ -5,13 +5,12 @@ use std::rc::Rc;
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use crate::form::Value;
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
 use crate::view::scene::{self, Actual, Projection, Scene, Spot};
-use crate::wasm::input::from_js;
-use crate::wasm::set;
+use crate::wasm::input::decoded;
+use crate::wasm::{Last, set};
 
 /// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
 #[wasm_bindgen]
@@ -31,7 +30,7 @@ pub struct View {
 /// The job that is shown.
 #[derive(Debug)]
 struct Shown {
-    planned: Rc<(Value, Planned)>,
+    last: Rc<Last>,
     scene: Scene,
     deviates: bool,
     scale: f64,
@@ -68,30 +67,31 @@ impl View {
         self.draw();
     }
 
-    /// Shows a job. One that has errors leaves the picture as it is and gives `false`.
-    pub fn show(&mut self, job: &JsValue) -> bool {
-        let Some(planned) = crate::wasm::planned(job) else {
+    /// Shows a coded job. One that has errors leaves the picture as it is and gives `false`.
+    #[wasm_bindgen(js_name = showCoded)]
+    pub fn show(&mut self, codes: &[f64], text: &str) -> bool {
+        let Some(last) = crate::wasm::planned(codes, text) else {
             return false;
         };
-        self.shown = Some(self.build(planned));
+        self.shown = Some(self.build(last));
         self.refit();
         self.draw();
         true
     }
 
     /// Shows a job as a small picture: isometric, without axes, numbers and handles.
-    #[wasm_bindgen(js_name = showSmall)]
-    pub fn show_small(&mut self, job: &JsValue) -> bool {
+    #[wasm_bindgen(js_name = showSmallCoded)]
+    pub fn show_small(&mut self, codes: &[f64], text: &str) -> bool {
         self.painter.small = true;
         self.projection = Projection::Isometric;
-        self.show(job)
+        self.show(codes, text)
     }
 
     /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
     /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
-    #[wasm_bindgen(js_name = showLentoax)]
-    pub fn show_lentoax(&mut self, query: &JsValue) -> bool {
-        let Ok(query) = job::lentoax_query(&from_js(query)) else { return false };
+    #[wasm_bindgen(js_name = showLentoaxCoded)]
+    pub fn show_lentoax(&mut self, codes: &[f64], text: &str) -> bool {
+        let Ok(query) = job::lentoax_query(&decoded(codes, text)) else { return false };
         let arrows = scene::lengths(&query);
         self.shown = None;
         let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]], MARGIN);
@@ -106,7 +106,7 @@ impl View {
         };
         self.projection = projection;
         if let Some(shown) = self.shown.take() {
-            self.shown = Some(self.build(shown.planned));
+            self.shown = Some(self.build(shown.last));
         }
         self.fit();
         self.draw();
@@ -199,7 +199,7 @@ impl View {
     /// The path of the job's field that a `start` or `sweep` handle says.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
-        let spread = self.shown.as_ref()?.planned.1.path.feature.two_circles()?.spread?;
+        let spread = self.shown.as_ref()?.last.planned.path.feature.two_circles()?.spread?;
         let [start, sweep] = spread.fields;
         match handle {
             "start" => Some(start.to_owned()),
@@ -265,8 +265,8 @@ impl View {
         }
     }
 
-    fn build(&self, planned: Rc<(Value, Planned)>) -> Shown {
-        let Planned { job, path, surfaces, run } = &planned.1;
+    fn build(&self, last: Rc<Last>) -> Shown {
+        let Planned { job, path, surfaces, run } = &last.planned;
         let actual = Actual {
             surfaces,
             run,
@@ -284,7 +284,7 @@ impl View {
             offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
             turn: job.lie.turn,
             origin: path.frame.origin,
-            planned,
+            last,
         }
     }
 

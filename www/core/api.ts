@@ -1,3 +1,5 @@
+import { type Coded, coded } from "./coded.js";
+import { columns, FEEDS, findingsOf, KINDS, type Packed, planOf, programOf, tableOf } from "./plan.js";
 import type {
   Catalog,
   Cycle,
@@ -9,6 +11,8 @@ import type {
   Measured,
   MoveColumns,
   Plan,
+  Programmed,
+  ProgramText,
   ResultRow,
 } from "./types.js";
 
@@ -25,20 +29,31 @@ export class JobError extends Error {
   }
 }
 
-/** What the WebAssembly module gives. */
+/** Takes what the module hands out: views of its memory, copied before it goes on. */
+class Sink implements Packed {
+  numbers = new Float64Array();
+  text = "";
+
+  take(numbers: Float64Array, text: string): void {
+    this.numbers = numbers.slice();
+    this.text = text;
+  }
+}
+
+/** What the WebAssembly module gives. A value comes to it coded: `codes` and `text`. */
 export interface Raw {
   catalog(): unknown;
   defaultJob(type: unknown): unknown;
-  check(job: unknown): unknown;
-  plan(job: unknown): unknown;
-  evaluate(job: unknown, measured: unknown): unknown;
-  moveColumns(job: unknown): unknown;
-  importJob(text: unknown): unknown;
+  check(codes: Float64Array, text: string): unknown;
+  plan(codes: Float64Array, text: string, sink: Sink): void;
+  table(codes: Float64Array, text: string, sink: Sink): void;
+  evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
+  importJob(text: unknown, codes: Float64Array, json: string): unknown;
   jobSchema(): unknown;
-  exportTable(job: unknown, format: unknown): unknown;
-  convertUnits(job: unknown, units: unknown): unknown;
-  lentoax(query: unknown): unknown;
-  lentoaxWords(query: unknown): unknown;
+  exportTable(codes: Float64Array, text: string, format: unknown): unknown;
+  convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
+  lentoax(codes: Float64Array, text: string): unknown;
+  lentoaxWords(codes: Float64Array, text: string): unknown;
   version(): string;
 }
 
@@ -52,6 +67,13 @@ export interface Api {
   check(job: unknown): Finding[];
   /** The whole plan. Throws `JobError` if any finding is an error. */
   plan(job: Job): Plan;
+  /** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
+  program(job: Job): ProgramText;
+  /**
+   * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the row: its
+   * `program` is `null`, and its findings say why.
+   */
+  programs(jobs: Iterable<Job>): IterableIterator<Programmed>;
   /** The results from points that a machine really measured. Throws `JobError`. */
   evaluate(job: Job, measured: Measured): ResultRow[];
   /** The moves of the plan as typed arrays. Throws `JobError`. */
@@ -113,25 +135,91 @@ export class Instance {
 
 /** Dresses the WebAssembly module's functions. */
 export function dress(raw: Raw, instance: Instance): Api {
+  /** Codes a value, and calls with it. */
+  const on = <T>(value: unknown, call: (codes: Float64Array, text: string) => unknown): T => {
+    const { codes, text } = coded(value);
+    return instance.call(() => call(codes, text));
+  };
+  const packed = ({ codes, text }: Coded): Packed =>
+    instance.call(() => {
+      const sink = new Sink();
+      raw.plan(codes, text, sink);
+      return sink;
+    });
+  /** The table of a job that has a plan. The job is what it was when it was planned, whatever has become of the object since. */
+  const table = ({ codes, text }: Coded) =>
+    instance.call<ReturnType<typeof tableOf>>(() => {
+      const sink = new Sink();
+      raw.table(codes, text, sink);
+      return tableOf(sink);
+    });
   return {
     catalog: () => instance.call(() => raw.catalog()),
     defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
     check: (job) => {
       try {
-        return instance.call(() => raw.check(job));
+        return on(job, raw.check);
       } catch {
         return [{ level: "error", code: "unreadable", path: "", message: "This value cannot be read" }];
       }
     },
-    plan: (job) => instance.call(() => raw.plan(job)),
-    evaluate: (job, measured) => instance.call(() => raw.evaluate(job, measured)),
-    moveColumns: (job) => instance.call(() => raw.moveColumns(job)),
-    importJob: (text) => instance.call(() => raw.importJob(text)),
+    plan: (job) => {
+      const own = coded(job);
+      return planOf(packed(own), () => table(own));
+    },
+    program: (job) => programOf(packed(coded(job))),
+    *programs(jobs) {
+      for (const job of jobs) {
+        try {
+          const plan = packed(coded(job));
+          yield { program: programOf(plan), findings: findingsOf(plan) };
+        } catch (error) {
+          if (!(error instanceof JobError)) throw error;
+          yield { program: null, findings: error.findings };
+        }
+      }
+    },
+    evaluate: (job, measured) => {
+      const points = coded(measured);
+      return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
+    },
+    moveColumns: (job) => {
+      const { to, feed, kind, step, touch } = columns(packed(coded(job)));
+      return {
+        to: to.slice(),
+        feed: Uint8Array.from(feed),
+        kind: Uint8Array.from(kind),
+        step: Uint8Array.from(step),
+        touch: Int32Array.from(touch),
+        feeds: [...FEEDS],
+        kinds: [...KINDS],
+      };
+    },
+    importJob: (text) => {
+      const json = parsed(text);
+      const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
+      const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
+      // What is a job in JSON is that job, with all that stands in it: then the module gives none.
+      return { ...{ job: json as Job }, ...imported };
+    },
     jobSchema: () => instance.call(() => raw.jobSchema()),
-    exportTable: (job, format) => instance.call(() => raw.exportTable(job, format)),
-    convertUnits: (job, units) => instance.call(() => raw.convertUnits(job, units)),
-    lentoax: (query) => instance.call(() => raw.lentoax(query)),
-    lentoaxWords: (query) => instance.call(() => raw.lentoaxWords(query)),
+    exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),
+    convertUnits: (job, units) => on(job, (codes, text) => raw.convertUnits(codes, text, units)),
+    lentoax: (query) => on(query, raw.lentoax),
+    lentoaxWords: (query) => on(query, raw.lentoaxWords),
     version: () => instance.call(() => raw.version()),
   };
+}
+
+/** The longest text that is read, in UTF-16 units; the module says so of a longer one. */
+const LONGEST_TEXT = 2_000_000;
+
+/** What a text says as JSON; undefined where it is none. */
+function parsed(text: unknown): unknown {
+  if (typeof text !== "string" || text.length > LONGEST_TEXT) return undefined;
+  try {
+    return JSON.parse(text.replace(/^\ufeff/, ""));
+  } catch {
+    return undefined;
+  }
 }

@@ -1,4 +1,5 @@
 import { dress, Instance } from "./api.js";
+import { coded } from "./coded.js";
 import init, * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
@@ -15,6 +16,24 @@ export class View extends raw.View {
     instance.ready();
     super(canvas);
     this.madeBy = instance.number;
+  }
+
+  /** Shows a job. One that has errors leaves the picture as it is and gives `false`. */
+  show(job: unknown): boolean {
+    const { codes, text } = coded(job);
+    return this.showCoded(codes, text);
+  }
+
+  /** Shows a job as a small picture: isometric, without axes, numbers and handles. */
+  showSmall(job: unknown): boolean {
+    const { codes, text } = coded(job);
+    return this.showSmallCoded(codes, text);
+  }
+
+  /** Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`. */
+  showLentoax(query?: unknown): boolean {
+    const { codes, text } = coded(query);
+    return this.showLentoaxCoded(codes, text);
   }
 
   /** Nothing is left to free of a View whose instance is gone. */
@@ -49,6 +68,8 @@ export const {
   defaultJob,
   check,
   plan,
+  program,
+  programs,
   evaluate,
   moveColumns,
   importJob,

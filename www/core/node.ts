@@ -11,6 +11,8 @@ export const {
   defaultJob,
   check,
   plan,
+  program,
+  programs,
   evaluate,
   moveColumns,
   importJob,

@@ -1,7 +1,7 @@
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 
 import type { FrameStep, Job, Vec3 } from "./job-types.js";
-import type { Finding, TraceRow } from "./plan-types.js";
+import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
@@ -15,6 +15,14 @@ export interface MoveColumns {
   touch: Int32Array;
   feeds: string[];
   kinds: string[];
+}
+
+/** What became of a job in a row of many. */
+export interface Programmed {
+  /** Its program; `null` where it has none. */
+  program: ProgramText | null;
+  /** Everything found: where there is no program, errors among it. */
+  findings: Finding[];
 }
 
 /** What was made of a text. Look at `trace` first: a program of moves that says no job has its moves there, and `job` is `null` then. */

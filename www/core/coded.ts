@@ -1,0 +1,142 @@
+// Whatever a caller hands over, as numbers and one text: the other half of src/wasm/input.rs. The walk never throws and always ends: cycles,
+// getters that throw, lists of any length. It runs here and not in the module, since every look at a value from there costs a call.
+
+/** A value in one piece. Tags and counts as in src/wasm/input.rs; all texts one behind the other, each with a line feed behind it. */
+export interface Coded {
+  codes: Float64Array;
+  text: string;
+}
+
+/** The most values a job may hold, and how deep they may lie. A job has about a hundred. */
+const MOST_VALUES = 20_000;
+const DEEPEST = 16;
+/** The most UTF-16 units of all texts together: a longer text is refused anyway. */
+const MOST_TEXT = 2_000_000;
+
+const [NULL, FALSE, TRUE, NUMBER, TEXT, LIST, MAP, OTHER] = [0, 1, 2, 3, 4, 5, 6, 7] as const;
+/** What has no place in a job, by its place in the list of src/wasm/input.rs. */
+const [UNDEFINED, NO_DATA, UNREADABLE, TOO_DEEP, TOO_MANY, TOO_MUCH_TEXT, TOO_LONG, TOO_MANY_KEYS] = [
+  0, 1, 2, 3, 4, 5, 6, 7,
+] as const;
+
+class Coder {
+  readonly codes: number[] = [];
+  text = "";
+  private values = MOST_VALUES;
+
+  walk(value: unknown, depth: number): void {
+    switch (typeof value) {
+      case "number":
+        this.codes.push(NUMBER, value);
+        break;
+      case "string":
+        if (this.fits(value)) {
+          this.codes.push(TEXT, value.length);
+          this.text += `${value}\n`;
+        } else this.other(TOO_MUCH_TEXT);
+        break;
+      case "boolean":
+        this.codes.push(value ? TRUE : FALSE);
+        break;
+      case "undefined":
+        this.other(UNDEFINED);
+        break;
+      case "object":
+        if (value === null) this.codes.push(NULL);
+        else this.object(value, depth);
+        break;
+      default:
+        this.other(NO_DATA);
+    }
+  }
+
+  /** What an object holds; where that cannot be read, nothing of it. */
+  private object(value: object, depth: number): void {
+    if (depth === DEEPEST) {
+      this.other(TOO_DEEP);
+      return;
+    }
+    const [codes, text] = [this.codes.length, this.text];
+    let list: boolean;
+    let keys: (string | symbol)[];
+    try {
+      list = Array.isArray(value);
+      keys = list ? [] : Reflect.ownKeys(value);
+    } catch {
+      this.other(UNREADABLE);
+      return;
+    }
+    if (list) {
+      this.list(value as unknown[], depth);
+      return;
+    }
+    if (keys.length > MOST_VALUES) {
+      this.other(TOO_MANY_KEYS);
+      return;
+    }
+    this.codes.push(MAP, 0);
+    const count = codes + 1;
+    for (const key of keys) {
+      // Symbols are no keys of a job.
+      if (typeof key !== "string") continue;
+      if (!this.fits(key)) {
+        this.codes.length = codes;
+        this.text = text;
+        this.other(TOO_MUCH_TEXT);
+        return;
+      }
+      const before = this.codes.length;
+      this.codes.push(key.length);
+      this.text += `${key}\n`;
+      this.inner(value, key, depth);
+      // A key that is set to undefined is a key that is not there.
+      if (this.codes[before + 1] === OTHER && this.codes[before + 2] === UNDEFINED) {
+        this.codes.length = before;
+        this.text = this.text.slice(0, this.text.length - key.length - 1);
+      } else this.codes[count]!++;
+    }
+  }
+
+  private list(value: unknown[], depth: number): void {
+    let length: unknown;
+    try {
+      length = value.length;
+    } catch {}
+    if (typeof length !== "number" || !(length >= 0)) this.other(UNREADABLE);
+    else if (length > MOST_VALUES) this.other(TOO_LONG);
+    else {
+      const whole = Math.floor(length);
+      this.codes.push(LIST, whole);
+      for (let i = 0; i < whole; i++) this.inner(value, i, depth);
+    }
+  }
+
+  /** The value under a key, where a getter gives one. */
+  private inner(value: object, key: string | number, depth: number): void {
+    this.values = Math.max(this.values - 1, 0);
+    let inner: unknown;
+    try {
+      inner = (value as Record<string | number, unknown>)[key];
+    } catch {
+      this.other(UNREADABLE);
+      return;
+    }
+    if (this.values === 0) this.other(TOO_MANY);
+    else this.walk(inner, depth + 1);
+  }
+
+  private fits(text: string): boolean {
+    return this.text.length + text.length <= MOST_TEXT;
+  }
+
+  private other(what: number): void {
+    this.codes.push(OTHER, what);
+  }
+}
+
+/** Codes a value. Throws only where the caller's stack is used up. */
+export function coded(value: unknown): Coded {
+  const coder = new Coder();
+  coder.walk(value, 0);
+  return { codes: new Float64Array(coder.codes), text: coder.text };
+}
