@@ -16,6 +16,9 @@ pub mod safety;
 mod sinumerik;
 pub mod trace;
 
+use std::cell::OnceCell;
+
+use crate::control::iso::registers::Registers;
 use crate::control::iso::script::{Script, Trouble};
 use crate::control::iso::writer::Dialect;
 use crate::form::{Checker, Value};
@@ -179,6 +182,15 @@ pub struct Request<'a> {
     pub job: Option<&'a Value>,
     /// How much of the job the header says.
     pub header: Header,
+    /// See [`Request::registers`].
+    pub numbered: OnceCell<Registers>,
+}
+
+impl Request<'_> {
+    /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
+    pub fn registers(&self) -> &Registers {
+        self.numbered.get_or_init(|| Registers::allocate(&self.path.formula))
+    }
 }
 
 /// A printed program.

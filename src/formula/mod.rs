@@ -279,8 +279,8 @@ impl Formula {
         let mut plain = Formula::default();
         let mut places: Vec<Value> = Vec::with_capacity(self.assignments.len());
         let mut circles: Vec<(usize, [Value; 3])> = Vec::new();
-        for assignment in &self.assignments {
-            let mut expr = assignment.expr.clone();
+        for assignment in self.assignments {
+            let mut expr = assignment.expr;
             expr.replace(&mut |inner| match inner {
                 Expr::Variable(index) => Some(places[*index].into()),
                 Expr::Circle { first, count, axes, part } => {
@@ -304,7 +304,7 @@ impl Formula {
             Expr::Variable(index) => places[*index].into(),
             other => other.clone(),
         };
-        plain.results = self.results.clone();
+        plain.results = self.results;
         for result in &mut plain.results {
             result.variable = result.variable.map(|index| places[index].0);
         }
@@ -336,7 +336,8 @@ impl Formula {
     pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
         let mut values: Vec<Dual> = Vec::with_capacity(self.assignments.len());
         for assignment in &self.assignments {
-            let value = assignment.expr.evaluate(&values, triggers, directions);
+            let mut value = Dual::constant(0.0);
+            assignment.expr.evaluate(&Given { values: &values, triggers, directions }, &mut value);
             values.push(value);
         }
         values
@@ -377,18 +378,18 @@ impl Dual {
         sigma * self.by_touch.iter().map(|d| d * d).sum::<f64>().sqrt()
     }
 
-    /// f of one number, by the chain rule.
-    fn map(self, value: f64, slope: f64) -> Dual {
-        Dual { value, by_touch: self.by_touch.map(|d| d * slope) }
+    /// Becomes f of itself, by the chain rule.
+    fn map(&mut self, value: f64, slope: f64) {
+        self.value = value;
+        self.by_touch.iter_mut().for_each(|d| *d *= slope);
     }
 
-    /// f of two numbers, by the chain rule.
-    fn join(self, other: Dual, value: f64, slope: f64, other_slope: f64) -> Dual {
-        let mut by_touch = self.by_touch;
-        for (d, o) in by_touch.iter_mut().zip(other.by_touch) {
+    /// Becomes f of itself and another number, by the chain rule.
+    fn join(&mut self, other: &Dual, value: f64, slope: f64, other_slope: f64) {
+        self.value = value;
+        for (d, o) in self.by_touch.iter_mut().zip(other.by_touch) {
             *d = *d * slope + o * other_slope;
         }
-        Dual { value, by_touch }
     }
 }
 
@@ -456,64 +457,85 @@ impl Expr {
 
     /// Its value, where it is made of named values and constants alone.
     pub fn value(&self, values: &[Dual]) -> Dual {
-        self.evaluate(values, &[], &[])
+        let mut value = Dual::constant(0.0);
+        self.evaluate(&Given { values, triggers: &[], directions: &[] }, &mut value);
+        value
     }
 
-    fn evaluate(&self, values: &[Dual], triggers: &[Option<Vec3>], directions: &[Vec3]) -> Dual {
+    /// Puts its value into `out`.
+    fn evaluate(&self, given: &Given<'_>, out: &mut Dual) {
         match self {
-            Expr::Number(x) | Expr::Length(x) => Dual::constant(*x),
-            Expr::Variable(index) => values[*index],
+            Expr::Number(x) | Expr::Length(x) => *out = Dual::constant(*x),
+            Expr::Variable(index) => out.clone_from(&given.values[*index]),
             Expr::Trigger { touch, axis } => {
-                let mut dual = Dual::constant(triggers[*touch].map_or(f64::NAN, |t| t[*axis]));
-                dual.by_touch[*touch] = directions[*touch][*axis];
-                dual
+                *out = Dual::constant(given.triggers[*touch].map_or(f64::NAN, |t| t[*axis]));
+                out.by_touch[*touch] = given.directions[*touch][*axis];
             }
-            Expr::Binary(op, a, b) => {
-                let a = a.evaluate(values, triggers, directions);
-                let b = b.evaluate(values, triggers, directions);
+            Expr::Binary(op, left, right) => {
+                left.evaluate(given, out);
+                // Most operands have a name: they are read where they stand.
+                let mut own = Dual::constant(0.0);
+                let b = match &**right {
+                    Expr::Variable(index) => &given.values[*index],
+                    right => {
+                        right.evaluate(given, &mut own);
+                        &own
+                    }
+                };
+                let a = out.value;
                 match op {
-                    Op::Add => a.join(b, a.value + b.value, 1.0, 1.0),
-                    Op::Subtract => a.join(b, a.value - b.value, 1.0, -1.0),
-                    Op::Multiply => a.join(b, a.value * b.value, b.value, a.value),
-                    Op::Divide => a.join(b, a.value / b.value, 1.0 / b.value, -a.value / (b.value * b.value)),
+                    Op::Add => out.join(b, a + b.value, 1.0, 1.0),
+                    Op::Subtract => out.join(b, a - b.value, 1.0, -1.0),
+                    Op::Multiply => out.join(b, a * b.value, b.value, a),
+                    Op::Divide => out.join(b, a / b.value, 1.0 / b.value, -a / (b.value * b.value)),
                 }
             }
             Expr::Call(function, a) => {
-                let a = a.evaluate(values, triggers, directions);
-                let (sin, cos) = a.value.to_radians().sin_cos();
+                a.evaluate(given, out);
+                let (sin, cos) = out.value.to_radians().sin_cos();
                 match function {
-                    Function::Sin => a.map(sin, cos.to_radians()),
-                    Function::Cos => a.map(cos, -sin.to_radians()),
-                    Function::Sqrt => a.map(a.value.sqrt(), 0.5 / a.value.sqrt()),
+                    Function::Sin => out.map(sin, cos.to_radians()),
+                    Function::Cos => out.map(cos, -sin.to_radians()),
+                    Function::Sqrt => out.map(out.value.sqrt(), 0.5 / out.value.sqrt()),
                 }
             }
-            Expr::Circle { first, count, axes, part } => {
-                let samples = *first..first + count;
-                let flat = |v: &Vec3| Vec2::new(v[axes.0], v[axes.1]);
-                let points: Option<Vec<Vec2>> = triggers[samples.clone()].iter().map(|t| t.as_ref().map(flat)).collect();
-                let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
-                let row = match part {
-                    CirclePart::Abscissa => 0,
-                    CirclePart::Ordinate => 1,
-                    CirclePart::Radius => 2,
-                };
-                let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
-                for (i, k) in samples.enumerate() {
-                    let d = flat(&directions[k]);
-                    let [by_first, by_second] = fit.by_point[i];
-                    dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;
-                }
-                dual
-            }
+            Expr::Circle { first, count, axes, part } => *out = circle(*first..first + count, *axes, *part, given),
             Expr::Atan2(y, x) => {
-                let y = y.evaluate(values, triggers, directions);
-                let x = x.evaluate(values, triggers, directions);
-                let square = x.value * x.value + y.value * y.value;
-                let value = y.value.atan2(x.value).to_degrees();
-                y.join(x, value, (x.value / square).to_degrees(), (-y.value / square).to_degrees())
+                y.evaluate(given, out);
+                let mut by = Dual::constant(0.0);
+                x.evaluate(given, &mut by);
+                let (y, x) = (out.value, by.value);
+                let square = x * x + y * y;
+                out.join(&by, y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees());
             }
         }
     }
+}
+
+/// What an expression is evaluated with: the values of earlier assignments, the triggers, and the probing directions.
+struct Given<'a> {
+    values: &'a [Dual],
+    triggers: &'a [Option<Vec3>],
+    directions: &'a [Vec3],
+}
+
+/// A part of the circle fitted to these samples.
+fn circle(samples: std::ops::Range<usize>, axes: (usize, usize), part: CirclePart, given: &Given<'_>) -> Dual {
+    let flat = |v: &Vec3| Vec2::new(v[axes.0], v[axes.1]);
+    let points: Option<Vec<Vec2>> = given.triggers[samples.clone()].iter().map(|t| t.as_ref().map(flat)).collect();
+    let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
+    let row = match part {
+        CirclePart::Abscissa => 0,
+        CirclePart::Ordinate => 1,
+        CirclePart::Radius => 2,
+    };
+    let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
+    for (i, k) in samples.enumerate() {
+        let d = flat(&given.directions[k]);
+        let [by_first, by_second] = fit.by_point[i];
+        dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;
+    }
+    dual
 }
 
 // The operators fold what is plain (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as by hand.

@@ -1,6 +1,6 @@
 //! Names of values, in place: a formula has hundreds.
 
-use crate::num::count;
+use crate::num::push_count;
 
 /// The name of a value: lower-case letters, digits and underscores, as every control takes them. `center_x`, `q1`, `ss2_3`, `c1_uu_4`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl Name {
         text.push_str(self.stem);
         for (number, rest) in [(self.number, self.rest), (self.index, "")] {
             if let Some(number) = number {
-                text.push_str(&count(number as usize));
+                push_count(text, number as usize);
             }
             text.push_str(rest);
         }

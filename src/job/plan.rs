@@ -1,5 +1,7 @@
 //! From a checked job to a whole plan, and back into the job's units.
 
+use std::cell::OnceCell;
+
 use crate::control::release::{Refusal, release};
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
@@ -191,6 +193,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         protected: job.protected,
         job: whole,
         header: job.header,
+        numbered: OnceCell::new(),
     }
 }
 

@@ -108,6 +108,18 @@ impl std::fmt::Display for Digits {
     }
 }
 
+/// A whole number behind a text; nearly all of them are small.
+pub fn push_count(text: &mut String, number: usize) {
+    match number {
+        0..10 => text.push((b'0' + number as u8) as char),
+        10..100 => {
+            text.push((b'0' + (number / 10) as u8) as char);
+            text.push((b'0' + (number % 10) as u8) as char);
+        }
+        _ => text.push_str(&count(number)),
+    }
+}
+
 /// A whole number as text.
 pub fn count(number: usize) -> Digits {
     Digits::of_whole(false, number as u64, 0)

@@ -23,7 +23,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{Plane, Vec3};
-use crate::num::{Digits, count, decimal};
+use crate::num::{Digits, count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
 
 /// Fanuc 30i, 31i, 32i, 0i-F.
@@ -167,7 +167,7 @@ fn variable(n: usize) -> String {
 
 fn push_variable(text: &mut String, n: usize) {
     text.push('#');
-    text.push_str(&count(FIRST + n));
+    push_count(text, FIRST + n);
 }
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
@@ -204,7 +204,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.error("search-too-short", "overtravel", message);
     }
-    let last = FIRST + Registers::allocate(&request.path.formula).last;
+    let last = FIRST + request.registers().last;
     if last > LAST {
         let message = format!(
             "The program would need #{FIRST} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \
@@ -215,15 +215,14 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 }
 
 fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    let registers = Registers::allocate(&request.path.formula);
-    moves::write(request, &DIALECT, &mut Skip { request, flavour, registers, labels: 0 })
+    moves::write(request, &DIALECT, &mut Skip { request, flavour, registers: request.registers(), labels: 0 })
 }
 
 /// The program of one request.
 struct Skip<'a> {
     request: &'a Request<'a>,
     flavour: &'static Flavour,
-    registers: Registers,
+    registers: &'a Registers,
     labels: usize,
 }
 
@@ -439,7 +438,7 @@ impl Moves for Skip<'_> {
         w.build(|text| {
             push_variable(text, self.registers.variables[index]);
             text.push('=');
-            print::print_to(text, &Variables(&self.registers), formula, &formula.assignments[index].expr, self.request.scale);
+            print::print_to(text, &Variables(self.registers), formula, &formula.assignments[index].expr, self.request.scale);
         });
     }
 
@@ -459,7 +458,7 @@ impl Moves for Skip<'_> {
             if matches!(measured, Expr::Length(_)) {
                 continue;
             }
-            let value = print::print(&Variables(&self.registers), formula, measured, self.request.scale);
+            let value = print::print(&Variables(self.registers), formula, measured, self.request.scale);
             let nominal = match decimal(nominal / self.request.scale, decimals(nominal / self.request.scale)).as_str() {
                 "0" => String::new(),
                 text if text.starts_with('-') => format!("-[{text}]"),

@@ -8,7 +8,7 @@ use crate::geom::AXIS_NAMES;
 
 /// The code of a line and its comment, without its brackets or sign. A sign inside a text begins none.
 pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
-    let Some(first) = line.bytes().position(|b| b == sign || b == b';' || b == b'"') else { return Ok((line, None)) };
+    let Some(first) = memchr::memchr3(sign, b';', b'"', line.as_bytes()) else { return Ok((line, None)) };
     let mut quoted = false;
     for (at, b) in line.bytes().enumerate().skip(first) {
         match b {
@@ -18,7 +18,7 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
             b'(' => {
                 let inner = line[at + 1..].trim_end();
                 let inner = inner.strip_suffix(')').ok_or("a comment is not closed, or code stands behind it")?;
-                if inner.contains([')', '(']) {
+                if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return Err("two comments are in one line, or one in another".to_owned());
                 }
                 return Ok((&line[..at], Some(inner)));

@@ -144,7 +144,7 @@ impl<'t> Cursor<'t> {
     /// The name of an O word: `<tp_exit>`, `12`.
     pub fn label(&mut self) -> Option<&'t str> {
         let end = match self.rest.bytes().next()? {
-            b'<' => self.rest.find('>')? + 1,
+            b'<' => self.rest.bytes().position(|b| b == b'>')? + 1,
             _ => self.rest.bytes().position(|b| !b.is_ascii_digit()).unwrap_or(self.rest.len()),
         };
         (end > 0).then(|| self.take(end))
@@ -166,8 +166,8 @@ impl<'t> Cursor<'t> {
     pub fn variable(&mut self, names: Names) -> Option<&'t str> {
         let bytes = self.rest.as_bytes();
         let end = match (names, bytes.first()?) {
-            (Names::Hash, b'#') if bytes.get(1) == Some(&b'<') => self.rest.find('>')? + 1,
-            (Names::Hash, b'#') if bytes.get(1) == Some(&b'[') => self.rest.find(']')? + 1,
+            (Names::Hash, b'#') if bytes.get(1) == Some(&b'<') => bytes.iter().position(|b| *b == b'>')? + 1,
+            (Names::Hash, b'#') if bytes.get(1) == Some(&b'[') => bytes.iter().position(|b| *b == b']')? + 1,
             (Names::Hash, b'#') => bytes[1..].iter().position(|b| !b.is_ascii_digit()).unwrap_or(bytes.len() - 1) + 1,
             (Names::Words, b'$') => {
                 let end = bytes[1..]
@@ -303,10 +303,19 @@ impl<'t> Cursor<'t> {
     /// A value in brackets.
     pub fn bracketed(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
         let (open, close) = grammar.brackets;
-        self.expect(sign(open))?;
+        self.bracket(open)?;
         let node = self.value(grammar, script)?;
-        self.expect(sign(close))?;
+        self.bracket(close)?;
         Ok(node)
+    }
+
+    /// Goes past a bracket that must be next.
+    fn bracket(&mut self, bracket: u8) -> Parsed<()> {
+        if self.rest.as_bytes().first() != Some(&bracket) {
+            return self.expect(sign(bracket));
+        }
+        self.take(1);
+        Ok(())
     }
 }
 

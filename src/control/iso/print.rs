@@ -1,7 +1,7 @@
 //! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
 
 use crate::formula::{Expr, Formula, Function, Name, Op};
-use crate::num::{count, push_decimal};
+use crate::num::{push_count, push_decimal};
 
 /// How a control writes expressions.
 pub trait Notation {
@@ -51,7 +51,7 @@ impl Notation for Rs274 {
     fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
         out.push_str("#<");
         out.push_str(AXES[axis]);
-        out.push_str(&count(sample + 1));
+        push_count(out, sample + 1);
         out.push('>');
     }
 

@@ -1,5 +1,8 @@
 //! Which numbered variable holds what, on controls that have no named ones.
 
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
 use crate::formula::{Expr, Formula};
 
 /// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
@@ -54,6 +57,26 @@ impl Reads {
     }
 }
 
+/// The registers that are free after each assignment, as chains: 0 ends one.
+struct Spent {
+    /// Of each assignment.
+    first: Vec<usize>,
+    /// Of each register. It is in one chain at a time.
+    next: Vec<usize>,
+}
+
+impl Spent {
+    /// A register is free after this assignment; after none that is there it stays.
+    fn after(&mut self, assignment: usize, register: usize) {
+        if self.next.len() <= register {
+            self.next.resize(register + 1, 0);
+        }
+        if let Some(first) = self.first.get_mut(assignment) {
+            self.next[register] = std::mem::replace(first, register);
+        }
+    }
+}
+
 impl Registers {
     /// Gives every value of a plain formula its place.
     pub fn allocate(formula: &Formula) -> Self {
@@ -63,15 +86,30 @@ impl Registers {
             registers.last += 1;
             registers.triggers.push((*key, registers.last));
         }
-        let mut free: Vec<usize> = Vec::new();
+        // What each assignment is the last to read is free from then on, the lowest first; results stay.
+        let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
+        for ((_, register), (_, last)) in registers.triggers.iter().zip(&reads.triggers) {
+            spent.after(*last, *register);
+        }
+        let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
         for i in 0..formula.assignments.len() {
             if registers.variables[i] == 0 {
-                registers.variables[i] = free.pop().unwrap_or_else(|| {
-                    registers.last += 1;
-                    registers.last
-                });
+                registers.variables[i] = match free.pop() {
+                    Some(Reverse(lowest)) => lowest,
+                    None => {
+                        registers.last += 1;
+                        registers.last
+                    }
+                };
             }
-            registers.free_after(i, &reads, &mut free);
+            if registers.variables[i] > registers.results {
+                spent.after(reads.variables[i], registers.variables[i]);
+            }
+            let mut register = spent.first[i];
+            while register > 0 {
+                free.push(Reverse(register));
+                register = spent.next[register];
+            }
         }
         registers
     }
@@ -86,15 +124,6 @@ impl Registers {
             if variables[variable] == 0 { variables[variable] = last } else { copies.push((last, variable)) }
         }
         Registers { variables, triggers: Vec::new(), copies, results: last, last }
-    }
-
-    /// What assignment `i` was the last to read is free from then on, the lowest on top; results stay.
-    fn free_after(&self, i: usize, reads: &Reads, free: &mut Vec<usize>) {
-        let spent = self.triggers.iter().zip(&reads.triggers).filter(|(_, (_, last))| *last == i);
-        free.extend(spent.map(|((_, register), _)| *register));
-        let spent = reads.variables[..=i].iter().zip(&self.variables).filter(|(last, _)| **last == i);
-        free.extend(spent.map(|(_, register)| *register).filter(|register| *register > self.results));
-        free.sort_unstable_by(|a, b| b.cmp(a));
     }
 
     /// Where coordinate `axis` of a sample's trigger is.

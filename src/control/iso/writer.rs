@@ -51,7 +51,7 @@ impl<'a> Writer<'a> {
         let mut writer = Writer {
             request,
             dialect,
-            text: String::with_capacity(4096),
+            text: String::with_capacity(2048 + 40 * request.path.formula.assignments.len() + 160 * request.path.moves.len()),
             lines: 0,
             move_lines,
             last: [const { Digits::NONE }; 3],

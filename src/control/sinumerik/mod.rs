@@ -24,7 +24,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula};
 use crate::geom::AXIS_NAMES;
-use crate::num::{count, decimal};
+use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
 
 pub static DEF: PostDef = PostDef {
@@ -100,7 +100,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, "The program does not know the rotary axis of the machine");
     check_write(request, checker);
-    let registers = Registers::allocate(&request.path.formula);
+    let registers = request.registers();
     let last = registers.last + frame_registers(request, &request.path.formula);
     if last > LAST_REGISTER {
         let message = format!(
@@ -128,19 +128,18 @@ fn emit(request: &Request<'_>) -> Program {
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
-    let registers = Registers::allocate(&request.path.formula);
-    moves::write(request, &DIALECT, &mut Sinumerik { request, registers })
+    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers() })
 }
 
 /// The program of one request.
 struct Sinumerik<'a> {
     request: &'a Request<'a>,
-    registers: Registers,
+    registers: &'a Registers,
 }
 
 impl Sinumerik<'_> {
     fn notation(&self) -> RParameters<'_> {
-        RParameters { registers: &self.registers }
+        RParameters { registers: self.registers }
     }
 }
 
@@ -204,7 +203,7 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
-        write_datum(w, self.request, formula, &self.registers, number, datum);
+        write_datum(w, self.request, formula, self.registers, number, datum);
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
@@ -431,12 +430,12 @@ impl Notation for RParameters<'_> {
 
     fn variable(&self, _: &Formula, index: usize, out: &mut String) {
         out.push('R');
-        out.push_str(&count(self.registers.variables[index]));
+        push_count(out, self.registers.variables[index]);
     }
 
     fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
         out.push('R');
-        out.push_str(&count(self.registers.trigger(sample, axis)));
+        push_count(out, self.registers.trigger(sample, axis));
     }
 
 }

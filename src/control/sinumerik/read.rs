@@ -15,6 +15,9 @@ fn axis_of(name: &str) -> Option<usize> {
 }
 
 fn system(name: &str) -> Option<System> {
+    if !name.starts_with('$') {
+        return None;
+    }
     let (head, inner) = match name.split_once('[') {
         Some((head, inner)) => (head, inner.strip_suffix(']')?),
         None => (name, ""),
