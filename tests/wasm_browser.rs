@@ -32,7 +32,8 @@ fn a_picture_is_drawn_picked_and_dragged() {
     view.resize(400.0, 300.0, 2.0);
     assert_eq!((canvas.width(), canvas.height()), (800, 600), "sharp on a dense screen");
     assert_eq!(painted(&canvas), 0);
-    assert!(view.show(&wasm::pocket()));
+    let (codes, text) = wasm::coded(&wasm::pocket());
+    assert!(view.show(&codes, &text));
     assert!(painted(&canvas) > 2000);
     for name in ["front", "side", "isometric", "top"] {
         view.look(name);
@@ -46,6 +47,7 @@ fn a_picture_is_drawn_picked_and_dragged() {
     assert_eq!(wasm::text(&lie), r#"{"offset":[0,0,0],"rotation":0}"#);
     let turned = view.drag_part("turn", 200.0, 50.0).unwrap();
     assert_eq!(wasm::get(&turned, "rotation").as_f64(), Some(90.0));
-    assert!(!view.show(&wasm::parse("{}")), "a refused job leaves the picture");
+    let (codes, text) = wasm::coded(&wasm::parse("{}"));
+    assert!(!view.show(&codes, &text), "a refused job leaves the picture");
     assert!(painted(&canvas) > 2000);
 }

@@ -253,7 +253,9 @@ mod tests {
         assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
         assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
         // Plain texts are hashed in one piece, others line by line: with the same result.
-        for other in ["G1 X1\nM2", "\nG1 X1\nM2\n", "G1 X1\r\nM2\n", "G1 X1 \nM2\n\n", "G1 X1\t\n \nM2\n", "G1 X1\nM2\u{2003}\n"] {
+        for other in
+            ["G1 X1\nM2", "\nG1 X1\nM2\n", "G1 X1\r\nM2\n", "G1 X1 \nM2\n\n", "G1 X1\t\n \nM2\n", "G1 X1\nM2\u{2003}\n"]
+        {
             assert!(!is_plain(other), "{other:?}");
             assert_eq!(hash(other), hash("G1 X1\nM2\n"), "{other:?}");
         }

@@ -59,7 +59,8 @@ mod tests {
 
     #[test]
     fn names_as_programs_have_them() {
-        let names = [Name::from("center_x"), Name::new("q", 1), Name::new("ss", 2).and("_").at(3), Name::new("c", 1).and("_uu_").at(4)];
+        let names =
+            [Name::from("center_x"), Name::new("q", 1), Name::new("ss", 2).and("_").at(3), Name::new("c", 1).and("_uu_").at(4)];
         assert_eq!(names.map(|name| name.to_string()), ["center_x", "q1", "ss2_3", "c1_uu_4"]);
         assert_eq!(Name::new("c", 1).and("_det").to_string(), "c1_det");
     }

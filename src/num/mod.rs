@@ -127,7 +127,8 @@ pub fn count(number: usize) -> Digits {
 
 /// Powers of ten that are exact.
 const POWERS: [f64; 23] = [
-    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21,
+    1e22,
 ];
 
 /// The size of a number in its last decimals, rounded; none where the rounding of the product could decide between two.
@@ -240,7 +241,25 @@ mod tests {
 
     #[test]
     fn numbers_in_full_are_the_shortest_that_read_back() {
-        for value in [0.0, -0.0, 1.0, 80.5, 0.001, -0.0005, 25.4, 1.0 / 3.0, 1e-6, 5e-7, 123_456_789.25, 1e9, 1e16, 1e300, f64::NAN, 0.1 + 0.2, 2.54e-5] {
+        for value in [
+            0.0,
+            -0.0,
+            1.0,
+            80.5,
+            0.001,
+            -0.0005,
+            25.4,
+            1.0 / 3.0,
+            1e-6,
+            5e-7,
+            123_456_789.25,
+            1e9,
+            1e16,
+            1e300,
+            f64::NAN,
+            0.1 + 0.2,
+            2.54e-5,
+        ] {
             let mut text = String::new();
             push_in_full(&mut text, value);
             let library = format!("{value:?}");

@@ -39,7 +39,11 @@ pub fn read(text: &str) -> Option<f64> {
     // Both sides are exact, so their quotient or product is rounded once.
     let value = match (significant <= 19 && mantissa < 1 << 53, usize::try_from(exponent.unsigned_abs())) {
         (true, Ok(power)) if power < super::POWERS.len() => {
-            if exponent < 0 { mantissa as f64 / super::POWERS[power] } else { mantissa as f64 * super::POWERS[power] }
+            if exponent < 0 {
+                mantissa as f64 / super::POWERS[power]
+            } else {
+                mantissa as f64 * super::POWERS[power]
+            }
         }
         _ => exactly(digits, exponent),
     };
@@ -101,7 +105,7 @@ impl Whole {
     }
 
     /// The bits from `low` up, and whether any below is set.
-    fn from_bit(&self, low: i64) -> (u64, bool) {
+    fn bits_above(&self, low: i64) -> (u64, bool) {
         let top = (low..self.bits()).rev().fold(0, |sum, at| sum << 1 | u64::from(self.bit(at)));
         (top, (0..low.min(self.bits())).any(|at| self.bit(at)))
     }
@@ -136,9 +140,9 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     let power = whole.bits() - 1 - parts as i64 * 32;
     let lowest = (power - 52).max(-1074);
     let low = lowest + parts as i64 * 32;
-    let (mut bits, below) = whole.from_bit(low.max(0));
+    let (mut bits, below) = whole.bits_above(low.max(0));
     if low > 0 {
-        let (half, less) = (whole.bit(low - 1), left || whole.from_bit(low - 1).1);
+        let (half, less) = (whole.bit(low - 1), left || whole.bits_above(low - 1).1);
         debug_assert!(below || !half, "a half is something");
         bits += u64::from(half && (less || bits & 1 == 1));
     } else {
@@ -162,10 +166,38 @@ mod tests {
     #[test]
     fn numbers_of_programs_and_jobs() {
         for text in [
-            "0", "-0", "1", "12.5", "-.5", "5.", "+7", "0.707106781187", "1e3", "1E-3", "1.5e+2", "123456789012345678901234567890", "1e22", "1e23",
-            "9007199254740993", "9007199254740992.5", "0.1", "0.30000000000000004", "1e308", "1.7976931348623159e308", "1e309", "5e-324", "2e-324",
-            "2.4703282292062327e-324", "2.4703282292062328e-324", "2.2250738585072011e-308", "1e-400", "1e400", "0e999999999999999999999", "000.000",
-            "179769313486231580793728971405301e276", "1e00000000000000000005",
+            "0",
+            "-0",
+            "1",
+            "12.5",
+            "-.5",
+            "5.",
+            "+7",
+            "0.707106781187",
+            "1e3",
+            "1E-3",
+            "1.5e+2",
+            "123456789012345678901234567890",
+            "1e22",
+            "1e23",
+            "9007199254740993",
+            "9007199254740992.5",
+            "0.1",
+            "0.30000000000000004",
+            "1e308",
+            "1.7976931348623159e308",
+            "1e309",
+            "5e-324",
+            "2e-324",
+            "2.4703282292062327e-324",
+            "2.4703282292062328e-324",
+            "2.2250738585072011e-308",
+            "1e-400",
+            "1e400",
+            "0e999999999999999999999",
+            "000.000",
+            "179769313486231580793728971405301e276",
+            "1e00000000000000000005",
         ] {
             same(text);
         }

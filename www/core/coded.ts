@@ -75,7 +75,7 @@ class Coder {
       return;
     }
     this.codes.push(MAP, 0);
-    const count = codes + 1;
+    let count = 0;
     for (const key of keys) {
       // Symbols are no keys of a job.
       if (typeof key !== "string") continue;
@@ -93,8 +93,9 @@ class Coder {
       if (this.codes[before + 1] === OTHER && this.codes[before + 2] === UNDEFINED) {
         this.codes.length = before;
         this.text = this.text.slice(0, this.text.length - key.length - 1);
-      } else this.codes[count]!++;
+      } else count++;
     }
+    this.codes[codes + 1] = count;
   }
 
   private list(value: unknown[], depth: number): void {

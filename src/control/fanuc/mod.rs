@@ -241,7 +241,6 @@ impl Notation for Variables<'_> {
         push_variable(out, self.0.trigger(sample, axis));
     }
 
-
     fn decimals(&self, x: f64) -> usize {
         decimals(x)
     }

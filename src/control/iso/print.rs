@@ -54,7 +54,6 @@ impl Notation for Rs274 {
         push_count(out, sample + 1);
         out.push('>');
     }
-
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];

@@ -437,5 +437,4 @@ impl Notation for RParameters<'_> {
         out.push('R');
         push_count(out, self.registers.trigger(sample, axis));
     }
-
 }
