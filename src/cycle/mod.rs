@@ -5,8 +5,6 @@ mod heidenhain;
 
 pub use ency::{CODE_GROUPS, Pick, Placement, code_of, only_angular};
 
-use std::fmt::Debug;
-
 use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Plane, Vec3};
@@ -74,7 +72,7 @@ pub struct CycleDef {
 pub type PlaceBy = fn(&mut Section<'_, '_>, &[Pick], Plane) -> Option<(Placement, Vec<Pick>)>;
 
 /// A cycle with checked dimensions. All lengths in mm, angles in degrees as in the form.
-pub trait Cycle: Debug {
+pub trait Cycle {
     /// Reports what single fields cannot know: dimensions that do not go together. Paths start with `cycle.`.
     fn rules(&self, setup: &Setup, checker: &mut Checker);
 
@@ -107,6 +105,13 @@ pub trait Cycle: Debug {
 
     /// Why the control's value of this result is off on a turned part, where it is.
     fn turned_error(&self, code: &str) -> Option<&'static str>;
+}
+
+/// In place of a supertrait, which would keep every field of every form printable: in WebAssembly that is 4 kB that nobody calls.
+impl std::fmt::Debug for dyn Cycle {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Cycle")
+    }
 }
 
 /// The cycle with this `type`.

@@ -2,6 +2,7 @@
 
 use crate::form::{Finding, Level};
 use crate::job::{JobError, ParameterRow, ParameterValue, Plan};
+use crate::num::in_full;
 
 /// The table of a plan as `csv` (with a heading), `json` (a list of rows) or `text` (a line `CmdPrm.Flt[-50] = 50` a row), in
 /// the documented order. Any other format is refused.
@@ -33,7 +34,7 @@ fn value(row: &ParameterRow) -> String {
     match &row.value {
         ParameterValue::Whole(n) => n.to_string(),
         ParameterValue::Flag(on) => on.to_string(),
-        ParameterValue::Number(x) => x.to_string(),
+        ParameterValue::Number(x) => in_full(*x),
         ParameterValue::Text(text) => text.clone(),
     }
 }

@@ -460,7 +460,7 @@ impl Checked for String {
             }
             (Some(Value::Text(text)), _) => {
                 if text.chars().count() as f64 > field.hard.max {
-                    let message = format!("{} may have {} characters at most", field.label, field.hard.max);
+                    let message = format!("{} may have {} characters at most", field.label, decimal(field.hard.max, 0));
                     section.checker.error("too-long", path, message);
                     return stand_in();
                 }

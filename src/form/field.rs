@@ -124,7 +124,7 @@ impl Range {
     /// inch.
     pub fn snapped(&self, x: f64) -> f64 {
         const NOISE: f64 = 1.5e-5;
-        let inside = x.clamp(self.min, self.max);
+        let inside = crate::num::within(x, self.min, self.max);
         if (x - inside).abs() <= NOISE { inside } else { x }
     }
 

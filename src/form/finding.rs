@@ -1,11 +1,11 @@
 //! Findings: what is wrong, unusual or worth knowing about a job, as data.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::form::codes::is_listed;
 
 /// How much a finding weighs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
     /// No plan is made.
@@ -17,7 +17,7 @@ pub enum Level {
 }
 
 /// One problem or note.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
     /// How much it weighs.
     pub level: Level,

@@ -50,7 +50,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
     let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
-        let message = format!("Type {} is not a cycle that is known here: it is passed over", kind(block));
+        let message = format!("Type {} is not a cycle that is known here: it is passed over", crate::num::in_full(kind(block)));
         checker.warning("unknown-type", "cycle.type", message);
     }
     let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks.iter().filter_map(|b| Some((b, def_of(b)?))).collect();
@@ -135,7 +135,11 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
     match field.kind {
         Kind::Flag if value == 0.0 || value == 1.0 => Some(Value::Flag(value == 1.0)),
         Kind::Flag => {
-            let message = format!("Code {code} ({}) must be 0 or 1, not {value}: the default is taken", field.label);
+            let message = format!(
+                "Code {code} ({}) must be 0 or 1, not {}: the default is taken",
+                field.label,
+                crate::num::in_full(value)
+            );
             checker.warning("not-a-flag", path, message);
             None
         }
@@ -190,10 +194,10 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
 fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
     let touch = |code: i32| (-296..=-100).contains(&code);
     let mut unknown: Vec<i32> = block.iter().map(|e| e.code).filter(|c| *c <= 0 && !touch(*c) && !used.contains(c)).collect();
-    unknown.sort_unstable_by(|a, b| b.cmp(a));
+    unknown.sort_unstable();
     unknown.dedup();
     if !unknown.is_empty() {
-        let codes: Vec<String> = unknown.iter().map(ToString::to_string).collect();
+        let codes: Vec<String> = unknown.iter().rev().map(ToString::to_string).collect();
         let message = format!("This cycle has no code {}: passed over", codes.join(", "));
         checker.warning("unknown-code", "cycle", message);
     }

@@ -82,7 +82,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
 /// Whether the text says that it is in inch.
 fn says_inch(blocks: &[String]) -> bool {
     let begins = |block: &String| {
-        let upper = block.to_uppercase();
+        let upper = block.to_ascii_uppercase();
         upper.starts_with("BEGIN PGM") && upper.split_whitespace().last() == Some("INCH")
     };
     blocks.iter().any(begins) || says(blocks, "G70")
@@ -100,7 +100,7 @@ struct Reader {
 
 impl Reader {
     fn block(&mut self, block: &str) {
-        let upper = block.to_uppercase();
+        let upper = block.to_ascii_uppercase();
         let words: Vec<&str> = upper.split_whitespace().collect();
         match words.as_slice() {
             ["BEGIN", "PGM", rest @ ..] => {
@@ -191,7 +191,7 @@ impl Reader {
 
     fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
         let Reader { mut job, mut checker, extrusion, found, passed_over } = self;
-        let klartext = blocks.iter().any(|b| b.to_uppercase().starts_with("BEGIN PGM"));
+        let klartext = blocks.iter().any(|b| b.to_ascii_uppercase().starts_with("BEGIN PGM"));
         if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
             let message = "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken";
             checker.warning("units-unknown", "units", message);

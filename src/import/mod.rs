@@ -39,7 +39,10 @@ fn check_length(text: &str) -> Result<(), JobError> {
 /// Refuses a text of so many bytes.
 pub fn too_long(bytes: usize) -> JobError {
     let most = LONGEST_TEXT / 1_000_000;
-    let message = format!("This text has {:.1} million characters: at most {most} million are read", bytes as f64 / 1e6);
+    let message = format!(
+        "This text has {} million characters: at most {most} million are read",
+        crate::num::decimal(bytes as f64 / 1e6, 1)
+    );
     JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
 }
 

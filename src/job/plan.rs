@@ -80,8 +80,9 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
             TouchFault::Askew(angle) => (
                 "touch-askew",
                 format!(
-                    "Touch {n} would run askew by {}° of its inverted target vector: at most {MOST_ASKEW}° are taken",
-                    decimal(angle, 2)
+                    "Touch {n} would run askew by {}° of its inverted target vector: at most {}° are taken",
+                    decimal(angle, 2),
+                    decimal(MOST_ASKEW, 1)
                 ),
             ),
         };
@@ -292,9 +293,12 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         let size = off.abs() * if row.unit == "deg" { 1.0 } else { job.scale };
         (size > MISLEADING).then_some((size, off))
     };
-    let mut untrue: Vec<(&ResultRow, (f64, f64))> = results.iter().filter_map(|row| Some((row, off(row)?))).collect();
-    untrue.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
-    let Some((worst, (_, off))) = untrue.first() else { return };
+    let untrue: Vec<(&ResultRow, (f64, f64))> = results.iter().filter_map(|row| Some((row, off(row)?))).collect();
+    // The first of those that are off by most.
+    let worse = |a: &(f64, f64), b: &(f64, f64)| a.0 > b.0;
+    let Some((worst, (_, off))) = untrue.iter().reduce(|worst, row| if worse(&row.1, &worst.1) { row } else { worst }) else {
+        return;
+    };
     let unit = if worst.unit == "deg" { "°".to_owned() } else { format!(" {}", worst.unit) };
     let places = if job.scale == 1.0 { 3 } else { 4 };
     let others = match untrue.len() {

@@ -1,10 +1,13 @@
 //! Decimals as controls write them, and tidy numbers for people.
 
 mod read;
+mod whole;
 
 pub use read::read;
 
 use std::ops::Deref;
+
+use whole::Whole;
 
 /// A number with at most `places` decimals: rounded, trailing zeros dropped, never an exponent, never `-0`.
 ///
@@ -140,28 +143,94 @@ fn whole(value: f64, places: usize) -> Option<u64> {
     (scaled < 1e15 && 0.5 - off > unsure).then(|| scaled.round() as u64)
 }
 
-/// A number in as few digits as read back as the same number.
+/// A number in as few digits as read back as the same number; what is very large or very small with an exponent, as the library's `{:?}` does.
 pub fn push_in_full(text: &mut String, value: f64) {
-    // Most numbers of people have a few decimals, which are enough where they read back.
-    if value == 0.0 || (1e-4..1e9).contains(&value.abs()) {
-        for places in [0, 1, 2, 3, 4, 6] {
-            let digits = Digits::of(value, places);
-            if read(&digits) == Some(value) && !matches!(digits, Digits::Long(_)) {
-                return text.push_str(&digits);
-            }
-        }
-    }
-    let library = format!("{value:?}");
-    text.push_str(library.strip_suffix(".0").unwrap_or(&library));
+    push_shortest(text, value, true);
 }
 
-/// By the library, which rounds the exact value.
-fn exactly(value: f64, places: usize) -> String {
-    let mut exact = format!("{value:.places$}");
-    if exact.contains('.') {
-        exact.truncate(exact.trim_end_matches('0').trim_end_matches('.').len());
+/// The same without exponents, as the library's `{}` does.
+pub fn in_full(value: f64) -> String {
+    let mut text = String::new();
+    push_shortest(&mut text, value, false);
+    text
+}
+
+fn push_shortest(text: &mut String, value: f64, exponents: bool) {
+    if !value.is_finite() {
+        let infinite = if value > 0.0 { "inf" } else { "-inf" };
+        return text.push_str(if value.is_nan() { "NaN" } else { infinite });
     }
-    if exact == "-0" { "0".to_owned() } else { exact }
+    let size = value.abs();
+    let usual = size == 0.0 || (1e-4..1e16).contains(&size);
+    // The numbers of people have a few decimals.
+    if usual && size < 1e9 {
+        let few = (0..7).map(|places| Digits::of(value, places)).find(|digits| read(digits) == Some(value));
+        if let Some(digits) = few {
+            return text.push_str(&digits);
+        }
+    }
+    text.push_str(if value < 0.0 { "-" } else { "" });
+    // All its digits: what is below one as those behind the point.
+    let places = if usual { 60 } else { 340 * usize::from(size < 1.0) };
+    let digits = scaled(size, places).digits();
+    // Where the first digit stands.
+    let power = digits.len() as i32 - 1 - places as i32;
+    let short = |(count, up): (usize, bool)| {
+        let rounded = rounded(&digits, count, up);
+        let power = power + (rounded.len() - count) as i32;
+        placed(rounded.trim_end_matches('0'), power, usual || !exponents)
+    };
+    // Above a power of two the next number is twice as far as below it: then the digits above may read back, and the nearer ones below not.
+    let tries = (1..18).flat_map(|count| [(count, false), (count, true)]);
+    text.push_str(&tries.map(short).find(|text| read(text) == Some(size)).unwrap_or_default());
+}
+
+/// Digits whose first one stands at a power of ten: with a point where it belongs, or with an exponent.
+fn placed(digits: &str, power: i32, plain: bool) -> String {
+    let (first, rest) = digits.split_at(1);
+    let whole = power.max(0) as usize + 1;
+    match (plain, power) {
+        (false, _) if rest.is_empty() => format!("{first}e{power}"),
+        (false, _) => format!("{first}.{rest}e{power}"),
+        (true, ..0) => format!("0.{digits:0>width$}", width = digits.len() - 1 + power.unsigned_abs() as usize),
+        (true, _) if digits.len() <= whole => format!("{digits:0<whole$}"),
+        (true, _) => format!("{}.{}", &digits[..whole], &digits[whole..]),
+    }
+}
+
+/// The first digits of a number, rounded half up, or always up: one more digit where that carries over.
+fn rounded(digits: &str, count: usize, up: bool) -> String {
+    let mut first: Vec<u8> = digits.bytes().chain(std::iter::repeat(b'0')).take(count).collect();
+    if up || digits.as_bytes().get(count).is_some_and(|next| *next >= b'5') {
+        let nines = first.iter().rev().take_while(|b| **b == b'9').count();
+        first.iter_mut().rev().take(nines).for_each(|b| *b = b'0');
+        match count.checked_sub(nines + 1) {
+            Some(last) => first[last] += 1,
+            None => first.insert(0, b'1'),
+        }
+    }
+    first.into_iter().map(char::from).collect()
+}
+
+/// A number that is not negative, times ten to a power, as the nearest whole one; ties to even.
+fn scaled(value: f64, power: usize) -> Whole {
+    let bits = value.to_bits();
+    let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
+    let (mantissa, exponent) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    let mut whole = Whole::of(mantissa, exponent.max(0) as usize);
+    (0..power).for_each(|_| whole.times_and(10, 0));
+    whole.without((-exponent).max(0) as usize)
+}
+
+/// By whole numbers, which round the exact value.
+fn exactly(value: f64, places: usize) -> String {
+    let digits = scaled(value.abs(), places).digits();
+    let negative = value < 0.0 && !digits.is_empty();
+    let digits = format!("{digits:0>width$}", width = places + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    let fraction = fraction.trim_end_matches('0');
+    let (sign, point) = (if negative { "-" } else { "" }, if fraction.is_empty() { "" } else { "." });
+    format!("{sign}{whole}{point}{fraction}")
 }
 
 /// The same number without the noise of floating point: rounded to 12 decimals, and to zero where it is nothing else.
@@ -176,18 +245,30 @@ pub fn tidy(value: f64) -> f64 {
     }
 }
 
+/// A number, or the nearer bound where it lies outside; `low` is no more than `high`. The library's own carries the printing of numbers with
+/// it, for a panic that cannot be.
+pub fn within(x: f64, low: f64, high: f64) -> f64 {
+    if x < low {
+        low
+    } else if x > high {
+        high
+    } else {
+        x
+    }
+}
+
 /// An angle in degrees wrapped to (−180, 180].
 pub fn wrap_degrees(angle: f64) -> f64 {
     let turned = angle.rem_euclid(360.0);
     if turned > 180.0 { turned - 360.0 } else { turned }
 }
 
-/// A label as it stands inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays.
+/// A label as it stands inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays. Labels are ASCII.
 pub fn lowered(label: &str) -> String {
     let mut letters = label.chars();
     match (letters.next(), letters.next()) {
-        (Some(_), Some(second)) if second.is_uppercase() => label.to_owned(),
-        (Some(first), _) => first.to_lowercase().chain(label.chars().skip(1)).collect(),
+        (Some(_), Some(second)) if second.is_ascii_uppercase() => label.to_owned(),
+        (Some(first), _) => format!("{}{}", first.to_ascii_lowercase(), &label[first.len_utf8()..]),
         (None, _) => String::new(),
     }
 }
@@ -211,6 +292,13 @@ mod tests {
     /// Bit for bit what the library writes: near ties, at powers of ten, huge, tiny, and anywhere.
     #[test]
     fn decimals_are_those_of_the_library() {
+        let library = |value: f64, places: usize| {
+            let mut exact = format!("{value:.places$}");
+            if exact.contains('.') {
+                exact.truncate(exact.trim_end_matches('0').trim_end_matches('.').len());
+            }
+            if exact == "-0" { "0".to_owned() } else { exact }
+        };
         let mut state = 0x9E37_79B9_7F4A_7C15u64;
         let mut random = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -228,12 +316,14 @@ mod tests {
                 3 => (unit - 0.5) * 10f64.powi((random() % 40) as i32 - 20),
                 _ => f64::from(round) / 8.0,
             };
-            assert_eq!(decimal(value, places), exactly(value, places), "{value:?} {places}");
+            assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
+            assert_eq!(exactly(value, places), library(value, places), "{value:?} {places}");
             quick += u32::from(whole(value, places).is_some());
         }
         for value in [0.0, -0.0, 1.0, -1.0, 0.1, 9.999_99, 99_999.999_95, 1e15, 1e22, 5e-324, -0.000_05, 0.5, 1.5, 2.5] {
             for places in 0..14 {
-                assert_eq!(decimal(value, places), exactly(value, places), "{value:?} {places}");
+                assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
+                assert_eq!(exactly(value, places), library(value, places), "{value:?} {places}");
             }
         }
         assert!(quick > 200_000, "{quick}");
@@ -241,30 +331,30 @@ mod tests {
 
     #[test]
     fn numbers_in_full_are_the_shortest_that_read_back() {
-        for value in [
-            0.0,
-            -0.0,
-            1.0,
-            80.5,
-            0.001,
-            -0.0005,
-            25.4,
-            1.0 / 3.0,
-            1e-6,
-            5e-7,
-            123_456_789.25,
-            1e9,
-            1e16,
-            1e300,
-            f64::NAN,
-            0.1 + 0.2,
-            2.54e-5,
-        ] {
+        let same = |value: f64| {
             let mut text = String::new();
             push_in_full(&mut text, value);
-            let library = format!("{value:?}");
-            let negative_zero = value == 0.0;
-            assert_eq!(text, if negative_zero { "0" } else { library.trim_end_matches(".0") });
+            let library = format!("{:?}", value + 0.0);
+            assert_eq!(text, library.strip_suffix(".0").unwrap_or(&library), "{value:e}");
+            assert_eq!(in_full(value), format!("{}", value + 0.0), "{value:e}");
+        };
+        for value in
+            [0.0, -0.0, 1.0, 80.5, 0.001, -0.0005, 25.4, 1.0 / 3.0, 1e-6, 5e-7, 9.995e-6, 123_456_789.25, 1e9, 1e16, 1e300]
+        {
+            same(value);
+        }
+        for value in
+            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.1 + 0.2, 2.54e-5, 9.5, 99.95]
+        {
+            same(value);
+        }
+        let mut bits = 0x1234_5678_9ABC_DEF1u64;
+        for round in 0..600 {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            same(f64::from_bits(bits));
+            same((bits >> 40) as f64 / 25.4);
+            // Powers of two have a nearer neighbour below than above.
+            same(2f64.powi(round * 3 - 1000));
         }
     }
 

@@ -1,6 +1,8 @@
 //! Numbers out of text, rounded exactly, as the standard library does it and without its tables: they alone are 10 kB of WebAssembly that no
 //! compression makes smaller.
 
+use crate::num::whole::Whole;
+
 /// A decimal number: a sign, digits with a point anywhere, an exponent. Rounded to the nearest, ties to even; what is too large is infinite. None
 /// where the text is anything else: infinities and what is no number have no text here.
 pub fn read(text: &str) -> Option<f64> {
@@ -64,53 +66,6 @@ fn exponent(text: &[u8]) -> Option<i64> {
     Some(if negative { -size } else { size })
 }
 
-/// A whole number of any size, its lowest 32 bits first.
-struct Whole(Vec<u32>);
-
-impl Whole {
-    fn times_and(&mut self, factor: u32, mut carry: u32) {
-        for part in &mut self.0 {
-            let product = u64::from(*part) * u64::from(factor) + u64::from(carry);
-            (*part, carry) = (product as u32, (product >> 32) as u32);
-        }
-        if carry > 0 {
-            self.0.push(carry);
-        }
-    }
-
-    /// Divides, and says whether something is left over.
-    fn divide(&mut self, divisor: u32) -> bool {
-        let mut rest = 0u64;
-        for part in self.0.iter_mut().rev() {
-            let whole = rest << 32 | u64::from(*part);
-            (*part, rest) = ((whole / u64::from(divisor)) as u32, whole % u64::from(divisor));
-        }
-        while self.0.last() == Some(&0) {
-            self.0.pop();
-        }
-        rest > 0
-    }
-
-    /// Up by whole parts of 32 bits.
-    fn shift(&mut self, parts: usize) {
-        self.0.splice(0..0, std::iter::repeat_n(0, parts));
-    }
-
-    fn bits(&self) -> i64 {
-        self.0.last().map_or(0, |last| self.0.len() as i64 * 32 - i64::from(last.leading_zeros()))
-    }
-
-    fn bit(&self, at: i64) -> bool {
-        usize::try_from(at).is_ok_and(|at| self.0.get(at / 32).is_some_and(|part| part >> (at % 32) & 1 == 1))
-    }
-
-    /// The bits from `low` up, and whether any below is set.
-    fn bits_above(&self, low: i64) -> (u64, bool) {
-        let top = (low..self.bits()).rev().fold(0, |sum, at| sum << 1 | u64::from(self.bit(at)));
-        (top, (0..low.min(self.bits())).any(|at| self.bit(at)))
-    }
-}
-
 /// Digits with a point anywhere in them, times ten to a power: by whole numbers.
 fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     // What lies beyond these can only say that there is something.
@@ -129,13 +84,13 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     if place > 310 {
         return f64::INFINITY;
     }
-    let mut whole = Whole(Vec::with_capacity(40));
+    let mut whole = Whole::ZERO;
     digits.iter().for_each(|digit| whole.times_and(10, u32::from(digit - b'0')));
     (0..exponent).for_each(|_| whole.times_and(10, 0));
     // So far up that the quotient has more bits than a number: 64 and the 3.33 of each division.
     let parts = if exponent < 0 { (64 + exponent.unsigned_abs() as usize * 107 / 32) / 32 + 1 } else { 0 };
     whole.shift(parts);
-    let left = (exponent..0).fold(false, |left, _| whole.divide(10) || left);
+    let left = (exponent..0).fold(false, |left, _| whole.divide(10) > 0 || left);
     // The highest bit stands for 2 to this power; a number has 53 bits from there, and none below the 1074th behind the point.
     let power = whole.bits() - 1 - parts as i64 * 32;
     let lowest = (power - 52).max(-1074);

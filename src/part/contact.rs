@@ -50,7 +50,11 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     let material = !inside && round.plate.is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
     if material && h0.min(h1) < radius - SKIN {
         // Over the plate, or in it: the ball touches its top side on the way down.
-        return if h0 < radius - SKIN { Some(0.0) } else { (h1 < h0).then(|| ((h0 - radius) / (h0 - h1)).clamp(0.0, 1.0)) };
+        return if h0 < radius - SKIN {
+            Some(0.0)
+        } else {
+            (h1 < h0).then(|| crate::num::within((h0 - radius) / (h0 - h1), 0.0, 1.0))
+        };
     }
     // How near the ball's centre may come at a height: below the top its radius, above it less, then as near as it likes.
     let reach = |h: f64| {
@@ -69,7 +73,11 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
         // Over the free side the ball touches the edge, over the material its top side.
         let free = front > 0.0 && (inside || !round.hole);
         let stop = if free { (radius * radius - front * front).sqrt() } else { radius };
-        return if h0 < stop - SKIN { Some(0.0) } else { (h1 < stop).then(|| ((h0 - stop) / (h0 - h1)).clamp(0.0, 1.0)) };
+        return if h0 < stop - SKIN {
+            Some(0.0)
+        } else {
+            (h1 < stop).then(|| crate::num::within((h0 - stop) / (h0 - h1), 0.0, 1.0))
+        };
     }
     let near = reach(h0.min(h1))?;
     let gap = front - near;

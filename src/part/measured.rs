@@ -28,7 +28,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Measured {
 fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
     let parts: Vec<Option<&Value>> = match value {
         Value::List(items) if items.len() == 3 || items.len() == 9 => items[..3].iter().map(Some).collect(),
-        Value::Map(_) => ["x", "y", "z"].iter().map(|k| value.get(k).or_else(|| value.get(&k.to_uppercase()))).collect(),
+        Value::Map(_) => ["x", "y", "z"].iter().map(|k| value.get(k).or_else(|| value.get(&k.to_ascii_uppercase()))).collect(),
         _ => {
             checker.error("wrong-type", path, "A measured point is [X, Y, Z]: three numbers");
             return None;

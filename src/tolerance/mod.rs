@@ -370,7 +370,7 @@ mod tests {
                 assert!(width > 0.0);
                 for letter in letters {
                     let small = parse(&format!("{size}{letter}{grade}"), 1.0);
-                    let capital = parse(&format!("{size}{}{grade}", letter.to_uppercase()), 1.0);
+                    let capital = parse(&format!("{size}{}{grade}", letter.to_ascii_uppercase()), 1.0);
                     for class in [&small, &capital].into_iter().flatten() {
                         let (low, high) = class.limits.unwrap();
                         assert!(((high - low) * 1000.0 - width).abs() < 1e-6, "{class:?} is as wide as its grade");

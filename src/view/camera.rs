@@ -45,7 +45,7 @@ impl Camera {
     /// Closer by `factor`; the spot at `pixel` stays there.
     pub fn zoom(&mut self, factor: f64, pixel: Spot) {
         let before = self.spot(pixel);
-        self.scale = (self.scale * factor).clamp(1e-4, 1e6);
+        self.scale = crate::num::within(self.scale * factor, 1e-4, 1e6);
         let after = self.spot(pixel);
         self.middle = [self.middle[0] + before[0] - after[0], self.middle[1] + before[1] - after[1]];
     }

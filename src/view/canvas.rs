@@ -6,8 +6,7 @@ use crate::view::camera::Camera;
 use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// The colours of a picture, as CSS colours.
-#[derive(Clone, Debug, serde::Deserialize)]
-#[serde(rename_all = "camelCase", default)]
+#[derive(Clone, Debug)]
 pub struct Theme {
     background: String,
     text: String,
@@ -34,6 +33,29 @@ impl Default for Theme {
             ball: colour("#2563eb"),
             highlight: colour("#2563eb"),
         }
+    }
+}
+
+impl Theme {
+    /// The colours by their names; what `given` has none for is the default.
+    pub fn of(given: impl Fn(&str) -> Option<String>) -> Self {
+        let mut theme = Theme::default();
+        for (name, colour) in [
+            ("background", &mut theme.background),
+            ("text", &mut theme.text),
+            ("wall", &mut theme.wall),
+            ("actual", &mut theme.actual),
+            ("position", &mut theme.position),
+            ("link", &mut theme.link),
+            ("touch", &mut theme.touch),
+            ("ball", &mut theme.ball),
+            ("highlight", &mut theme.highlight),
+        ] {
+            if let Some(own) = given(name) {
+                *colour = own;
+            }
+        }
+        theme
     }
 }
 

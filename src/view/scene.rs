@@ -326,7 +326,7 @@ impl Scene {
 fn distance(p: Spot, a: Spot, b: Spot) -> f64 {
     let (ab, ap) = (sub(b, a), sub(p, a));
     let square = ab[0] * ab[0] + ab[1] * ab[1];
-    let t = if square == 0.0 { 0.0 } else { ((ap[0] * ab[0] + ap[1] * ab[1]) / square).clamp(0.0, 1.0) };
+    let t = if square == 0.0 { 0.0 } else { crate::num::within((ap[0] * ab[0] + ap[1] * ab[1]) / square, 0.0, 1.0) };
     length([ap[0] - ab[0] * t, ap[1] - ab[1] * t])
 }
 

@@ -60,10 +60,9 @@ impl View {
 
     /// Colours: `background`, `text`, `wall`, `actual`, `position`, `link`, `touch`, `ball`, `highlight`.
     #[wasm_bindgen(js_name = setTheme)]
-    pub fn set_theme(&mut self, theme: JsValue) {
-        if let Ok(theme) = serde_wasm_bindgen::from_value::<Theme>(theme) {
-            self.painter.theme = theme;
-        }
+    pub fn set_theme(&mut self, theme: &JsValue) {
+        let colour = |name: &str| js_sys::Reflect::get(theme, &JsValue::from_str(name)).ok()?.as_string();
+        self.painter.theme = Theme::of(colour);
         self.draw();
     }
 

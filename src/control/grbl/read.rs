@@ -18,7 +18,7 @@ static GRAMMAR: Grammar = Grammar {
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
-    lines::lines(text, b'(', &mut script, |script, line, code, _| {
+    lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {
         if code.contains(['#', '[', '=']) {
             return Err("grbl has no variables".to_owned());
         }

@@ -41,13 +41,11 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     Some([place[0]?, place[1]?, place[2]?])
 }
 
+/// What a control reads a line as: its number, its code, its comment.
+pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()> + 'f;
+
 /// Reads line by line: `block` gets the code and the comment of each line. Every line that is not understood is listed.
-pub fn lines<'t>(
-    text: &'t str,
-    sign: u8,
-    script: &mut Script<'t>,
-    mut block: impl FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()>,
-) -> Result<(), Vec<Trouble>> {
+pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut Block<'_, 't>) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let mut begun = false;

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::formula::{Expr, Formula};
+use crate::formula::{Expr, Formula, MOST_SAMPLES};
 
 /// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
 /// as long as it is needed.
@@ -26,20 +26,17 @@ const TO_THE_END: usize = usize::MAX;
 struct Reads {
     /// Of each assignment, the assignment that reads it last; itself where nothing does.
     variables: Vec<usize>,
-    /// The triggers that are read, and the assignment that reads each last.
-    triggers: Vec<((usize, usize), usize)>,
+    /// Of each coordinate of each sample, the assignment that reads it last; none where nothing does.
+    triggers: [[Option<usize>; 3]; MOST_SAMPLES],
 }
 
 impl Reads {
     fn of(formula: &Formula) -> Self {
-        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers: Vec::new() };
+        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers: [[None; 3]; MOST_SAMPLES] };
         for (i, assignment) in formula.assignments.iter().enumerate() {
             assignment.expr.each(&mut |node| match node {
                 Expr::Variable(index) => reads.variables[*index] = i,
-                Expr::Trigger { touch, axis } => match reads.triggers.iter_mut().find(|(key, _)| *key == (*touch, *axis)) {
-                    Some((_, last)) => *last = i,
-                    None => reads.triggers.push(((*touch, *axis), i)),
-                },
+                Expr::Trigger { touch, axis } => reads.triggers[*touch][*axis] = Some(i),
                 _ => {}
             });
         }
@@ -52,7 +49,6 @@ impl Reads {
                 }
             });
         }
-        reads.triggers.sort_unstable_by_key(|(key, _)| *key);
         reads
     }
 }
@@ -82,14 +78,15 @@ impl Registers {
     pub fn allocate(formula: &Formula) -> Self {
         let mut registers = Registers::of_results(formula);
         let reads = Reads::of(formula);
-        for (key, _) in &reads.triggers {
-            registers.last += 1;
-            registers.triggers.push((*key, registers.last));
-        }
         // What each assignment is the last to read is free from then on, the lowest first; results stay.
         let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
-        for ((_, register), (_, last)) in registers.triggers.iter().zip(&reads.triggers) {
-            spent.after(*last, *register);
+        for (sample, axes) in reads.triggers.iter().enumerate() {
+            for (axis, last) in axes.iter().enumerate() {
+                let Some(last) = *last else { continue };
+                registers.last += 1;
+                registers.triggers.push(((sample, axis), registers.last));
+                spent.after(last, registers.last);
+            }
         }
         let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
         for i in 0..formula.assignments.len() {

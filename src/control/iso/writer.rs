@@ -395,8 +395,8 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
     let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
-    let degrees = (2.0 * (1.0 - sag / radius).clamp(-1.0, 1.0).acos()).to_degrees();
-    step.pieces(from, request.path.frame.w, degrees.clamp(0.1, 30.0))
+    let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
+    step.pieces(from, request.path.frame.w, crate::num::within(degrees, 0.1, 30.0))
 }
 
 /// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.

@@ -51,7 +51,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     let mut targets = Targets::default();
     let mut open: Vec<Open<'_>> = Vec::new();
-    lines::lines(text, b'(', &mut script, |script, line, code, comment| {
+    lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
         if let Some(comment) = comment {
             active(script, line, comment)?;
         }

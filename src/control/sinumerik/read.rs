@@ -68,7 +68,7 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     let mut targets = Targets::default();
-    lines::lines(text, b';', &mut script, |script, line, code, comment| {
+    lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
             results(script, list);
         }

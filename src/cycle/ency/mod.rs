@@ -22,8 +22,6 @@ pub use table::{CODE_GROUPS, code_of, only_angular};
 
 use custom::Custom;
 
-use std::fmt::Debug;
-
 use crate::cycle::Cycle;
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
@@ -34,7 +32,7 @@ use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Surface, Touch, Tracer};
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
 /// A cycle of the family with its form filled in, whichever it is.
-trait Filled: Debug {
+trait Filled {
     /// Its type number, code −1, and what the source calls it in the parameter table.
     fn kind(&self) -> (i32, &'static str);
 
@@ -52,7 +50,6 @@ trait Filled: Debug {
 }
 
 /// A cycle of the family with checked values.
-#[derive(Debug)]
 struct Ency {
     form: Box<dyn Filled>,
     properties: Option<Properties>,
@@ -75,14 +72,14 @@ impl Clone for Ency {
 }
 
 /// A form, the type number and name of its cycle, and the shape it makes.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 struct Made<F> {
     form: F,
     kind: (i32, &'static str),
     shape: fn(&F) -> Box<dyn Shape>,
 }
 
-impl<F: Values + Clone + Debug + 'static> Filled for Made<F> {
+impl<F: Values + Clone + 'static> Filled for Made<F> {
     fn kind(&self) -> (i32, &'static str) {
         self.kind
     }
@@ -105,7 +102,7 @@ impl<F: Values + Clone + Debug + 'static> Filled for Made<F> {
 }
 
 /// Makes a cycle of a form: its type number, what the source calls it in the parameter table, and the shape of its dimensions.
-pub fn read<F: Values + Clone + Debug + 'static>(
+pub fn read<F: Values + Clone + 'static>(
     section: &mut Section<'_, '_>,
     kind: (i32, &'static str),
     form: F,
@@ -123,7 +120,7 @@ fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Filled>) -> Box<dyn Cy
 }
 
 /// Where picked touches put a cycle, and the touches that its dimensions give there; none where they do not make one.
-pub fn place<F: Values + Clone + Debug + 'static>(
+pub fn place<F: Values + Clone + 'static>(
     form: F,
     shape: fn(&F) -> Box<dyn Shape>,
     picks: &[Pick],

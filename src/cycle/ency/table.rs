@@ -48,7 +48,7 @@ pub(super) fn table(
     // In the rectangular variant the touches follow from the variant alone.
     let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
-    own.sort_by_key(|p| -p.code);
+    falling(&mut own);
     let late = |p: &Parameter| p.code == -66 || (number == 2 && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
     let compensated = last.iter().any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
@@ -69,6 +69,17 @@ pub(super) fn table(
         rows.extend(properties.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle.properties")));
     }
     rows
+}
+
+/// Sorts by falling code, as forms nearly do already.
+fn falling(rows: &mut [Parameter]) {
+    for end in 1..rows.len() {
+        let mut at = end;
+        while at > 0 && rows[at - 1].code < rows[at].code {
+            rows.swap(at - 1, at);
+            at -= 1;
+        }
+    }
 }
 
 /// The accessor and the number of a code such as `CmdPrm.Flt[-50]`.

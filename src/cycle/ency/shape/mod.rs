@@ -14,8 +14,6 @@ pub use round::{Circle, Variant};
 pub use still::Still;
 pub use triple::{Outside, Triple};
 
-use std::fmt::Debug;
-
 use crate::cycle::ency::{Pick, Placement};
 use crate::form::Checker;
 use crate::formula::{Expr, Formula};
@@ -23,7 +21,7 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 
 /// A feature with its dimensions, and how it is probed.
-pub trait Shape: Debug {
+pub trait Shape {
     /// The touches that the dimensions give: point, target vector, group.
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
 

@@ -257,7 +257,9 @@ impl Shape for Pairs {
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
         // A wall of a rectangle is as long as the other pair is wide; a single pair is drawn long enough to be seen.
-        let half = |k: usize| if widths.len() == 2 { widths[1 - k / 2] / 2.0 } else { (widths[0] / 2.0).clamp(10.0, 40.0) };
+        let half = |k: usize| {
+            if widths.len() == 2 { widths[1 - k / 2] / 2.0 } else { crate::num::within(widths[0] / 2.0, 10.0, 40.0) }
+        };
         let top = on.frame.origin.dot(on.frame.w);
         on.touches
             .iter()

@@ -42,7 +42,7 @@ impl Shape for Point {
 
     fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
         let vector = picks[0].vector;
-        let elevation = vector.dot(plane.basis()[2]).clamp(-1.0, 1.0).asin().to_degrees();
+        let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0).asin().to_degrees();
         let rotation = if elevation > 89.999_999 { 0.0 } else { picks::heading(plane, vector) };
         Placement { origin: picks[0].point, rotation, sizes: vec![("elevation", elevation.max(0.0))] }
     }

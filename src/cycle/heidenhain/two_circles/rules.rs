@@ -95,8 +95,9 @@ impl TwoCircles {
         let nearest = pairs.fold(360.0, f64::min);
         if nearest < NEAREST {
             let message = format!(
-                "Two touches of a circle would lie {}° apart: at least {NEAREST}° are needed, or there is no circle to compute",
-                crate::num::decimal(nearest, 4)
+                "Two touches of a circle would lie {}° apart: at least {}° are needed, or there is no circle to compute",
+                crate::num::decimal(nearest, 4),
+                crate::num::decimal(NEAREST, 1)
             );
             checker.error("no-arc", "cycle.angularLength", message);
             return;

@@ -1,0 +1,91 @@
+//! Whole numbers of any size, for what must be exact: decimals in and out.
+
+/// A whole number of any size, its lowest 32 bits first.
+pub struct Whole(Vec<u32>);
+
+impl Whole {
+    /// Nothing.
+    pub const ZERO: Whole = Whole(Vec::new());
+
+    /// A number times two to a power.
+    pub fn of(number: u64, power: usize) -> Self {
+        let mut whole = Whole(vec![number as u32, (number >> 32) as u32]);
+        (0..power / 16).for_each(|_| whole.times_and(1 << 16, 0));
+        whole.times_and(1 << (power % 16), 0);
+        whole.tidied()
+    }
+
+    /// Without zeros at its top.
+    fn tidied(mut self) -> Self {
+        while self.0.last() == Some(&0) {
+            self.0.pop();
+        }
+        self
+    }
+
+    /// What is left of its lowest bits, rounded to the nearest, ties to even.
+    pub fn without(mut self, bits: usize) -> Self {
+        let at = bits as i64;
+        let up = self.bit(at - 1) && (self.bit(at) || self.bits_above(at - 1).1);
+        self.0.drain(..(bits / 32).min(self.0.len()));
+        self.divide(1 << (bits % 32));
+        if up {
+            self.times_and(1, 1);
+        }
+        self.tidied()
+    }
+
+    /// Its decimal digits; none of nothing.
+    pub fn digits(mut self) -> String {
+        let mut digits = Vec::new();
+        while !self.0.is_empty() {
+            digits.push(b'0' + self.divide(10) as u8);
+        }
+        digits.into_iter().rev().map(char::from).collect()
+    }
+
+    /// Times a factor, and something more.
+    pub fn times_and(&mut self, factor: u32, mut carry: u32) {
+        for part in &mut self.0 {
+            let product = u64::from(*part) * u64::from(factor) + u64::from(carry);
+            (*part, carry) = (product as u32, (product >> 32) as u32);
+        }
+        if carry > 0 {
+            self.0.push(carry);
+        }
+    }
+
+    /// Divides, and gives what is left over.
+    pub fn divide(&mut self, divisor: u32) -> u32 {
+        let mut rest = 0u64;
+        for part in self.0.iter_mut().rev() {
+            let whole = rest << 32 | u64::from(*part);
+            (*part, rest) = ((whole / u64::from(divisor)) as u32, whole % u64::from(divisor));
+        }
+        while self.0.last() == Some(&0) {
+            self.0.pop();
+        }
+        rest as u32
+    }
+
+    /// Up by whole parts of 32 bits.
+    pub fn shift(&mut self, parts: usize) {
+        self.0.splice(0..0, std::iter::repeat_n(0, parts));
+    }
+
+    /// How many bits it has.
+    pub fn bits(&self) -> i64 {
+        self.0.last().map_or(0, |last| self.0.len() as i64 * 32 - i64::from(last.leading_zeros()))
+    }
+
+    /// One of its bits.
+    pub fn bit(&self, at: i64) -> bool {
+        usize::try_from(at).is_ok_and(|at| self.0.get(at / 32).is_some_and(|part| part >> (at % 32) & 1 == 1))
+    }
+
+    /// The bits from `low` up, and whether any below is set.
+    pub fn bits_above(&self, low: i64) -> (u64, bool) {
+        let top = (low..self.bits()).rev().fold(0, |sum, at| sum << 1 | u64::from(self.bit(at)));
+        (top, (0..low.min(self.bits())).any(|at| self.bit(at)))
+    }
+}
