@@ -20,7 +20,9 @@ function buildWasm() {
   const types = `${out}/touchpath.d.ts`;
   writeFileSync(types, readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
   const wasm = `${out}/touchpath_bg.wasm`;
-  run("node", [at("node_modules", "binaryen", "bin", "wasm-opt"), "-O3", wasm, "-o", wasm]);
+  // Inlining and packed memory make the module smaller and what is sent larger: functions and zeros that are alike compress to nothing.
+  const smaller = ["--skip-pass=inlining-optimizing", "--skip-pass=memory-packing"];
+  run("node", [at("node_modules", "binaryen", "bin", "wasm-opt"), "-O3", ...smaller, wasm, "-o", wasm]);
 }
 
 function buildPackage() {
