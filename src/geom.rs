@@ -4,9 +4,10 @@ pub use glam::DVec2 as Vec2;
 pub use glam::DVec3 as Vec3;
 
 /// The working plane of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Plane {
     /// Abscissa X, ordinate Y, tool axis Z.
+    #[default]
     G17,
     /// Abscissa Z, ordinate X, tool axis Y.
     G18,

@@ -190,8 +190,7 @@ export class Store extends EventTarget {
   open(text: string): Finding[] {
     if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
     const { job, findings, trace } = importJob(text);
-    const moves = `this program says no job, and its moves (${trace?.moves.length}) are not drawn here`;
-    const problem = trace ? moves : this.unusable(job);
+    const problem = trace ? "this program says no job" : this.unusable(job);
     if (problem) throw new JobError(`Nothing was changed: ${problem}`, findings);
     this.load(job as unknown as Draft);
     return findings;

@@ -4,9 +4,11 @@ mod codes;
 mod dump;
 mod klartext;
 mod program;
+pub mod toolpath;
 
 pub use dump::recognises as is_dump;
 pub use program::{TraceMove, TraceRow};
+pub use toolpath::{Toolpath, read_program};
 
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
@@ -38,7 +40,11 @@ fn check_length(text: &str) -> Result<(), JobError> {
 
 /// Refuses a text of so many bytes.
 pub fn too_long(bytes: usize) -> JobError {
-    let most = LONGEST_TEXT / 1_000_000;
+    longer_than(LONGEST_TEXT, bytes)
+}
+
+fn longer_than(most: usize, bytes: usize) -> JobError {
+    let most = most / 1_000_000;
     let message = format!(
         "This text has {} million characters: at most {most} million are read",
         crate::num::decimal(bytes as f64 / 1e6, 1)

@@ -117,6 +117,8 @@ pub struct Scene {
     pub touches: Vec<TouchShape>,
     /// Where each move ends.
     pub ends: Vec<Spot>,
+    /// What else must be in sight: arcs beyond their ends.
+    pub beyond: Vec<Spot>,
     /// Radius of the ball, mm.
     pub radius: f64,
     /// The work origin.
@@ -195,6 +197,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         lines,
         touches: touches.collect(),
         ends: path.moves.iter().map(|m| spot(m.to)).collect(),
+        beyond: Vec::new(),
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
@@ -205,6 +208,81 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
             .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
+}
+
+/// The moves of a program that nothing else is known of.
+#[derive(Clone, Copy, Debug)]
+pub struct Moves<'a> {
+    /// Where each ends, three numbers a move; NaN is not known.
+    pub to: &'a [f64],
+    /// What each is: 0 rapid, 1 at a feed, 2 probing.
+    pub kind: &'a [u8],
+    /// The arcs: index of the move, centre, degrees.
+    pub arcs: &'a [[f64; 5]],
+    /// The plane of the arcs.
+    pub plane: Plane,
+}
+
+/// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
+pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
+    let spot = |p: Vec3| view.spot(moves.plane, p);
+    let basis = moves.plane.basis();
+    let mut lines = Vec::with_capacity(moves.kind.len());
+    let mut ends = Vec::with_capacity(moves.kind.len());
+    let mut beyond = Vec::new();
+    let mut arcs = moves.arcs.iter().peekable();
+    let mut from = Vec3::NAN;
+    for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
+        let end = Vec3::from_slice(to);
+        let arc = arcs
+            .next_if(|arc| arc[0] == index as f64)
+            .map(|[_, a, b, c, sweep]| crate::path::Arc { center: Vec3::new(*a, *b, *c), sweep: sweep.to_radians() });
+        if from.is_finite() && end.is_finite() {
+            let stroke = match kind {
+                0 => Stroke::Position,
+                2 => Stroke::Touch,
+                _ => Stroke::Link,
+            };
+            let mut start = from;
+            let pieces = helix(from, end, arc, basis[2]);
+            beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
+            for piece in pieces {
+                lines.push(Line { from: spot(start), to: spot(piece), stroke, rapid: *kind == 0, index });
+                start = piece;
+            }
+        }
+        ends.push(if end.is_finite() { spot(end) } else { [f64::NAN; 2] });
+        from = end;
+    }
+    let names = moves.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    Scene {
+        walls: Vec::new(),
+        lines,
+        touches: Vec::new(),
+        ends,
+        beyond,
+        radius: 0.0,
+        origin: spot(Vec3::ZERO),
+        axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
+        centre_lines: None,
+        spread: None,
+        handle: None,
+    }
+}
+
+/// The ends of the straight pieces of a move: an arc, or a helix, in pieces of at most six degrees.
+fn helix(from: Vec3, end: Vec3, arc: Option<crate::path::Arc>, up: Vec3) -> Vec<Vec3> {
+    let Some(arc) = arc else { return vec![end] };
+    let count = (arc.sweep.abs().to_degrees() / 6.0).ceil().max(1.0) as usize;
+    let out = from - arc.center;
+    let (flat, rise) = (out - up * out.dot(up), (end - from).dot(up));
+    let across = up.cross(flat);
+    let at = |i: usize| {
+        let part = i as f64 / count as f64;
+        let (sin, cos) = (arc.sweep * part).sin_cos();
+        arc.center + up * (out.dot(up) + rise * part) + flat * cos + across * sin
+    };
+    (1..count).map(at).chain([end]).collect()
 }
 
 /// A round wall as flat strips.
@@ -299,6 +377,7 @@ impl Scene {
         let bounds = balls
             .chain(ends)
             .chain(walls)
+            .chain(self.beyond.iter().copied())
             .fold(start, |[low, high], p| [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]);
         // A cycle without a path has nothing to show but its origin.
         if bounds[0][0].is_finite() { bounds } else { [[-50.0, -50.0], [50.0, 50.0]] }

@@ -14,14 +14,14 @@ pub use view::View;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use js_sys::{Array, Object, Reflect};
+use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use crate::describe;
 use crate::form::{Finding, Level, Value};
-use crate::import;
+use crate::import::{self, toolpath};
 use crate::job::{self, JobError, Planned};
 use crate::tool_length;
 use crate::wasm::input::decoded;
@@ -149,6 +149,34 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     }
     set(&result, "findings", &to_js(&imported.findings)?);
     Ok(result.into())
+}
+
+/// The moves of any program, as columns; throws where the text is too long or the dialect unknown.
+#[wasm_bindgen(js_name = readProgram)]
+pub fn read_program(text: &JsValue, dialect: &JsValue) -> Result<JsValue, JsValue> {
+    let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
+    if length > toolpath::LONGEST_PROGRAM {
+        return Err(refused(toolpath::too_long(length)));
+    }
+    let wanted = input::text_of(dialect, 100);
+    let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
+    if known.is_none() && !dialect.is_undefined() {
+        let message = "A program is read as iso or as sinumerik";
+        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)], message));
+    }
+    let path = toolpath::read_program(&text.as_string().unwrap_or_default(), known);
+    let columns = Object::new();
+    set(&columns, "dialect", &JsValue::from_str(path.dialect));
+    let units = path.metric.map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
+    set(&columns, "units", &units.unwrap_or(JsValue::NULL));
+    set(&columns, "plane", &JsValue::from_str(path.plane.word()));
+    set(&columns, "to", &Float64Array::from(path.to.as_slice()));
+    set(&columns, "kind", &Uint8Array::from(path.kind.as_slice()));
+    set(&columns, "feed", &Float64Array::from(path.feed.as_slice()));
+    set(&columns, "line", &Uint32Array::from(path.line.as_slice()));
+    set(&columns, "arcs", &Float64Array::from(path.arcs.concat().as_slice()));
+    set(&columns, "findings", &to_js(&path.findings)?);
+    Ok(columns.into())
 }
 
 /// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.

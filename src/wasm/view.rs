@@ -5,10 +5,11 @@ use std::rc::Rc;
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
+use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
-use crate::view::scene::{self, Actual, Projection, Scene, Spot};
+use crate::view::scene::{self, Actual, Moves, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
 
@@ -27,11 +28,24 @@ pub struct View {
     held: bool,
 }
 
-/// The job that is shown.
+/// What is shown.
 #[derive(Debug)]
 struct Shown {
-    last: Rc<Last>,
     scene: Scene,
+    what: What,
+}
+
+/// What a scene is of.
+#[derive(Debug)]
+enum What {
+    Job(Box<Held>),
+    Program(Rc<Toolpath>),
+}
+
+/// The job that is shown, and how its part lies.
+#[derive(Debug)]
+struct Held {
+    last: Rc<Last>,
     deviates: bool,
     scale: f64,
     plane: crate::geom::Plane,
@@ -78,6 +92,15 @@ impl View {
         true
     }
 
+    /// Shows the moves of any program, as `readProgram` reads it.
+    #[wasm_bindgen(js_name = showProgram)]
+    pub fn show_program(&mut self, text: &str) {
+        let path = read_program(text, None);
+        self.shown = Some(self.of_program(Rc::new(path)));
+        self.fit();
+        self.draw();
+    }
+
     /// Shows a job as a small picture: isometric, without axes, numbers and handles.
     #[wasm_bindgen(js_name = showSmallCoded)]
     pub fn show_small(&mut self, codes: &[f64], text: &str) -> bool {
@@ -104,9 +127,10 @@ impl View {
             return;
         };
         self.projection = projection;
-        if let Some(shown) = self.shown.take() {
-            self.shown = Some(self.build(shown.last));
-        }
+        self.shown = self.shown.take().map(|shown| match shown.what {
+            What::Job(held) => self.build(held.last),
+            What::Program(path) => self.of_program(path),
+        });
         self.fit();
         self.draw();
     }
@@ -198,7 +222,7 @@ impl View {
     /// The path of the job's field that a `start` or `sweep` handle says.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
-        let spread = self.shown.as_ref()?.last.planned.path.feature.two_circles()?.spread?;
+        let spread = self.held()?.last.planned.path.feature.two_circles()?.spread?;
         let [start, sweep] = spread.fields;
         match handle {
             "start" => Some(start.to_owned()),
@@ -230,16 +254,17 @@ impl View {
     #[wasm_bindgen(js_name = dragPart)]
     pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
         use crate::geom::{Rigid, Vec3};
-        let Some(shown) = &self.shown else {
+        let Some(held) = self.held() else {
             return Ok(JsValue::NULL);
         };
         let spot = self.camera.spot([x, y]);
-        let [a, o, _] = shown.plane.axes();
-        let (mut offset, mut turn) = (shown.offset, shown.turn);
-        let place = |offset: Vec3, turn: f64| Rigid::new(shown.plane, offset, turn.to_radians()).point(shown.origin);
+        let [a, o, _] = held.plane.axes();
+        let (mut offset, mut turn) = (held.offset, held.turn);
+        let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(held.origin);
         let now = place(offset, turn);
         if handle == "turn" {
-            let nominal = shown.scene.handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
+            let handle = self.shown.as_ref().and_then(|shown| shown.scene.handle);
+            let nominal = handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
             let angle = (spot[1] - now[o]).atan2(spot[0] - now[a]).to_degrees();
             turn = crate::num::wrap_degrees(((angle - nominal) * 100.0).round() / 100.0);
             offset += now - place(offset, turn);
@@ -247,7 +272,7 @@ impl View {
             offset[a] += spot[0] - now[a];
             offset[o] += spot[1] - now[o];
         }
-        let rounded = |mm: f64| (mm / shown.scale * 1000.0).round() / 1000.0;
+        let rounded = |mm: f64| (mm / held.scale * 1000.0).round() / 1000.0;
         let result = Object::new();
         let list: Array = offset.to_array().iter().map(|mm| JsValue::from_f64(rounded(*mm))).collect();
         set(&result, "offset", &list);
@@ -275,8 +300,7 @@ impl View {
         };
         let feeds = path.feeds.unwrap_or(job.feeds);
         let scene = scene::build(path, &job.setup, &feeds, &actual, self.projection);
-        Shown {
-            scene,
+        let held = Held {
             deviates: !job.lie.nominal,
             scale: job.scale,
             plane: job.setup.plane,
@@ -284,12 +308,27 @@ impl View {
             turn: job.lie.turn,
             origin: path.frame.origin,
             last,
+        };
+        Shown { scene, what: What::Job(Box::new(held)) }
+    }
+
+    fn of_program(&self, path: Rc<Toolpath>) -> Shown {
+        let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane };
+        Shown { scene: scene::program(&moves, self.projection), what: What::Program(path) }
+    }
+
+    /// The job that is shown, where it is one.
+    fn held(&self) -> Option<&Held> {
+        match &self.shown.as_ref()?.what {
+            What::Job(held) => Some(held),
+            What::Program(_) => None,
         }
     }
 
     fn draw(&self) {
         if let Some(shown) = &self.shown {
-            self.painter.draw(&shown.scene, &self.camera, self.highlight, shown.deviates);
+            let deviates = self.held().is_some_and(|held| held.deviates);
+            self.painter.draw(&shown.scene, &self.camera, self.highlight, deviates);
         }
     }
 }

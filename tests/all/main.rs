@@ -22,3 +22,4 @@ mod reread;
 mod safety;
 mod sinumerik;
 mod table;
+mod toolpath;

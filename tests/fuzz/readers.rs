@@ -2,7 +2,7 @@
 
 use touchpath::describe::export_table;
 use touchpath::form::Value;
-use touchpath::import::import;
+use touchpath::import::{import, read_program};
 use touchpath::job::{Plan, evaluate, plan};
 
 use crate::draw::Draw;
@@ -58,6 +58,13 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     };
     for _ in 0..3 {
         let text = mutate(draw, &source);
+        let path = read_program(&text, None);
+        if path.to.len() != 3 * path.len()
+            || path.to.iter().any(|x| x.is_infinite())
+            || path.line.windows(2).any(|w| w[0] > w[1])
+        {
+            return Err(format!("the columns of this program do not fit together:\n{text}"));
+        }
         let Ok(imported) = import(&text) else { continue };
         let Ok(plan) = plan(&imported.job) else { continue };
         let touched = plan.moves.iter().filter(|m| m.kind == "touch").count();

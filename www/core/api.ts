@@ -11,6 +11,7 @@ import type {
   Measured,
   MoveColumns,
   Plan,
+  ProgramMoves,
   Programmed,
   ProgramText,
   ResultRow,
@@ -49,6 +50,7 @@ export interface Raw {
   table(codes: Float64Array, text: string, sink: Sink): void;
   evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
+  readProgram(text: unknown, dialect: unknown): unknown;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;
   convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
@@ -80,6 +82,11 @@ export interface Api {
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program for SINUMERIK that was written here, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
+  /**
+   * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to 20 million characters. What jumps, calls or computes is passed over, and said in
+   * `findings`. Without a dialect it is looked for in the text. Throws `JobError` for a text that is too long.
+   */
+  readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
   /** JSON Schema (2020-12) of a job: what it looks like. What depends on units, or on several fields together, only `check` knows. */
   jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
@@ -202,6 +209,10 @@ export function dress(raw: Raw, instance: Instance): Api {
       // What is a job in JSON is that job, with all that stands in it: then the module gives none.
       return { ...{ job: json as Job }, ...imported };
     },
+    readProgram: (text, dialect) => ({
+      ...instance.call<ProgramMoves>(() => raw.readProgram(text, dialect)),
+      kinds: ["rapid", "feed", "probe"],
+    }),
     jobSchema: () => instance.call(() => raw.jobSchema()),
     exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),
     convertUnits: (job, units) => on(job, (codes, text) => raw.convertUnits(codes, text, units)),

@@ -73,6 +73,7 @@ export const {
   evaluate,
   moveColumns,
   importJob,
+  readProgram,
   jobSchema,
   exportTable,
   convertUnits,

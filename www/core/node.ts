@@ -16,6 +16,7 @@ export const {
   evaluate,
   moveColumns,
   importJob,
+  readProgram,
   jobSchema,
   exportTable,
   convertUnits,

@@ -17,6 +17,29 @@ export interface MoveColumns {
   kinds: string[];
 }
 
+/** The moves of any program, column by column, in the units that it states first. Nothing is proven of what is read so. */
+export interface ProgramMoves {
+  /** What it was read as. */
+  dialect: "iso" | "sinumerik";
+  /** `null` where the program does not say. */
+  units: "mm" | "inch" | null;
+  plane: "G17" | "G18" | "G19";
+  /** Three numbers a move; `NaN` along an axis whose place is not known. */
+  to: Float64Array;
+  /** Index into `kinds`. */
+  kind: Uint8Array;
+  /** Units a minute; `NaN` for a rapid, or where none was stated. */
+  feed: Float64Array;
+  /** The 0-based line of each move. */
+  line: Uint32Array;
+  /** Five numbers an arc: index of its move, centre X, Y, Z, and degrees, counter-clockwise positive. */
+  arcs: Float64Array;
+  /** `rapid`, `feed`, `probe`. */
+  kinds: string[];
+  /** What was passed over. */
+  findings: Finding[];
+}
+
 /** What became of a job in a row of many. */
 export interface Programmed {
   /** Its program; `null` where it has none. */

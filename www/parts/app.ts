@@ -1,5 +1,5 @@
 import { css, html, LitElement, nothing, type TemplateResult, unsafeCSS } from "lit";
-import { JobError, version } from "../core/browser.js";
+import { JobError, type ProgramMoves, readProgram, version } from "../core/browser.js";
 import { Store } from "../store.js";
 import styles from "../style.css?inline";
 import "./findings.js";
@@ -11,6 +11,7 @@ import "./picture.js";
 import "./program.js";
 import "./results.js";
 import "./table.js";
+import "./viewer.js";
 
 const TABS = { setup: "Setup", program: "Program", table: "Parameters", results: "Results" } as const;
 type Tab = keyof typeof TABS;
@@ -27,8 +28,9 @@ class App extends LitElement {
   static override styles = css`${unsafeCSS(styles)}`;
   private readonly store = new Store();
   private tab: Tab = "setup";
-  /** The probing cycles, or SINUMERIK's LENTOAX. */
-  private tool: "gallery" | "cycles" | "lengths" = "cycles";
+  /** The probing cycles, SINUMERIK's LENTOAX, or a program that says no job. */
+  private tool: "gallery" | "cycles" | "lengths" | "viewer" = "cycles";
+  private viewed: { text: string; moves: ProgramMoves } | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
   private told = this.store.notice;
@@ -89,6 +91,7 @@ class App extends LitElement {
           <button type="button" aria-pressed=${this.tool === "gallery" ? "true" : "false"} @click=${() => this.use("gallery")}>Gallery</button>
           <button type="button" aria-pressed=${this.tool === "cycles" ? "true" : "false"} @click=${() => this.use("cycles")}>Cycles</button>
           <button type="button" aria-pressed=${this.tool === "lengths" ? "true" : "false"} @click=${() => this.use("lengths")}>Tool lengths</button>
+          ${this.viewed ? html`<button type="button" aria-pressed=${this.tool === "viewer" ? "true" : "false"} @click=${() => this.use("viewer")}>Moves</button>` : nothing}
         </nav>
         <span class="gap"></span>
         <button type="button" @click=${() => this.store.reset()}>Reset</button>
@@ -126,6 +129,7 @@ class App extends LitElement {
         <section class="results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${this.store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
+      ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${this.store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${this.store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
     `;
   }
@@ -165,7 +169,7 @@ class App extends LitElement {
     field?.focus();
   }
 
-  private use(tool: "gallery" | "cycles" | "lengths"): void {
+  private use(tool: "gallery" | "cycles" | "lengths" | "viewer"): void {
     this.tool = tool;
     this.requestUpdate();
   }
@@ -223,9 +227,20 @@ class App extends LitElement {
       this.tell(notes.map((f) => f.message).join(" "));
       return true;
     } catch (thrown) {
+      if (this.view(text)) return true;
       this.tell(thrown instanceof JobError ? thrown.message : "This text cannot be read");
       return false;
     }
+  }
+
+  /** Shows the moves of a program that no job can be made of; false where it has none. The job that is there stays. */
+  private view(text: string): boolean {
+    const moves = readProgram(text);
+    if (moves.kind.length === 0) return false;
+    this.viewed = { text, moves };
+    this.use("viewer");
+    this.tell("This program says no job: its moves are drawn, and the job in the form is as it was");
+    return true;
   }
 
   private tell(text: string): void {

@@ -1,0 +1,527 @@
+//! The moves of any program, as columns: a reader that follows words and nothing else. What has to be computed or jumped to is passed over, and
+//! said. Nothing is proven of what it reads: that is for the readers of [`control`](crate::control), which refuse what they do not understand.
+//!
+//! G0 to G3, probing as `G38.n`, `G31` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
+
+use crate::control::iso::lines::{next_line, trimmed};
+use crate::form::{Checker, Finding};
+use crate::geom::{Plane, Vec3};
+use crate::job::JobError;
+use crate::num::read;
+
+/// The longest program that is read, in bytes.
+pub const LONGEST_PROGRAM: usize = 20_000_000;
+
+/// Refuses a program of so many bytes.
+pub fn too_long(bytes: usize) -> JobError {
+    super::longer_than(LONGEST_PROGRAM, bytes)
+}
+
+/// What a move is, by its place in the column `kind`.
+pub const KINDS: [&str; 3] = ["rapid", "feed", "probe"];
+const RAPID: u8 = 0;
+const FEED: u8 = 1;
+const PROBE: u8 = 2;
+
+/// The ways programs are written that this reader tells apart.
+pub const DIALECTS: [&str; 2] = ["iso", "sinumerik"];
+
+/// The moves of a program, column by column. Lengths are in the units that the program states first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Toolpath {
+    /// Which of [`DIALECTS`] it was read as.
+    pub dialect: &'static str,
+    /// Whether its units are millimetres; none where it does not say.
+    pub metric: Option<bool>,
+    /// Where each move ends, three numbers a move. NaN along an axis whose place is not known.
+    pub to: Vec<f64>,
+    /// What each move is: a place in [`KINDS`].
+    pub kind: Vec<u8>,
+    /// The feed of each move, units per minute; NaN for a rapid, or where none was stated.
+    pub feed: Vec<f64>,
+    /// The 0-based line of each move.
+    pub line: Vec<u32>,
+    /// The arcs: index of the move, centre, and degrees counter-clockwise seen against the axis of the plane.
+    pub arcs: Vec<[f64; 5]>,
+    /// The plane that the program chose first.
+    pub plane: Plane,
+    /// What was passed over.
+    pub findings: Vec<Finding>,
+}
+
+impl Toolpath {
+    /// How many moves.
+    pub fn len(&self) -> usize {
+        self.kind.len()
+    }
+
+    /// Whether nothing moves.
+    pub fn is_empty(&self) -> bool {
+        self.kind.is_empty()
+    }
+
+    /// Where a move ends.
+    pub fn end(&self, index: usize) -> Vec3 {
+        Vec3::from_slice(&self.to[3 * index..3 * index + 3])
+    }
+}
+
+/// Reads a program. `dialect` is one of [`DIALECTS`]; none is looked for in the text.
+pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let dialect = dialect.unwrap_or_else(|| guessed(text));
+    let mut reader = Reader::new(text, dialect);
+    let mut rest = text;
+    let mut line = 0;
+    while !rest.is_empty() {
+        reader.line = line;
+        let full = next_line(&mut rest);
+        reader.read(trimmed(full).as_bytes());
+        line += 1;
+    }
+    reader.finish()
+}
+
+/// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone.
+fn guessed(text: &str) -> &'static str {
+    let mut rest = text;
+    for _ in 0..2000 {
+        if rest.is_empty() {
+            break;
+        }
+        let line = trimmed(next_line(&mut rest));
+        if line.starts_with(['(', '%', ';', 'O', 'o', '#']) {
+            continue;
+        }
+        let code = line.split(';').next().unwrap_or_default();
+        if ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A", "$P", "DEF ", "MSG(", "CYCLE", "CR="]
+            .iter()
+            .any(|word| code.contains(word))
+        {
+            return DIALECTS[1];
+        }
+    }
+    DIALECTS[0]
+}
+
+/// How a block moves.
+#[derive(Clone, Copy, PartialEq)]
+enum Motion {
+    Rapid,
+    Straight,
+    Clockwise,
+    Counter,
+    Probe,
+}
+
+/// A value of a word.
+#[derive(Clone, Copy)]
+enum Word {
+    Number(f64),
+    /// What the control would compute.
+    Computed,
+}
+
+/// What a block says.
+#[derive(Default)]
+struct Block {
+    /// X, Y, Z.
+    places: [Option<Word>; 3],
+    /// I, J, K from where the arc begins, or as places.
+    center: [Option<f64>; 3],
+    radius: Option<f64>,
+    /// A motion for this block alone.
+    once: Option<Motion>,
+    /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
+    elsewhere: bool,
+    /// Its places are of the machine: where that is in the work system is not known.
+    machine: bool,
+    /// Something in it is not a word.
+    strange: bool,
+}
+
+/// Something that is said once, with how often and where first.
+#[derive(Clone, Copy, Default)]
+struct Count {
+    times: usize,
+    first: usize,
+}
+
+struct Reader {
+    path: Toolpath,
+    line: usize,
+    sinumerik: bool,
+    place: [f64; 3],
+    motion: Motion,
+    absolute: bool,
+    centers_absolute: bool,
+    plane: Option<Plane>,
+    /// Units of the path in a unit that the program has now.
+    scale: f64,
+    feed: f64,
+    skipped: Count,
+    computed: Count,
+    from_unknown: Count,
+    arcs_unsolved: Count,
+    machine: Count,
+}
+
+impl Reader {
+    fn new(text: &str, dialect: &'static str) -> Self {
+        let moves = text.len() / 24 + 8;
+        let path = Toolpath {
+            dialect,
+            to: Vec::with_capacity(3 * moves),
+            kind: Vec::with_capacity(moves),
+            feed: Vec::with_capacity(moves),
+            line: Vec::with_capacity(moves),
+            ..Toolpath::default()
+        };
+        Reader {
+            path,
+            line: 0,
+            sinumerik: dialect == DIALECTS[1],
+            place: [f64::NAN; 3],
+            motion: Motion::Rapid,
+            absolute: true,
+            centers_absolute: false,
+            plane: None,
+            scale: 1.0,
+            feed: f64::NAN,
+            skipped: Count::default(),
+            computed: Count::default(),
+            from_unknown: Count::default(),
+            arcs_unsolved: Count::default(),
+            machine: Count::default(),
+        }
+    }
+
+    /// Reads one line.
+    fn read(&mut self, line: &[u8]) {
+        match line.first() {
+            None | Some(b'%' | b';' | b':') => return,
+            // O words jump, loop and call; alone they number a program.
+            Some(b'O' | b'o') if !self.sinumerik => {
+                let number = line[1..].iter().position(|b| !b.is_ascii_digit()).unwrap_or(line.len() - 1);
+                let alone = line.get(1 + number).is_none_or(|b| b" \t(;".contains(b));
+                let speaks = line[1 + number..].iter().take_while(|b| !b"(;".contains(b)).any(|b| b.is_ascii_alphabetic());
+                if number == 0 || !alone || speaks {
+                    count(&mut self.skipped, self.line);
+                }
+                return;
+            }
+            // A variable gets a value.
+            Some(b'#') => return count(&mut self.skipped, self.line),
+            Some(_) => {}
+        }
+        let mut block = Block::default();
+        let mut at = usize::from(line[0] == b'/');
+        while at < line.len() {
+            match line[at] {
+                b' ' | b'\t' => at += 1,
+                b';' => break,
+                b'(' if !self.sinumerik => at = end_of(line, at, b')'),
+                letter if letter.is_ascii_alphabetic() => {
+                    let Some(next) = self.word(line, at, &mut block) else {
+                        block.strange = true;
+                        break;
+                    };
+                    at = next;
+                }
+                _ => {
+                    block.strange = true;
+                    break;
+                }
+            }
+        }
+        if block.strange {
+            // Nothing of such a line is a move: it jumps, calls or computes.
+            return count(&mut self.skipped, self.line);
+        }
+        if !block.elsewhere && block.places.iter().any(Option::is_some) {
+            self.moves(&block);
+        } else if !block.elsewhere && block.center.iter().any(Option::is_some) {
+            // A whole circle back to where it begins.
+            self.moves(&block);
+        }
+    }
+
+    /// Takes the word at `at` and gives where the next one begins; none where it is none.
+    fn word(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
+        let letter = line[at].to_ascii_uppercase();
+        let mut next = at + 1;
+        while matches!(line.get(next), Some(b' ' | b'\t')) {
+            next += 1;
+        }
+        let (word, end) = match line.get(next)? {
+            b'0'..=b'9' | b'.' | b'-' | b'+' => {
+                let (number, end) = number(line, next)?;
+                // `R1=5` gives a variable a value.
+                if line.get(end) == Some(&b'=') {
+                    return None;
+                }
+                (Word::Number(number), end)
+            }
+            b'#' | b'[' => (Word::Computed, end_of_value(line, next)),
+            b'=' if self.sinumerik => {
+                let end = end_of_value(line, next + 1);
+                let plain = line.get(next + 1).is_some_and(|b| b.is_ascii_digit() || b".-+".contains(b));
+                match number(line, next + 1).filter(|(_, stop)| plain && *stop == end) {
+                    Some((number, _)) => (Word::Number(number), end),
+                    None => (Word::Computed, end),
+                }
+            }
+            _ => return self.name(line, at, block),
+        };
+        match (letter, word) {
+            (b'X'..=b'Z', word) => block.places[usize::from(letter - b'X')] = Some(word),
+            (b'I'..=b'K', Word::Number(x)) => block.center[usize::from(letter - b'I')] = Some(x),
+            // A centre that is computed makes no arc.
+            (b'I'..=b'K', Word::Computed) => block.center[usize::from(letter - b'I')] = Some(f64::NAN),
+            (b'F', Word::Number(x)) => self.feed = x * self.scale,
+            (b'R', Word::Number(x)) => block.radius = Some(x),
+            (b'G', Word::Number(x)) => self.code((x * 10.0).round() as i32, block),
+            (b'G', Word::Computed) => return None,
+            // Another program is called.
+            (b'M', Word::Number(97.0 | 98.0 | 198.0)) => count(&mut self.skipped, self.line),
+            _ => {}
+        }
+        Some(end)
+    }
+
+    /// A word of more letters: `MEAS=1`, `CR=5`, and none else.
+    fn name(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
+        let rest = &line[at..];
+        let begins = |word: &[u8]| rest.len() > word.len() && rest[..word.len()].eq_ignore_ascii_case(word);
+        if !self.sinumerik {
+            return None;
+        }
+        if begins(b"MEAS=") || begins(b"MEAW=") {
+            block.once = Some(Motion::Probe);
+            return Some(number(line, at + 5)?.1);
+        }
+        if begins(b"CR=") {
+            let (radius, end) = number(line, at + 3)?;
+            block.radius = Some(radius);
+            return Some(end);
+        }
+        None
+    }
+
+    fn code(&mut self, tenths: i32, block: &mut Block) {
+        match tenths {
+            0 => self.motion = Motion::Rapid,
+            10 => self.motion = Motion::Straight,
+            20 => self.motion = Motion::Clockwise,
+            30 => self.motion = Motion::Counter,
+            310 if !self.sinumerik => block.once = Some(Motion::Probe),
+            382..=385 => self.motion = Motion::Probe,
+            170 => self.turn(Plane::G17),
+            180 => self.turn(Plane::G18),
+            190 => self.turn(Plane::G19),
+            200 | 210 if !self.sinumerik => self.units(tenths == 210),
+            700 | 710 | 7000 | 7100 if self.sinumerik => self.units(tenths % 1000 != 0 || tenths == 7100),
+            900 => self.absolute = true,
+            910 => self.absolute = false,
+            901 => self.centers_absolute = true,
+            911 => self.centers_absolute = false,
+            // Offsets, dwells and tables are no places to go to.
+            40 | 100 | 520 | 920..=923 => block.elsewhere = true,
+            // A cycle of the control's own moves by itself.
+            730 | 740 | 760 | 810..=890 if !self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.skipped, self.line);
+            }
+            280 | 300 | 530 | 1530 => block.machine = true,
+            740 | 750 if self.sinumerik => block.machine = true,
+            _ => {}
+        }
+    }
+
+    fn turn(&mut self, plane: Plane) {
+        self.plane = Some(plane);
+    }
+
+    fn units(&mut self, metric: bool) {
+        let first = *self.path.metric.get_or_insert(metric);
+        self.scale = match (first, metric) {
+            (true, false) => 25.4,
+            (false, true) => 1.0 / 25.4,
+            _ => 1.0,
+        };
+    }
+
+    fn moves(&mut self, block: &Block) {
+        let motion = block.once.unwrap_or(self.motion);
+        let from = self.place;
+        for (axis, word) in block.places.iter().enumerate() {
+            let Some(word) = word else { continue };
+            self.place[axis] = match word {
+                Word::Number(_) if block.machine => f64::NAN,
+                Word::Number(x) if self.absolute => x * self.scale,
+                Word::Number(x) => {
+                    // From where nobody knows: it is counted from 0.
+                    if from[axis].is_nan() {
+                        count(&mut self.from_unknown, self.line);
+                    }
+                    let known = if from[axis].is_nan() { 0.0 } else { from[axis] };
+                    known + x * self.scale
+                }
+                Word::Computed => {
+                    count(&mut self.computed, self.line);
+                    f64::NAN
+                }
+            };
+        }
+        if block.machine {
+            count(&mut self.machine, self.line);
+        }
+        if matches!(motion, Motion::Clockwise | Motion::Counter) {
+            match self.arc(block, from, motion == Motion::Counter) {
+                Some([a, b, c, sweep]) => self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep]),
+                None => count(&mut self.arcs_unsolved, self.line),
+            }
+        }
+        self.path.to.extend(self.place);
+        let kind = match motion {
+            Motion::Rapid => RAPID,
+            Motion::Straight | Motion::Clockwise | Motion::Counter => FEED,
+            Motion::Probe => PROBE,
+        };
+        self.path.kind.push(kind);
+        self.path.feed.push(if kind == RAPID { f64::NAN } else { self.feed });
+        self.path.line.push(self.line as u32);
+    }
+
+    /// Centre and sweep of an arc, in degrees; none where the block does not give one.
+    fn arc(&self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
+        let [a, o, _] = self.plane.unwrap_or(Plane::G17).axes();
+        let (begin, end) = ([from[a], from[o]], [self.place[a], self.place[o]]);
+        if begin.iter().chain(&end).any(|x| x.is_nan()) {
+            return None;
+        }
+        let middle = match block.radius {
+            Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
+            None => {
+                let offset = |axis: usize| block.center[axis].unwrap_or(0.0) * self.scale;
+                if self.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
+            }
+        };
+        let angle = |at: [f64; 2]| (at[1] - middle[1]).atan2(at[0] - middle[0]).to_degrees();
+        let mut sweep = (angle(end) - angle(begin)).rem_euclid(360.0);
+        if !counter {
+            sweep -= 360.0;
+        }
+        // A circle comes back to where it began.
+        let same = (end[0] - begin[0]).hypot(end[1] - begin[1]) < 1e-9;
+        if same || sweep == 0.0 {
+            sweep = if counter { 360.0 } else { -360.0 };
+        }
+        let out = (begin[0] - middle[0]).hypot(begin[1] - middle[1]);
+        let mut center = [self.place[0], self.place[1], self.place[2]];
+        (center[a], center[o]) = (middle[0], middle[1]);
+        (out > 0.0 && out.is_finite()).then_some([center[0], center[1], center[2], sweep])
+    }
+
+    fn finish(mut self) -> Toolpath {
+        let mut checker = Checker::default();
+        let mut say = |count: Count, code: &str, what: &str| {
+            if count.times > 0 {
+                checker.warning(code, "", format!("{what}: {} times, the first in line {}", count.times, count.first + 1));
+            }
+        };
+        say(
+            self.skipped,
+            "lines-skipped",
+            "Lines that jump, call, compute or run a cycle of the control's own are not followed",
+        );
+        say(self.computed, "places-computed", "Places that the control computes are not known here, until a number is given");
+        say(self.machine, "machine-places", "Places in the machine's own system are not known in the work system");
+        say(self.from_unknown, "start-unknown", "Incremental moves begin where nobody knows: they are counted from 0");
+        say(self.arcs_unsolved, "arc-unsolved", "Arcs whose centre or begin is not known are straight here");
+        if self.path.metric.is_none() && !self.path.is_empty() {
+            checker.info("no-units", "", "The program does not say its units");
+        }
+        self.path.findings = checker.findings();
+        self.path.plane = self.plane.unwrap_or(Plane::G17);
+        self.path
+    }
+}
+
+fn count(count: &mut Count, line: usize) {
+    if count.times == 0 {
+        count.first = line;
+    }
+    count.times += 1;
+}
+
+/// The centre of an arc of this radius; of a negative one the long way round.
+fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Option<[f64; 2]> {
+    let (dx, dy) = (end[0] - begin[0], end[1] - begin[1]);
+    let chord = dx.hypot(dy);
+    // A little too short is rounding.
+    let square = radius * radius - chord * chord / 4.0;
+    if chord < 1e-9 || square < -1e-3 * radius * radius {
+        return None;
+    }
+    let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
+    let off = side * square.max(0.0).sqrt() / chord;
+    Some([(begin[0] + end[0]) / 2.0 - dy * off, (begin[1] + end[1]) / 2.0 + dx * off])
+}
+
+/// A number, and where it ends.
+fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
+    let negative = line.get(at) == Some(&b'-');
+    let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
+    let (mut mantissa, mut digits, mut decimals, mut point) = (0u64, 0, 0, false);
+    let mut end = first;
+    while let Some(b) = line.get(end) {
+        match b {
+            b'0'..=b'9' => {
+                mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(b - b'0'));
+                digits += 1;
+                decimals += usize::from(point);
+            }
+            b'.' if !point => point = true,
+            _ => break,
+        }
+        end += 1;
+    }
+    if digits == 0 {
+        return None;
+    }
+    // Both are exact up to here, so their quotient is rounded once.
+    const TENS: [f64; 16] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+    let size = if digits <= 15 {
+        mantissa as f64 / TENS[decimals]
+    } else {
+        read(std::str::from_utf8(&line[first..end]).ok()?).filter(|x| x.is_finite())?
+    };
+    Some((if negative { -size } else { size }, end))
+}
+
+/// Behind the bracket that closes; the end of the line where none does.
+fn end_of(line: &[u8], at: usize, close: u8) -> usize {
+    line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
+}
+
+/// Behind a value that is not a plain number: brackets belong together.
+fn end_of_value(line: &[u8], at: usize) -> usize {
+    let mut depth = 0usize;
+    for (n, b) in line.iter().enumerate().skip(at) {
+        match b {
+            b'[' | b'(' | b'<' => depth += 1,
+            b']' | b')' | b'>' => {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    return n + 1;
+                }
+            }
+            b' ' | b'\t' | b';' if depth == 0 => return n,
+            // `#5` ends where the next word begins.
+            b if depth == 0 && n > at && line[at] == b'#' && b.is_ascii_alphabetic() => return n,
+            _ => {}
+        }
+    }
+    line.len()
+}

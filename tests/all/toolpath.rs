@@ -1,0 +1,230 @@
+//! The reader of any program's moves: against LinuxCNC's interpreter, against the plans whose programs it reads, and by hand.
+
+use crate::common::{interpret, jobs, planned};
+use touchpath::import::toolpath::KINDS;
+use touchpath::import::{Toolpath, read_program};
+
+fn places(path: &Toolpath) -> Vec<[f64; 3]> {
+    path.to.chunks(3).map(|p| [p[0], p[1], p[2]]).collect()
+}
+
+fn said(path: &Toolpath) -> Vec<&str> {
+    path.findings.iter().map(|f| f.code.as_str()).collect()
+}
+
+fn kinds(path: &Toolpath) -> Vec<&'static str> {
+    path.kind.iter().map(|k| KINDS[usize::from(*k)]).collect()
+}
+
+/// Random programs of words: every place, kind, feed, centre and sense is what the interpreter makes of them.
+#[test]
+fn words_mean_what_the_interpreter_says() {
+    let mut state = 0x5DEE_CE66u64;
+    let mut random = |count: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % count
+    };
+    let (mut moves, mut arcs) = (0, 0);
+    for _ in 0..80 {
+        let inch = random(2) == 0;
+        let plane = random(3) as usize;
+        let axes = [["X", "Y", "Z"], ["Z", "X", "Y"], ["Y", "Z", "X"]][plane];
+        let centers = [["I", "J"], ["K", "I"], ["J", "K"]][plane];
+        let mut text =
+            format!("{} {} G90 G94\nG0 X0 Y0 Z0\nF1000\n", if inch { "G20" } else { "g21" }, ["G17", "G18", "G19"][plane]);
+        let mut place = [0i64; 3];
+        let mut absolute = true;
+        for line in 0..40 {
+            if random(6) == 0 {
+                absolute = !absolute;
+                text.push_str(if absolute { "G90 (absolute)\n" } else { "N10 G91 ; from here\n" });
+            }
+            let mut target = place;
+            let axis = random(3) as usize;
+            target[axis] += random(200) as i64 - 100;
+            target[2] += random(3) as i64;
+            let word = |i: usize, target: [i64; 3]| {
+                let x = if absolute { target[i] } else { target[i] - place[i] };
+                format!(" {}{}", axes[i], x as f64 / 8.0)
+            };
+            let words = |target: [i64; 3]| (0..3).map(|i| word(i, target)).collect::<String>();
+            match random(8) {
+                0 => text.push_str(&format!("G0{}\n", words(target))),
+                1 => text.push_str(&format!("g1{} F{}\n", words(target).to_lowercase().replace(' ', ""), 100 + random(900))),
+                // Where the interpreter takes the ball to be after a probing move is its own: the next block names all axes.
+                2 if target != place && absolute => {
+                    let probe = format!("G38.{}{} F{}", 2 + random(2), words(target), 50 + random(100));
+                    text.push_str(&format!("{probe} (a probing move)\nG1{}\n", words(target)));
+                }
+                // Half a circle about a centre, up along the third axis.
+                3 | 4 => {
+                    let [a, o] = [8 * (1 + random(9) as i64), 8 * random(9) as i64];
+                    target = [place[0] + 2 * a, place[1] + 2 * o, place[2] + random(2) as i64];
+                    let turn = ["G2", "G3"][random(2) as usize];
+                    let middle = if random(2) == 0 {
+                        format!(
+                            "G90.1 {turn}{} {}{} {}{}\nG91.1",
+                            words(target),
+                            centers[0],
+                            (place[0] + a) as f64 / 8.0,
+                            centers[1],
+                            (place[1] + o) as f64 / 8.0
+                        )
+                    } else {
+                        format!("{turn}{} {}{} {}{}", words(target), centers[0], a as f64 / 8.0, centers[1], o as f64 / 8.0)
+                    };
+                    text.push_str(&format!("{middle}\n"));
+                }
+                // By its radius, the short way or the long one.
+                5 | 6 => {
+                    target = [place[0] + 24, place[1] + 8 * random(5) as i64, place[2]];
+                    let sign = if random(2) == 0 { "-" } else { "" };
+                    text.push_str(&format!(
+                        "{}{} R{sign}{}\n",
+                        ["G2", "G3"][random(2) as usize],
+                        words(target),
+                        4 + random(20)
+                    ));
+                }
+                // A whole circle.
+                _ => {
+                    target = place;
+                    text.push_str(&format!("G3{} {}{} {}0\n", words(target), centers[0], 1 + random(20), centers[1]));
+                }
+            }
+            place = target;
+            if line == 20 {
+                text.push_str(
+                    "
+/G4 P0.1
+T1 M5 S100
+",
+                );
+            }
+        }
+        text.push_str("M2\n");
+        let ran = interpret(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let path = read_program(&text, None);
+        assert_eq!((path.dialect, path.metric), ("iso", Some(!inch)));
+        assert!(said(&path).is_empty(), "{:?}\n{text}", path.findings);
+        assert_eq!(path.len(), ran.moves.len(), "{text}");
+        let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 2e-4);
+        for (i, wanted) in ran.moves.iter().enumerate() {
+            let shown = format!("move {i}, line {}: {wanted:?}\n{text}", path.line[i] + 1);
+            assert!(near(places(&path)[i], wanted.to), "{shown}");
+            assert_eq!(kinds(&path)[i], if wanted.kind == "arc" { "feed" } else { wanted.kind }, "{shown}");
+            assert!(wanted.kind == "rapid" || (path.feed[i] - wanted.feed).abs() < 1e-3, "{shown}");
+            let arc = path.arcs.iter().find(|arc| arc[0] == i as f64);
+            assert_eq!(arc.is_some(), wanted.arc.is_some(), "{shown}");
+            if let (Some([_, x, y, z, sweep]), Some((center, counter))) = (arc, wanted.arc) {
+                assert!(near([*x, *y, *z], center) && (*sweep > 0.0) == counter, "{arc:?} {shown}");
+                arcs += 1;
+            }
+            moves += 1;
+        }
+    }
+    assert!(moves > 2500 && arcs > 800, "{moves} {arcs}");
+}
+
+/// The moves of every program that is made here stand in the lines that the plan says, probing moves told apart.
+#[test]
+fn programs_of_plans_are_their_plans() {
+    let mut seen = 0;
+    for (name, job) in jobs() {
+        let plan = planned(&job);
+        let path = read_program(&plan.program.text, None);
+        if plan.program.post == "heidenhain" {
+            assert!(path.is_empty(), "{name}: Klartext has no words");
+            continue;
+        }
+        assert_eq!(path.dialect == "sinumerik", plan.program.post == "sinumerik", "{name}");
+        for (step, line) in plan.moves.iter().zip(&plan.program.move_lines) {
+            let Some(i) = path.line.iter().position(|at| *at as i32 == *line) else { continue };
+            let end = places(&path)[i];
+            if step.kind == "touch" {
+                assert_eq!(kinds(&path)[i], "probe", "{name} line {line}");
+            } else if step.arc.is_none() {
+                assert!(
+                    (0..3).all(|axis| end[axis].is_nan() || (end[axis] - step.to[axis]).abs() < 1e-4),
+                    "{name} line {line}: {end:?} {step:?}"
+                );
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 1000, "{seen}");
+}
+
+#[test]
+fn what_cannot_be_read_is_said_and_the_rest_is_read() {
+    let path = read_program(
+        "O1000 (FANUC)\nG21 G17\nG0 X1. Y2. Z3.\n#101=5\nIF [#101 GT 3] GOTO 20\nG1 X#101 F100.\nG31 Y-5. F50.\nN20 X7.\nG53 G0 Z0.\nM98 P20\nM30\n%\n",
+        None,
+    );
+    assert_eq!(kinds(&path), ["rapid", "feed", "probe", "feed", "rapid"]);
+    assert_eq!(path.line, [2, 5, 6, 7, 8]);
+    let ends = places(&path);
+    assert_eq!(ends[0], [1.0, 2.0, 3.0]);
+    assert!(ends[1][0].is_nan() && ends[2][0].is_nan() && ends[2][1] == -5.0, "not known until a number is given");
+    assert_eq!(ends[3], [7.0, -5.0, 3.0]);
+    assert!(ends[4][2].is_nan());
+    assert_eq!(said(&path), ["lines-skipped", "places-computed", "machine-places"]);
+    assert!(path.findings[0].message.ends_with("3 times, the first in line 4"), "{}", path.findings[0].message);
+}
+
+#[test]
+fn a_sinumerik_is_known_by_its_words() {
+    let text = "; a probe\nG71 G17\nMEAS=1 G1 X10 F300\nSTOPRE\nIF $AC_MEA[1]==0 GOTOF OUT\nG1 Y=R1+5\nG2 X20 Y0 CR=5 F100\nG700\nG0 X1\nOUT:\nM30\n";
+    let path = read_program(text, None);
+    assert_eq!((path.dialect, path.metric), ("sinumerik", Some(true)));
+    assert_eq!(kinds(&path), ["probe", "feed", "feed", "rapid"]);
+    assert_eq!(places(&path)[3][0], 25.4, "in the units that are stated first");
+    assert_eq!(said(&path), ["lines-skipped", "places-computed", "arc-unsolved"]);
+    assert_eq!(read_program(text, Some("iso")).dialect, "iso");
+}
+
+#[test]
+fn arcs_come_with_centre_and_degrees() {
+    let path = read_program("G21 G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100\nG2 X10 Y0 R10\nG2 X10 Y0 I-10\nG91 G1 X1\n", None);
+    assert_eq!(path.arcs.len(), 3);
+    let near = |a: [f64; 5], b: [f64; 5]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(near(path.arcs[0], [1.0, 0.0, 0.0, 0.0, 90.0]), "{:?}", path.arcs);
+    assert!(near(path.arcs[1], [2.0, 0.0, 0.0, 0.0, -90.0]), "{:?}", path.arcs);
+    assert!(near(path.arcs[2], [3.0, 0.0, 0.0, 0.0, -360.0]), "{:?}", path.arcs);
+    assert_eq!(path.end(4).x, 11.0);
+}
+
+/// Nothing in a text makes it panic, hang, or say a place that is no place.
+#[test]
+fn hostile_texts_are_read() {
+    let long = format!("G1 X{}\n", "1".repeat(5_000));
+    let deep = format!("G1 X{}1\n", "[".repeat(100_000));
+    for text in [
+        "",
+        "\u{feff}",
+        "G",
+        "G1X",
+        "X1",
+        "G1 X",
+        "/",
+        "/;",
+        "(",
+        "G2 X1 Y1 I",
+        "é\n",
+        "G1 X1é\n",
+        "O",
+        "o<",
+        "%",
+        "G99999999999 X1\n",
+        &long,
+        &deep,
+        "G91 G1 X1\n",
+    ] {
+        for dialect in [None, Some("iso"), Some("sinumerik")] {
+            let path = read_program(text, dialect);
+            assert_eq!(path.to.len(), 3 * path.len(), "{text:.40}");
+            assert!(path.to.iter().all(|x| !x.is_infinite()), "{text:.40}");
+        }
+    }
+    assert_eq!(said(&read_program("G91 G1 X1\n", None)), ["start-unknown", "no-units"]);
+}
