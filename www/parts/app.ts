@@ -227,19 +227,23 @@ class App extends LitElement {
       this.tell(notes.map((f) => f.message).join(" "));
       return true;
     } catch (thrown) {
-      if (this.view(text)) return true;
-      this.tell(thrown instanceof JobError ? thrown.message : "This text cannot be read");
+      if (!(thrown instanceof JobError)) this.tell("This text cannot be read");
+      else if (this.view(text, thrown)) return true;
+      else this.tell(thrown.message);
       return false;
     }
   }
 
-  /** Shows the moves of a program that no job can be made of; false where it has none. The job that is there stays. */
-  private view(text: string): boolean {
-    const moves = readProgram(text);
-    if (moves.kind.length === 0) return false;
+  /** Shows the moves of a program that no job can be made of; false where it is none. The job that is there stays. */
+  private view(text: string, why: JobError): boolean {
+    const program = why.findings.some((f) =>
+      ["no-job-in-program", "not-understood", "nothing-to-import"].includes(f.code),
+    );
+    const moves = program ? readProgram(text) : null;
+    if (!moves || moves.kind.length === 0) return false;
     this.viewed = { text, moves };
     this.use("viewer");
-    this.tell("This program says no job: its moves are drawn, and the job in the form is as it was");
+    this.tell(`${why.message}. Its moves are drawn`);
     return true;
   }
 

@@ -3,6 +3,9 @@ import { View } from "../core/browser.js";
 
 const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
 
+/** Where a picture is looked at from. */
+export const VIEWS = ["top", "front", "side", "isometric"] as const;
+
 /** A View that is there as long as its part is, and made anew where the module's instance is another one. */
 export class Drawing {
   private view?: View;
@@ -26,6 +29,37 @@ export class Drawing {
   /** The canvas' size and the page's colours, as the style sheet has them now. */
   dress(): void {
     this.use((view) => this.fit(view));
+  }
+
+  /** Zooms about the middle. */
+  zoom(factor: number): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.use((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
+  }
+
+  /** Zooms about the pointer as the wheel turns. */
+  wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const box = this.canvas.getBoundingClientRect();
+    const factor = Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004);
+    this.use((view) => view.zoom(factor, event.clientX - box.left, event.clientY - box.top));
+  }
+
+  /** Arrow keys pan, plus and minus zoom, 0 fits. */
+  key(event: KeyboardEvent): void {
+    const pans: Record<string, [number, number]> = {
+      ArrowLeft: [24, 0],
+      ArrowRight: [-24, 0],
+      ArrowUp: [0, 24],
+      ArrowDown: [0, -24],
+    };
+    const pan = pans[event.key];
+    if (pan) this.use((view) => view.pan(...pan));
+    else if (event.key === "+") this.zoom(1.4);
+    else if (event.key === "-") this.zoom(1 / 1.4);
+    else if (event.key === "0") this.use((view) => view.fit());
+    else return;
+    event.preventDefault();
   }
 
   free(): void {

@@ -1,9 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3 } from "../core/browser.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
-
-const VIEWS = ["top", "front", "side", "isometric"] as const;
 
 /** The picture with its tools: views, zoom, and a slider over the moves. */
 class PicturePart extends Part {
@@ -26,14 +24,14 @@ class PicturePart extends Part {
       <div class="tools" role="toolbar" aria-label="Picture">
         ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
         <span class="gap"></span>
-        <button type="button" aria-label="Zoom out" @click=${() => this.zoom(1 / 1.4)}>−</button>
-        <button type="button" aria-label="Zoom in" @click=${() => this.zoom(1.4)}>+</button>
+        <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
+        <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
         <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
       </div>
       <div class=${stale ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
-          @keydown=${this.key}></canvas>
+          @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
         ${stale ? html`<p class="stamp" role="status">The form has errors: this is the last good plan</p>` : nothing}
       </div>
       <div class="scrub">
@@ -99,11 +97,6 @@ class PicturePart extends Part {
     this.look = name;
     this.drawing?.use((view) => view.look(name));
     this.requestUpdate();
-  }
-
-  private zoom(factor: number): void {
-    const { clientWidth, clientHeight } = this.canvas();
-    this.drawing?.use((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
   }
 
   private describe(): string {
@@ -220,27 +213,8 @@ class PicturePart extends Part {
   }
 
   private wheel(event: WheelEvent): void {
-    event.preventDefault();
-    const { x, y } = this.at(event);
-    if (this.grip) return;
-    const factor = Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004);
-    this.drawing?.use((view) => view.zoom(factor, x, y));
-  }
-
-  private key(event: KeyboardEvent): void {
-    const pans: Record<string, [number, number]> = {
-      ArrowLeft: [24, 0],
-      ArrowRight: [-24, 0],
-      ArrowUp: [0, 24],
-      ArrowDown: [0, -24],
-    };
-    const pan = pans[event.key];
-    if (pan) this.drawing?.use((view) => view.pan(...pan));
-    else if (event.key === "+") this.zoom(1.4);
-    else if (event.key === "-") this.zoom(1 / 1.4);
-    else if (event.key === "0") this.drawing?.use((view) => view.fit());
-    else return;
-    event.preventDefault();
+    if (this.grip) event.preventDefault();
+    else this.drawing?.wheel(event);
   }
 }
 

@@ -1,10 +1,8 @@
 // The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { ProgramMoves } from "../core/browser.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
-
-const VIEWS = ["top", "front", "side", "isometric"] as const;
 
 class ViewerPart extends Part {
   viewed!: { text: string; moves: ProgramMoves };
@@ -27,12 +25,12 @@ class ViewerPart extends Part {
         <div class="tools" role="toolbar" aria-label="Picture of the program">
           ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
           <span class="gap"></span>
-          <button type="button" aria-label="Zoom out" @click=${() => this.zoom(1 / 1.4)}>−</button>
-          <button type="button" aria-label="Zoom in" @click=${() => this.zoom(1.4)}>+</button>
+          <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
+          <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
           <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
         </div>
         <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
-          @pointerup=${this.up} @pointercancel=${this.up} @keydown=${this.key}></canvas>
+          @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
         <ul class="key" aria-label="Colours">
           <li class="touch">probing</li><li class="link">feed</li><li class="rapid">rapid</li>
@@ -59,11 +57,7 @@ class ViewerPart extends Part {
   }
 
   protected override firstUpdated(): void {
-    this.canvas().addEventListener("wheel", (event) => {
-      event.preventDefault();
-      const factor = Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004);
-      this.drawing?.use((view) => view.zoom(factor, event.offsetX, event.offsetY));
-    });
+    this.canvas().addEventListener("wheel", (event) => this.drawing?.wheel(event), { passive: false });
   }
 
   protected override updated(_changed: PropertyValues): void {
@@ -110,11 +104,6 @@ class ViewerPart extends Part {
     this.requestUpdate();
   }
 
-  private zoom(factor: number): void {
-    const { clientWidth, clientHeight } = this.canvas();
-    this.drawing?.use((view) => view.zoom(factor, clientWidth / 2, clientHeight / 2));
-  }
-
   private down(event: PointerEvent): void {
     this.canvas().setPointerCapture(event.pointerId);
     this.grip = { x: event.offsetX, y: event.offsetY };
@@ -136,22 +125,6 @@ class ViewerPart extends Part {
 
   private up(): void {
     this.grip = null;
-  }
-
-  private key(event: KeyboardEvent): void {
-    const pans: Record<string, [number, number]> = {
-      ArrowLeft: [24, 0],
-      ArrowRight: [-24, 0],
-      ArrowUp: [0, 24],
-      ArrowDown: [0, -24],
-    };
-    const pan = pans[event.key];
-    if (pan) this.drawing?.use((view) => view.pan(...pan));
-    else if (event.key === "+") this.zoom(1.4);
-    else if (event.key === "-") this.zoom(1 / 1.4);
-    else if (event.key === "0") this.drawing?.use((view) => view.fit());
-    else return;
-    event.preventDefault();
   }
 }
 
