@@ -89,11 +89,15 @@ fn guessed(text: &str) -> &'static str {
         if rest.is_empty() {
             break;
         }
-        let line = trimmed(next_line(&mut rest));
-        if line.starts_with(['(', '%', ';', 'O', 'o', '#']) {
+        let line = trimmed(next_line(&mut rest)).as_bytes();
+        // Most lines begin with a G, a number or an axis, and assign nothing.
+        let begins = line.first().is_some_and(|b| matches!(b, b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
+        if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
+            || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
+        {
             continue;
         }
-        let code = line.split(';').next().unwrap_or_default();
+        let code = String::from_utf8_lossy(line.split(|b| *b == b';').next().unwrap_or_default());
         if ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A", "$P", "DEF ", "MSG(", "CYCLE", "CR="]
             .iter()
             .any(|word| code.contains(word))
@@ -122,13 +126,19 @@ enum Word {
     Computed,
 }
 
+/// Which of X, Y, Z, or of I, J, K: a bit each.
+type Axes = u8;
+
 /// What a block says.
-#[derive(Default)]
 struct Block {
-    /// X, Y, Z.
-    places: [Option<Word>; 3],
+    /// X, Y, Z, where they are given.
+    places: [f64; 3],
+    given: Axes,
+    /// Those of them that the control would compute.
+    computed: Axes,
     /// I, J, K from where the arc begins, or as places.
-    center: [Option<f64>; 3],
+    center: [f64; 3],
+    centered: Axes,
     radius: Option<f64>,
     /// A motion for this block alone.
     once: Option<Motion>,
@@ -139,6 +149,19 @@ struct Block {
     /// Something in it is not a word.
     strange: bool,
 }
+
+const EMPTY: Block = Block {
+    places: [0.0; 3],
+    given: 0,
+    computed: 0,
+    center: [0.0; 3],
+    centered: 0,
+    radius: None,
+    once: None,
+    elsewhere: false,
+    machine: false,
+    strange: false,
+};
 
 /// Something that is said once, with how often and where first.
 #[derive(Clone, Copy, Default)]
@@ -214,7 +237,7 @@ impl Reader {
             Some(b'#') => return count(&mut self.skipped, self.line),
             Some(_) => {}
         }
-        let mut block = Block::default();
+        let mut block = EMPTY;
         let mut at = usize::from(line[0] == b'/');
         while at < line.len() {
             match line[at] {
@@ -238,10 +261,8 @@ impl Reader {
             // Nothing of such a line is a move: it jumps, calls or computes.
             return count(&mut self.skipped, self.line);
         }
-        if !block.elsewhere && block.places.iter().any(Option::is_some) {
-            self.moves(&block);
-        } else if !block.elsewhere && block.center.iter().any(Option::is_some) {
-            // A whole circle back to where it begins.
+        // Without a place, a centre makes a whole circle back to where it begins.
+        if !block.elsewhere && block.given | block.centered != 0 {
             self.moves(&block);
         }
     }
@@ -274,13 +295,23 @@ impl Reader {
             _ => return self.name(line, at, block),
         };
         match (letter, word) {
-            (b'X'..=b'Z', word) => block.places[usize::from(letter - b'X')] = Some(word),
-            (b'I'..=b'K', Word::Number(x)) => block.center[usize::from(letter - b'I')] = Some(x),
-            // A centre that is computed makes no arc.
-            (b'I'..=b'K', Word::Computed) => block.center[usize::from(letter - b'I')] = Some(f64::NAN),
+            (b'X'..=b'Z', word) => {
+                let axis = letter - b'X';
+                block.given |= 1 << axis;
+                match word {
+                    Word::Number(x) => block.places[usize::from(axis)] = x,
+                    Word::Computed => block.computed |= 1 << axis,
+                }
+            }
+            (b'I'..=b'K', word) => {
+                let axis = letter - b'I';
+                block.centered |= 1 << axis;
+                // A centre that is computed makes no arc.
+                block.center[usize::from(axis)] = if let Word::Number(x) = word { x } else { f64::NAN };
+            }
             (b'F', Word::Number(x)) => self.feed = x * self.scale,
             (b'R', Word::Number(x)) => block.radius = Some(x),
-            (b'G', Word::Number(x)) => self.code((x * 10.0).round() as i32, block),
+            (b'G', Word::Number(x)) => self.code((x * 10.0 + 0.5) as i32, block),
             (b'G', Word::Computed) => return None,
             // Another program is called.
             (b'M', Word::Number(97.0 | 98.0 | 198.0)) => count(&mut self.skipped, self.line),
@@ -354,23 +385,24 @@ impl Reader {
     fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.motion);
         let from = self.place;
-        for (axis, word) in block.places.iter().enumerate() {
-            let Some(word) = word else { continue };
-            self.place[axis] = match word {
-                Word::Number(_) if block.machine => f64::NAN,
-                Word::Number(x) if self.absolute => x * self.scale,
-                Word::Number(x) => {
-                    // From where nobody knows: it is counted from 0.
-                    if from[axis].is_nan() {
-                        count(&mut self.from_unknown, self.line);
-                    }
-                    let known = if from[axis].is_nan() { 0.0 } else { from[axis] };
-                    known + x * self.scale
-                }
-                Word::Computed => {
-                    count(&mut self.computed, self.line);
-                    f64::NAN
-                }
+        for axis in 0..3 {
+            if block.given & (1 << axis) == 0 {
+                continue;
+            }
+            let x = block.places[axis] * self.scale;
+            self.place[axis] = if block.computed & (1 << axis) != 0 {
+                count(&mut self.computed, self.line);
+                f64::NAN
+            } else if block.machine {
+                f64::NAN
+            } else if self.absolute {
+                x
+            } else if from[axis].is_nan() {
+                // From where nobody knows: it is counted from 0.
+                count(&mut self.from_unknown, self.line);
+                x
+            } else {
+                from[axis] + x
             };
         }
         if block.machine {
@@ -382,7 +414,7 @@ impl Reader {
                 None => count(&mut self.arcs_unsolved, self.line),
             }
         }
-        self.path.to.extend(self.place);
+        self.place.into_iter().for_each(|x| self.path.to.push(x));
         let kind = match motion {
             Motion::Rapid => RAPID,
             Motion::Straight | Motion::Clockwise | Motion::Counter => FEED,
@@ -403,7 +435,7 @@ impl Reader {
         let middle = match block.radius {
             Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
             None => {
-                let offset = |axis: usize| block.center[axis].unwrap_or(0.0) * self.scale;
+                let offset = |axis: usize| block.center[axis] * self.scale;
                 if self.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
             }
         };
@@ -473,23 +505,27 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
 fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = line.get(at) == Some(&b'-');
     let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
-    let (mut mantissa, mut digits, mut decimals, mut point) = (0u64, 0, 0, false);
-    let mut end = first;
-    while let Some(b) = line.get(end) {
-        match b {
-            b'0'..=b'9' => {
-                mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(b - b'0'));
-                digits += 1;
-                decimals += usize::from(point);
-            }
-            b'.' if !point => point = true,
-            _ => break,
+    let rest = line.get(first..)?;
+    let (mut mantissa, mut i) = (0u64, 0);
+    let digits_from = |mut i: usize, mantissa: &mut u64| {
+        while i < rest.len() && rest[i].is_ascii_digit() {
+            *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(rest[i] - b'0'));
+            i += 1;
         }
-        end += 1;
+        i
+    };
+    i = digits_from(i, &mut mantissa);
+    let (mut digits, mut decimals) = (i, 0);
+    if i < rest.len() && rest[i] == b'.' {
+        let end = digits_from(i + 1, &mut mantissa);
+        decimals = end - i - 1;
+        digits += decimals;
+        i = end;
     }
     if digits == 0 {
         return None;
     }
+    let end = first + i;
     // Both are exact up to here, so their quotient is rounded once.
     const TENS: [f64; 16] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
     let size = if digits <= 15 {

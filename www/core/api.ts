@@ -50,7 +50,7 @@ export interface Raw {
   table(codes: Float64Array, text: string, sink: Sink): void;
   evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
-  readProgram(text: unknown, dialect: unknown): unknown;
+  readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;
   convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
@@ -209,10 +209,12 @@ export function dress(raw: Raw, instance: Instance): Api {
       // What is a job in JSON is that job, with all that stands in it: then the module gives none.
       return { ...{ job: json as Job }, ...imported };
     },
-    readProgram: (text, dialect) => ({
-      ...instance.call<ProgramMoves>(() => raw.readProgram(text, dialect)),
-      kinds: ["rapid", "feed", "probe"],
-    }),
+    readProgram: (text, dialect) => {
+      const length = typeof text === "string" ? text.length : 0;
+      const bytes = new TextEncoder().encode(length > 0 && length <= LONGEST_PROGRAM ? text : "");
+      const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
+      return { ...moves, kinds: ["rapid", "feed", "probe"] };
+    },
     jobSchema: () => instance.call(() => raw.jobSchema()),
     exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),
     convertUnits: (job, units) => on(job, (codes, text) => raw.convertUnits(codes, text, units)),
@@ -224,6 +226,9 @@ export function dress(raw: Raw, instance: Instance): Api {
 
 /** The longest text that is read, in UTF-16 units; the module says so of a longer one. */
 const LONGEST_TEXT = 2_000_000;
+
+/** The longest program whose moves are read, likewise. */
+const LONGEST_PROGRAM = 20_000_000;
 
 /** What a text says as JSON; undefined where it is none. */
 function parsed(text: unknown): unknown {
