@@ -385,12 +385,9 @@ impl Reader {
     fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.motion);
         let from = self.place;
-        for axis in 0..3 {
-            if block.given & (1 << axis) == 0 {
-                continue;
-            }
+        for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
             let x = block.places[axis] * self.scale;
-            self.place[axis] = if block.computed & (1 << axis) != 0 {
+            *place = if block.computed & (1 << axis) != 0 {
                 count(&mut self.computed, self.line);
                 f64::NAN
             } else if block.machine {

@@ -13,7 +13,7 @@ test("the package had no licence text", () => {
     execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }),
   );
   const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path).sort();
-  const modules = ["api", "browser", "job-types", "node", "plan-types", "types"].flatMap((name) => [
+  const modules = ["api", "browser", "coded", "job-types", "node", "plan", "plan-types", "types"].flatMap((name) => [
     `dist/${name}.d.ts`,
     `dist/${name}.js`,
   ]);

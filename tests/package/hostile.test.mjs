@@ -155,9 +155,9 @@ test("texts count in what a job can hold, and halves of characters stay where th
   assert.ok(codes(keys).length > 0);
   // A lone half at the end of one text, and the other at the beginning of the next.
   const job = { format: 1, name: "A\ud83d", "\ude00b": 1, cycle: { type: "hole" } };
-  assert.deepEqual(codes(job), ["unknown-key \ufffdb", "name-changed name"]);
+  assert.deepEqual(codes(job).sort(), ["name-changed name", "unknown-key \ufffdb"]);
   const emoji = { format: 1, name: "😀😀", é: 1, cycle: { type: "hole", ß: { "😀": 2 } } };
-  assert.deepEqual(codes(emoji).sort(), ["unknown-key cycle.ß", "unknown-key é"]);
+  assert.deepEqual(codes(emoji).sort(), ["name-changed name", "unknown-key cycle.ß", "unknown-key é"]);
 });
 
 /** Every job of the tests that has a plan. */

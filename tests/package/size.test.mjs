@@ -1,0 +1,90 @@
+// What a first visit loads stays what it is: more is a decision, not an accident.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { brotliCompressSync, constants, gzipSync } from "node:zlib";
+
+const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+
+/** Bytes. Measured: 259 kB, and 357 kB. */
+const BUDGET = { module: 263_000, page: 362_000 };
+
+/** The functions of a module that still says their names, with their bytes, largest first. */
+function functions(/** @type {Buffer} */ wasm) {
+  let i = 8;
+  const number = () => {
+    let [value, shift] = [0, 0];
+    for (;;) {
+      const byte = wasm[i++] ?? 0;
+      value += (byte & 127) * 2 ** shift;
+      shift += 7;
+      if (byte < 128) return value;
+    }
+  };
+  const text = () => {
+    const length = number();
+    i += length;
+    return wasm.toString("utf8", i - length, i);
+  };
+  let imported = 0;
+  /** @type {number[]} */
+  const sizes = [];
+  /** @type {Map<number, string>} */
+  const names = new Map();
+  while (i < wasm.length) {
+    const section = number();
+    const length = number();
+    const end = i + length;
+    if (section === 2) {
+      for (let count = number(); count > 0; count--) {
+        text();
+        text();
+        const kind = number();
+        if (kind === 0) imported++;
+        // A global has its type and whether it changes; a table a type in front of its limits.
+        if (kind === 1 || kind === 3) number();
+        const limits = number();
+        if (kind === 1 || kind === 2) for (let n = limits & 1 ? 2 : 1; n > 0; n--) number();
+      }
+    } else if (section === 10) {
+      for (let count = number(); count > 0; count--) {
+        const size = number();
+        sizes.push(size);
+        i += size;
+      }
+    } else if (section === 0 && text() === "name") {
+      while (i < end) {
+        const part = number();
+        const stop = number() + i;
+        if (part === 1) for (let count = number(); count > 0; count--) names.set(number(), text());
+        i = stop;
+      }
+    }
+    i = end;
+  }
+  const named = sizes.map((size, n) => ({
+    size,
+    name: (names.get(n + imported) ?? "?").replace(/^_ZN\d+|17h[0-9a-f]{16}E$/g, "").replace(/\d+(?=[a-z_$])/gi, "::"),
+  }));
+  return named.sort((a, b) => b.size - a.size);
+}
+
+test("the module and the page stay within their budgets", () => {
+  const wasm = readFileSync(at("dist/wasm/touchpath_bg.wasm"));
+  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24 };
+  const module = brotliCompressSync(wasm, { params }).length;
+  const assets = readdirSync(at("dist/page/assets")).map((name) => at(`dist/page/assets/${name}`));
+  const page = [at("dist/page/index.html"), ...assets].reduce(
+    (sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length,
+    0,
+  );
+  // As the compiler left it: with names.
+  const target = process.env.CARGO_TARGET_DIR ?? at("target");
+  const largest = functions(readFileSync(`${target}/wasm32-unknown-unknown/release/touchpath.wasm`));
+  assert.ok(largest.length > 500 && largest.some(({ name }) => name.includes("touchpath")), "the functions are found");
+  const list = largest.slice(0, 20).map(({ size, name }) => `${String(size).padStart(8)}  ${name}`);
+  const told = `\nThe largest functions, bytes before wasm-opt:\n${list.join("\n")}`;
+  assert.ok(module <= BUDGET.module, `the module has ${module} bytes in brotli, ${BUDGET.module} are allowed${told}`);
+  assert.ok(page <= BUDGET.page, `a first visit loads ${page} bytes in gzip, ${BUDGET.page} are allowed${told}`);
+});
