@@ -38,8 +38,8 @@ pub enum Digits {
 }
 
 impl Digits {
-    /// A sign, sixteen digits, a point and a zero in front of it, and a point behind.
-    const MOST: usize = 24;
+    /// A sign, a zero in front of a point, twenty-two decimals, and some room.
+    const MOST: usize = 28;
 
     /// No number.
     pub const NONE: Digits = Digits::Short { bytes: [0; Digits::MOST], len: 0 };

@@ -221,6 +221,12 @@ test("columns are the moves, the program is the plan's, in a row of many too", (
       ]),
     );
     assert.equal(columns.to.length, 3 * moves.length);
+    // The columns are the caller's own.
+    columns.to.fill(0);
+    assert.deepEqual(
+      [...moveColumns(job).to],
+      moves.flatMap((m) => m.to),
+    );
     assert.deepEqual(program(job), own);
   }
   const bad = { format: 1, cycle: { type: "hole", depth: -1 } };

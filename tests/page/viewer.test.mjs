@@ -63,6 +63,19 @@ test("a program of another hand was refused: its moves are drawn, probing told a
   await viewer.waitFor();
 });
 
+test("a file that is dropped on the page was opened by the browser in its place", async () => {
+  await page.locator("tp-form").evaluate((target, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], "FOREIGN.NC"));
+    const over = new DragEvent("dragover", { dataTransfer, bubbles: true, composed: true, cancelable: true });
+    target.dispatchEvent(over);
+    const drop = new DragEvent("drop", { dataTransfer, bubbles: true, composed: true, cancelable: true });
+    target.dispatchEvent(drop);
+    if (!over.defaultPrevented || !drop.defaultPrevented) throw new Error("the browser would open the file itself");
+  }, FOREIGN);
+  await page.locator("tp-viewer").waitFor();
+});
+
 test("what is no program is not drawn as one", async () => {
   await openText("Dear setter,\nX marks the spot.\n", "letter.txt");
   await page.locator(".note").waitFor();

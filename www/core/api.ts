@@ -1,4 +1,4 @@
-import { type Coded, coded } from "./coded.js";
+import { type Coded, coded, same } from "./coded.js";
 import { columns, FEEDS, findingsOf, KINDS, type Packed, planOf, programOf, tableOf } from "./plan.js";
 import type {
   Catalog,
@@ -147,12 +147,16 @@ export function dress(raw: Raw, instance: Instance): Api {
     const { codes, text } = coded(value);
     return instance.call(() => call(codes, text));
   };
-  const packed = ({ codes, text }: Coded): Packed =>
+  /** The job that was planned last, and its plan: who asks for its columns next needs no second one. */
+  let last: { job: Coded; plan: Packed } | null = null;
+  const packed = (job: Coded): Packed =>
     instance.call(() => {
-      const sink = new Sink();
-      raw.plan(codes, text, sink);
-      return sink;
+      const plan = new Sink();
+      raw.plan(job.codes, job.text, plan);
+      last = { job, plan };
+      return plan;
     });
+  const known = (job: Coded): Packed => (last && same(last.job, job) ? last.plan : packed(job));
   /** The table of a job that has a plan. The job is what it was when it was planned, whatever has become of the object since. */
   const table = ({ codes, text }: Coded) =>
     instance.call<ReturnType<typeof tableOf>>(() => {
@@ -191,7 +195,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
     },
     moveColumns: (job) => {
-      const { to, feed, kind, step, touch } = columns(packed(coded(job)));
+      const { to, feed, kind, step, touch } = columns(known(coded(job)));
       return {
         to: to.slice(),
         feed: Uint8Array.from(feed),

@@ -135,6 +135,13 @@ class Coder {
   }
 }
 
+/** Whether two coded values are the same. */
+export function same(a: Coded, b: Coded): boolean {
+  return (
+    a.text === b.text && a.codes.length === b.codes.length && a.codes.every((code, i) => Object.is(code, b.codes[i]))
+  );
+}
+
 /** Codes a value. Throws only where the caller's stack is used up. */
 export function coded(value: unknown): Coded {
   const coder = new Coder();

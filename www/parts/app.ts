@@ -60,6 +60,7 @@ class App extends LitElement {
     for (const { query } of this.layouts) query.addEventListener("change", this.relayout);
     this.addEventListener("paste", this.refuse);
     this.addEventListener("drop", this.refuse);
+    this.addEventListener("dragover", this.welcome);
     this.addEventListener("focusin", this.uncover);
     this.addEventListener("input", this.uncover);
   }
@@ -70,6 +71,7 @@ class App extends LitElement {
     this.observer.disconnect();
     this.removeEventListener("paste", this.refuse);
     this.removeEventListener("drop", this.refuse);
+    this.removeEventListener("dragover", this.welcome);
     this.removeEventListener("focusin", this.uncover);
     this.removeEventListener("input", this.uncover);
   }
@@ -192,11 +194,16 @@ class App extends LitElement {
     else this.take(await file.text());
   }
 
+  /** A file may be dropped anywhere: a job, a dump, a program. */
+  private readonly welcome = (event: DragEvent): void => {
+    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+  };
+
   /** A text of many megabytes in a field would hold up the browser: it never gets there. */
   private readonly refuse = (event: ClipboardEvent | DragEvent): void => {
     const data = event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
     const field = event.composedPath()[0];
-    if (event instanceof DragEvent && data?.files[0] && field instanceof HTMLTextAreaElement) {
+    if (event instanceof DragEvent && data?.files[0]) {
       event.preventDefault();
       this.takeFile(data.files[0]);
       return;

@@ -1,33 +1,22 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3 } from "../core/browser.js";
-import { Drawing, VIEWS } from "./drawing.js";
-import { Part } from "./part.js";
+import { Drawing } from "./drawing.js";
+import { DrawnPart } from "./drawn.js";
 
 /** The picture with its tools: views, zoom, and a slider over the moves. */
-class PicturePart extends Part {
-  private drawing?: Drawing;
+class PicturePart extends DrawnPart {
   /** The job in the picture; a hover draws it again but does not plan it again. */
   private drawn?: object;
-  private look: (typeof VIEWS)[number] = "top";
   private pointers = new Map<number, { x: number; y: number }>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
   private dragged = false;
-  private readonly observer = new ResizeObserver(() => this.drawing?.dress());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.drawing?.dress();
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
     const count = plan.moves.length;
     return html`
-      <div class="tools" role="toolbar" aria-label="Picture">
-        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
-        <span class="gap"></span>
-        <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
-        <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
-        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
-      </div>
+      ${this.tools("Picture")}
       <div class=${stale ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
@@ -50,23 +39,6 @@ class PicturePart extends Part {
     `;
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.recolour);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.recolour);
-    this.observer.disconnect();
-    this.drawing?.free();
-    this.drawing = undefined;
-  }
-
-  protected override firstUpdated(): void {
-    this.canvas().addEventListener("wheel", (e) => this.wheel(e), { passive: false });
-  }
-
   protected override updated(_changed: PropertyValues): void {
     const { shown, highlight } = this.store;
     if (!this.drawing && this.isConnected) {
@@ -85,18 +57,8 @@ class PicturePart extends Part {
     this.drawn = shown;
   }
 
-  private canvas(): HTMLCanvasElement {
-    return this.querySelector("canvas") as HTMLCanvasElement;
-  }
-
   private frame(): HTMLElement {
     return this.querySelector(".canvas") as HTMLElement;
-  }
-
-  private turn(name: (typeof VIEWS)[number]): void {
-    this.look = name;
-    this.drawing?.use((view) => view.look(name));
-    this.requestUpdate();
   }
 
   private describe(): string {
@@ -212,9 +174,9 @@ class PicturePart extends Part {
     if (!this.pointers.has(event.pointerId) && event.pointerType === "mouse") this.store.point(null);
   }
 
-  private wheel(event: WheelEvent): void {
+  protected override wheel(event: WheelEvent): void {
     if (this.grip) event.preventDefault();
-    else this.drawing?.wheel(event);
+    else super.wheel(event);
   }
 }
 

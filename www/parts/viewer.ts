@@ -1,20 +1,15 @@
 // The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { ProgramMoves } from "../core/browser.js";
-import { Drawing, VIEWS } from "./drawing.js";
-import { Part } from "./part.js";
+import { Drawing } from "./drawing.js";
+import { DrawnPart } from "./drawn.js";
 
-class ViewerPart extends Part {
+class ViewerPart extends DrawnPart {
   viewed!: { text: string; moves: ProgramMoves };
   protected override follows: string[] = [];
-  private drawing?: Drawing;
   private drawn?: object;
-  private look: (typeof VIEWS)[number] = "top";
   private pointed: number | null = null;
   private grip: { x: number; y: number } | null = null;
-  private readonly observer = new ResizeObserver(() => this.drawing?.dress());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.drawing?.dress();
 
   static override properties = { viewed: { attribute: false } };
 
@@ -22,13 +17,7 @@ class ViewerPart extends Part {
     const { moves } = this.viewed;
     return html`
       <div class="see">
-        <div class="tools" role="toolbar" aria-label="Picture of the program">
-          ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
-          <span class="gap"></span>
-          <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
-          <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
-          <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
-        </div>
+      ${this.tools("Picture of the program")}
         <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
           @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
@@ -42,22 +31,9 @@ class ViewerPart extends Part {
     `;
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.recolour);
-  }
-
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.recolour);
-    this.observer.disconnect();
-    this.drawing?.free();
-    this.drawing = undefined;
     this.drawn = undefined;
-  }
-
-  protected override firstUpdated(): void {
-    this.canvas().addEventListener("wheel", (event) => this.drawing?.wheel(event), { passive: false });
   }
 
   protected override updated(_changed: PropertyValues): void {
@@ -76,10 +52,6 @@ class ViewerPart extends Part {
     this.drawn = this.viewed;
   }
 
-  private canvas(): HTMLCanvasElement {
-    return this.querySelector("canvas") as HTMLCanvasElement;
-  }
-
   private says(): string {
     const { kind, kinds, units, dialect } = this.viewed.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
@@ -96,12 +68,6 @@ class ViewerPart extends Part {
     const rate = feed[index] as number;
     const words = [kinds[kind[index] as number], `to ${place.join(" ")}`, Number.isNaN(rate) ? "" : `at ${rate}`];
     return `Line ${(line[index] as number) + 1}: ${words.filter(Boolean).join(" ")}`;
-  }
-
-  private turn(name: (typeof VIEWS)[number]): void {
-    this.look = name;
-    this.drawing?.use((view) => view.look(name));
-    this.requestUpdate();
   }
 
   private down(event: PointerEvent): void {

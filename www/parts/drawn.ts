@@ -1,0 +1,54 @@
+import { html, type TemplateResult } from "lit";
+import { type Drawing, VIEWS } from "./drawing.js";
+import { Part } from "./part.js";
+
+/** A part with a large picture: its views and zoom, and what its canvas needs while it is there. */
+export abstract class DrawnPart extends Part {
+  protected drawing?: Drawing;
+  protected look: (typeof VIEWS)[number] = "top";
+  protected readonly observer = new ResizeObserver(() => this.drawing?.dress());
+  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private readonly recolour = () => this.drawing?.dress();
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.dark.addEventListener("change", this.recolour);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.dark.removeEventListener("change", this.recolour);
+    this.observer.disconnect();
+    this.drawing?.free();
+    this.drawing = undefined;
+  }
+
+  protected override firstUpdated(): void {
+    this.canvas().addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+  }
+
+  protected wheel(event: WheelEvent): void {
+    this.drawing?.wheel(event);
+  }
+
+  protected canvas(): HTMLCanvasElement {
+    return this.querySelector("canvas") as HTMLCanvasElement;
+  }
+
+  /** The tools above the picture. */
+  protected tools(label: string): TemplateResult {
+    return html`<div class="tools" role="toolbar" aria-label=${label}>
+        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
+        <span class="gap"></span>
+        <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
+        <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
+        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
+      </div>`;
+  }
+
+  private turn(name: (typeof VIEWS)[number]): void {
+    this.look = name;
+    this.drawing?.use((view) => view.look(name));
+    this.requestUpdate();
+  }
+}
