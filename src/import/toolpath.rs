@@ -456,7 +456,8 @@ impl Reader {
         let mut checker = Checker::default();
         let mut say = |count: Count, code: &str, what: &str| {
             if count.times > 0 {
-                checker.warning(code, "", format!("{what}: {} times, the first in line {}", count.times, count.first + 1));
+                let times = if count.times == 1 { "once,".to_owned() } else { format!("{} times, the first", count.times) };
+                checker.warning(code, "", format!("{what}: {times} in line {}", count.first + 1));
             }
         };
         say(

@@ -153,7 +153,9 @@ impl Painter {
             self.handle(camera.pixel(origin), direction);
         }
         self.axes(scene, camera);
-        self.scale_bar(camera);
+        if scene.metric {
+            self.scale_bar(camera);
+        }
     }
 
     /// Draws arrows from one origin.

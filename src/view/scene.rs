@@ -119,6 +119,8 @@ pub struct Scene {
     pub ends: Vec<Spot>,
     /// What else must be in sight: arcs beyond their ends.
     pub beyond: Vec<Spot>,
+    /// Whether a unit of the scene is known to be a millimetre: else no scale is drawn.
+    pub metric: bool,
     /// Radius of the ball, mm.
     pub radius: f64,
     /// The work origin.
@@ -198,6 +200,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         touches: touches.collect(),
         ends: path.moves.iter().map(|m| spot(m.to)).collect(),
         beyond: Vec::new(),
+        metric: true,
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
@@ -221,6 +224,8 @@ pub struct Moves<'a> {
     pub arcs: &'a [[f64; 5]],
     /// The plane of the arcs.
     pub plane: Plane,
+    /// Millimetres in a unit of the program, where it says its units.
+    pub scale: Option<f64>,
 }
 
 /// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
@@ -233,10 +238,11 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
     let mut arcs = moves.arcs.iter().peekable();
     let mut from = Vec3::NAN;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
-        let end = Vec3::from_slice(to);
+        let scale = moves.scale.unwrap_or(1.0);
+        let end = Vec3::from_slice(to) * scale;
         let arc = arcs
             .next_if(|arc| arc[0] == index as f64)
-            .map(|[_, a, b, c, sweep]| crate::path::Arc { center: Vec3::new(*a, *b, *c), sweep: sweep.to_radians() });
+            .map(|[_, a, b, c, sweep]| crate::path::Arc { center: Vec3::new(*a, *b, *c) * scale, sweep: sweep.to_radians() });
         if from.is_finite() && end.is_finite() {
             let stroke = match kind {
                 0 => Stroke::Position,
@@ -261,6 +267,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
         touches: Vec::new(),
         ends,
         beyond,
+        metric: moves.scale.is_some(),
         radius: 0.0,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
@@ -424,6 +431,21 @@ fn length(a: Spot) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
+    #[test]
+    fn a_program_in_inch_is_seen_in_millimetres() {
+        let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
+        let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0]];
+        let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
+        let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
+        let top = program(&moves, Projection::Top);
+        assert!(top.metric && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
+        let front = program(&moves, Projection::Front);
+        assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
+        assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
+        assert!(!program(&Moves { scale: None, ..moves }, Projection::Top).metric);
+    }
 
     #[test]
     fn seen_from_the_top_the_abscissa_goes_right_in_every_plane() {

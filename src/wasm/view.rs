@@ -313,7 +313,8 @@ impl View {
     }
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
-        let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane };
+        let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
+        let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane, scale };
         Shown { scene: scene::program(&moves, self.projection), what: What::Program(path) }
     }
 

@@ -43,7 +43,7 @@ test("a program of another hand was refused: its moves are drawn, probing told a
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
   assert.match(await textOf(viewer.locator("p[role=status]")), /6 moves, 1 of them probing; mm; read as ISO/);
-  assert.match(await textOf(viewer.locator(".notes")), /not followed: 1 times, the first in line 8/);
+  assert.match(await textOf(viewer.locator(".notes")), /not followed: once, in line 8/);
   assert.match(await textOf(page.locator(".note")), /Its moves are drawn/);
   await viewer.getByRole("button", { name: "front" }).click();
   assert.deepEqual(await painted(), { touch: true, link: true, position: true });
