@@ -466,7 +466,7 @@ impl Expr {
     fn evaluate(&self, given: &Given<'_>, out: &mut Dual) {
         match self {
             Expr::Number(x) | Expr::Length(x) => *out = Dual::constant(*x),
-            Expr::Variable(index) => out.clone_from(&given.values[*index]),
+            Expr::Variable(index) => *out = given.values[*index],
             Expr::Trigger { touch, axis } => {
                 *out = Dual::constant(given.triggers[*touch].map_or(f64::NAN, |t| t[*axis]));
                 out.by_touch[*touch] = given.directions[*touch][*axis];

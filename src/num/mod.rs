@@ -33,7 +33,7 @@ pub enum Digits {
         /// How many count.
         len: u8,
     },
-    /// One that is too long for that, or that only the library rounds.
+    /// One that is too long for that, or that only whole numbers round rightly.
     Long(Box<str>),
 }
 
@@ -157,8 +157,7 @@ pub fn in_full(value: f64) -> String {
 
 fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     if !value.is_finite() {
-        let infinite = if value > 0.0 { "inf" } else { "-inf" };
-        return text.push_str(if value.is_nan() { "NaN" } else { infinite });
+        return text.push_str(not_finite(value));
     }
     let size = value.abs();
     let usual = size == 0.0 || (1e-4..1e16).contains(&size);
@@ -222,8 +221,19 @@ fn scaled(value: f64, power: usize) -> Whole {
     whole.without((-exponent).max(0) as usize)
 }
 
+/// What is no number is said, and never a number in its place.
+fn not_finite(value: f64) -> &'static str {
+    if value.is_nan() {
+        return "NaN";
+    }
+    if value > 0.0 { "inf" } else { "-inf" }
+}
+
 /// By whole numbers, which round the exact value.
 fn exactly(value: f64, places: usize) -> String {
+    if !value.is_finite() {
+        return not_finite(value).to_owned();
+    }
     let digits = scaled(value.abs(), places).digits();
     let negative = value < 0.0 && !digits.is_empty();
     let digits = format!("{digits:0>width$}", width = places + 1);
@@ -319,6 +329,9 @@ mod tests {
             assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
             assert_eq!(exactly(value, places), library(value, places), "{value:?} {places}");
             quick += u32::from(whole(value, places).is_some());
+        }
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(exactly(value, 4), library(value, 4), "what is no number is said");
         }
         for value in [0.0, -0.0, 1.0, -1.0, 0.1, 9.999_99, 99_999.999_95, 1e15, 1e22, 5e-324, -0.000_05, 0.5, 1.5, 2.5] {
             for places in 0..14 {
