@@ -42,7 +42,7 @@ fn code(value: &JsValue, out: &mut (Vec<f64>, String)) {
         out.0.extend([5.0, f64::from(items.length())]);
         items.iter().for_each(|item| code(&item, out));
     } else {
-        let keys = Object::keys(value.unchecked_ref());
+        let keys = Object::keys(value.unchecked_ref::<Object>());
         out.0.extend([6.0, f64::from(keys.length())]);
         for key in keys.iter().map(|key| key.as_string().expect("keys are texts")) {
             out.0.push(length(&key));
