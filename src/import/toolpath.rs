@@ -504,22 +504,21 @@ fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = line.get(at) == Some(&b'-');
     let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
     let rest = line.get(first..)?;
-    let (mut mantissa, mut i) = (0u64, 0);
-    let digits_from = |mut i: usize, mantissa: &mut u64| {
-        while i < rest.len() && rest[i].is_ascii_digit() {
-            *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(rest[i] - b'0'));
-            i += 1;
+    let (mut mantissa, mut digits, mut point) = (0u64, 0, usize::MAX);
+    let mut i = 0;
+    for b in rest {
+        let digit = b.wrapping_sub(b'0');
+        if digit < 10 {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+            digits += 1;
+        } else if *b == b'.' && point == usize::MAX {
+            point = digits;
+        } else {
+            break;
         }
-        i
-    };
-    i = digits_from(i, &mut mantissa);
-    let (mut digits, mut decimals) = (i, 0);
-    if i < rest.len() && rest[i] == b'.' {
-        let end = digits_from(i + 1, &mut mantissa);
-        decimals = end - i - 1;
-        digits += decimals;
-        i = end;
+        i += 1;
     }
+    let decimals = if point == usize::MAX { 0 } else { digits - point };
     if digits == 0 {
         return None;
     }

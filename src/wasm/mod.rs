@@ -164,7 +164,11 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
         let message = "A program is read as iso or as sinumerik";
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)], message));
     }
-    let path = toolpath::read_program(&String::from_utf8_lossy(text), known);
+    // JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
+    let path = match std::str::from_utf8(text) {
+        Ok(text) => toolpath::read_program(text, known),
+        Err(_) => toolpath::read_program(&String::from_utf8_lossy(text), known),
+    };
     let columns = Object::new();
     set(&columns, "dialect", &JsValue::from_str(path.dialect));
     let units = path.metric.map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
