@@ -87,6 +87,10 @@ pub const CODES: &[(&str, &str)] = &[
         "places-computed",
         "A program goes to places that the control computes: they are not known here, until a number is given.",
     ),
+    (
+        "places-transformed",
+        "A program shifts, turns, mirrors or scales its system: that is not followed, and later places are as written.",
+    ),
     ("plane-from-dump", "The plane was found from the points of a dump."),
     ("plane-unknown", "The points of a dump fit several planes, or none."),
     ("plane-unsupported", "The control takes no program for this plane."),

@@ -41,8 +41,8 @@ pub struct Toolpath {
     pub feed: Vec<f64>,
     /// The 0-based line of each move.
     pub line: Vec<u32>,
-    /// The arcs: index of the move, centre, and degrees counter-clockwise seen against the axis of the plane.
-    pub arcs: Vec<[f64; 5]>,
+    /// The arcs: index of the move, centre, degrees counter-clockwise seen against the axis of their plane, and that plane: 17, 18 or 19.
+    pub arcs: Vec<[f64; 6]>,
     /// The plane that the program chose first.
     pub plane: Plane,
     /// What was passed over.
@@ -97,11 +97,10 @@ fn guessed(text: &str) -> &'static str {
         {
             continue;
         }
-        let code = String::from_utf8_lossy(line.split(|b| *b == b';').next().unwrap_or_default());
-        if ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A", "$P", "DEF ", "MSG(", "CYCLE", "CR="]
-            .iter()
-            .any(|word| code.contains(word))
-        {
+        // A comment may say anything.
+        let code = String::from_utf8_lossy(line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default());
+        let calls = line.starts_with(b"MSG(") || line.starts_with(b"CYCLE");
+        if calls || ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A", "$P", "DEF ", "CR="].iter().any(|word| code.contains(word)) {
             return DIALECTS[1];
         }
     }
@@ -146,6 +145,8 @@ struct Block {
     elsewhere: bool,
     /// Its places are of the machine: where that is in the work system is not known.
     machine: bool,
+    /// Its feed, or the time of a dwell.
+    feed: Option<f64>,
     /// Something in it is not a word.
     strange: bool,
 }
@@ -160,6 +161,7 @@ const EMPTY: Block = Block {
     once: None,
     elsewhere: false,
     machine: false,
+    feed: None,
     strange: false,
 };
 
@@ -170,15 +172,27 @@ struct Count {
     first: usize,
 }
 
+/// What stays in force from block to block.
+#[derive(Clone, Copy)]
+struct Modes {
+    motion: Motion,
+    absolute: bool,
+    centers_absolute: bool,
+    plane: Option<Plane>,
+}
+
 struct Reader {
     path: Toolpath,
     line: usize,
     sinumerik: bool,
     place: [f64; 3],
-    motion: Motion,
-    absolute: bool,
-    centers_absolute: bool,
+    modes: Modes,
+    /// The plane that was chosen first.
     plane: Option<Plane>,
+    /// Between `sub` and `endsub`: what stands there runs where it is called.
+    inside: bool,
+    /// Behind the end of the program.
+    ended: bool,
     /// Units of the path in a unit that the program has now.
     scale: f64,
     feed: f64,
@@ -187,6 +201,7 @@ struct Reader {
     from_unknown: Count,
     arcs_unsolved: Count,
     machine: Count,
+    transformed: Count,
 }
 
 impl Reader {
@@ -205,10 +220,10 @@ impl Reader {
             line: 0,
             sinumerik: dialect == DIALECTS[1],
             place: [f64::NAN; 3],
-            motion: Motion::Rapid,
-            absolute: true,
-            centers_absolute: false,
+            modes: Modes { motion: Motion::Rapid, absolute: true, centers_absolute: false, plane: None },
             plane: None,
+            inside: false,
+            ended: false,
             scale: 1.0,
             feed: f64::NAN,
             skipped: Count::default(),
@@ -216,29 +231,30 @@ impl Reader {
             from_unknown: Count::default(),
             arcs_unsolved: Count::default(),
             machine: Count::default(),
+            transformed: Count::default(),
         }
     }
 
     /// Reads one line.
     fn read(&mut self, line: &[u8]) {
         match line.first() {
-            None | Some(b'%' | b';' | b':') => return,
+            None | Some(b'%' | b';') => return,
+            Some(b'(') if self.ended => return,
+            _ if self.ended => return count(&mut self.skipped, self.line),
             // O words jump, loop and call; alone they number a program.
-            Some(b'O' | b'o') if !self.sinumerik => {
-                let number = line[1..].iter().position(|b| !b.is_ascii_digit()).unwrap_or(line.len() - 1);
-                let alone = line.get(1 + number).is_none_or(|b| b" \t(;".contains(b));
-                let speaks = line[1 + number..].iter().take_while(|b| !b"(;".contains(b)).any(|b| b.is_ascii_alphabetic());
-                if number == 0 || !alone || speaks {
-                    count(&mut self.skipped, self.line);
-                }
-                return;
-            }
+            Some(b'O' | b'o') if !self.sinumerik => return self.o_word(line),
+            _ if self.inside => return,
             // A variable gets a value.
             Some(b'#') => return count(&mut self.skipped, self.line),
             Some(_) => {}
         }
+        let before = self.modes;
         let mut block = EMPTY;
-        let mut at = usize::from(line[0] == b'/');
+        // A block that may be left out, `/2`, and the number of a main block, `:10`.
+        let mut at = usize::from(matches!(line[0], b'/' | b':'));
+        while at > 0 && line.get(at).is_some_and(u8::is_ascii_digit) {
+            at += 1;
+        }
         while at < line.len() {
             match line[at] {
                 b' ' | b'\t' => at += 1,
@@ -258,12 +274,54 @@ impl Reader {
             }
         }
         if block.strange {
-            // Nothing of such a line is a move: it jumps, calls or computes.
+            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known.
+            self.modes = before;
+            self.forget(line);
             return count(&mut self.skipped, self.line);
         }
+        if block.elsewhere {
+            return;
+        }
+        self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
         // Without a place, a centre makes a whole circle back to where it begins.
-        if !block.elsewhere && block.given | block.centered != 0 {
+        if block.given | block.centered != 0 {
             self.moves(&block);
+        } else if block.machine {
+            self.place = [f64::NAN; 3];
+            count(&mut self.machine, self.line);
+        }
+    }
+
+    /// `o<name> sub`, `o1 if`, `O1000`.
+    fn o_word(&mut self, line: &[u8]) {
+        let code = line.split(|b| matches!(b, b'(' | b';')).next().unwrap_or_default();
+        let named = |word: &[u8]| {
+            let mut words = code.split(|b| matches!(b, b' ' | b'\t')).filter(|part| !part.is_empty());
+            words.any(|part| part.eq_ignore_ascii_case(word))
+        };
+        if named(b"sub") {
+            self.inside = true;
+        } else if named(b"endsub") {
+            self.inside = false;
+        }
+        if named(b"call") {
+            self.place = [f64::NAN; 3];
+        }
+        let alone = code.len() > 1 && code[1..].iter().all(|b| b.is_ascii_digit() || b.is_ascii_whitespace());
+        if !alone {
+            count(&mut self.skipped, self.line);
+        }
+    }
+
+    /// The axes that a line names which is not followed are somewhere else afterwards.
+    fn forget(&mut self, line: &[u8]) {
+        for (at, b) in line.iter().enumerate() {
+            let axis = b.to_ascii_uppercase().wrapping_sub(b'X');
+            let begins = at == 0 || !(line[at - 1].is_ascii_alphabetic() || b"_[,".contains(&line[at - 1]));
+            let valued = line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next));
+            if axis < 3 && begins && valued {
+                self.place[usize::from(axis)] = f64::NAN;
+            }
         }
     }
 
@@ -275,6 +333,7 @@ impl Reader {
             next += 1;
         }
         let (word, end) = match line.get(next)? {
+            b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => (Word::Computed, end_of_value(line, next + 1)),
             b'0'..=b'9' | b'.' | b'-' | b'+' => {
                 let (number, end) = number(line, next)?;
                 // `R1=5` gives a variable a value.
@@ -309,12 +368,16 @@ impl Reader {
                 // A centre that is computed makes no arc.
                 block.center[usize::from(axis)] = if let Word::Number(x) = word { x } else { f64::NAN };
             }
-            (b'F', Word::Number(x)) => self.feed = x * self.scale,
+            (b'F', Word::Number(x)) => block.feed = Some(x),
             (b'R', Word::Number(x)) => block.radius = Some(x),
             (b'G', Word::Number(x)) => self.code((x * 10.0 + 0.5) as i32, block),
             (b'G', Word::Computed) => return None,
-            // Another program is called.
-            (b'M', Word::Number(97.0 | 98.0 | 198.0)) => count(&mut self.skipped, self.line),
+            // Another program is called: where the ball is afterwards is not known.
+            (b'M', Word::Number(97.0 | 98.0 | 198.0)) => {
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
+            (b'M', Word::Number(2.0 | 30.0)) => self.ended = true,
             _ => {}
         }
         Some(end)
@@ -341,23 +404,34 @@ impl Reader {
 
     fn code(&mut self, tenths: i32, block: &mut Block) {
         match tenths {
-            0 => self.motion = Motion::Rapid,
-            10 => self.motion = Motion::Straight,
-            20 => self.motion = Motion::Clockwise,
-            30 => self.motion = Motion::Counter,
+            0 => self.modes.motion = Motion::Rapid,
+            10 => self.modes.motion = Motion::Straight,
+            20 => self.modes.motion = Motion::Clockwise,
+            30 => self.modes.motion = Motion::Counter,
             310 if !self.sinumerik => block.once = Some(Motion::Probe),
-            382..=385 => self.motion = Motion::Probe,
+            382..=385 => self.modes.motion = Motion::Probe,
             170 => self.turn(Plane::G17),
             180 => self.turn(Plane::G18),
             190 => self.turn(Plane::G19),
             200 | 210 if !self.sinumerik => self.units(tenths == 210),
-            700 | 710 | 7000 | 7100 if self.sinumerik => self.units(tenths % 1000 != 0 || tenths == 7100),
-            900 => self.absolute = true,
-            910 => self.absolute = false,
-            901 => self.centers_absolute = true,
-            911 => self.centers_absolute = false,
-            // Offsets, dwells and tables are no places to go to.
-            40 | 100 | 520 | 920..=923 => block.elsewhere = true,
+            700 | 710 | 7000 | 7100 if self.sinumerik => self.units(matches!(tenths, 710 | 7100)),
+            900 => self.modes.absolute = true,
+            910 => self.modes.absolute = false,
+            901 => self.modes.centers_absolute = true,
+            911 => self.modes.centers_absolute = false,
+            // Dwells, tables, zones and what the control measures by itself are no places to go to.
+            40 | 100 | 220 | 230 | 370 => block.elsewhere = true,
+            // Nor are shifts, turns, mirrors, scales and polar places; but what comes after them is another place than it says.
+            160 | 510 | 511 | 520 | 680 | 920..=923 if !self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.transformed, self.line);
+            }
+            // A macro is called.
+            650 | 660 | 661 if !self.sinumerik => {
+                block.elsewhere = true;
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
             // A cycle of the control's own moves by itself.
             730 | 740 | 760 | 810..=890 if !self.sinumerik => {
                 block.elsewhere = true;
@@ -370,7 +444,8 @@ impl Reader {
     }
 
     fn turn(&mut self, plane: Plane) {
-        self.plane = Some(plane);
+        self.plane.get_or_insert(plane);
+        self.modes.plane = Some(plane);
     }
 
     fn units(&mut self, metric: bool) {
@@ -383,7 +458,7 @@ impl Reader {
     }
 
     fn moves(&mut self, block: &Block) {
-        let motion = block.once.unwrap_or(self.motion);
+        let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
         for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
             let x = block.places[axis] * self.scale;
@@ -392,7 +467,7 @@ impl Reader {
                 f64::NAN
             } else if block.machine {
                 f64::NAN
-            } else if self.absolute {
+            } else if self.modes.absolute {
                 x
             } else if from[axis].is_nan() {
                 // From where nobody knows: it is counted from 0.
@@ -407,7 +482,14 @@ impl Reader {
         }
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             match self.arc(block, from, motion == Motion::Counter) {
-                Some([a, b, c, sweep]) => self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep]),
+                Some([a, b, c, sweep]) => {
+                    let plane = match self.modes.plane.unwrap_or_default() {
+                        Plane::G17 => 17.0,
+                        Plane::G18 => 18.0,
+                        Plane::G19 => 19.0,
+                    };
+                    self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
+                }
                 None => count(&mut self.arcs_unsolved, self.line),
             }
         }
@@ -424,7 +506,7 @@ impl Reader {
 
     /// Centre and sweep of an arc, in degrees; none where the block does not give one.
     fn arc(&self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
-        let [a, o, _] = self.plane.unwrap_or(Plane::G17).axes();
+        let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
         let (begin, end) = ([from[a], from[o]], [self.place[a], self.place[o]]);
         if begin.iter().chain(&end).any(|x| x.is_nan()) {
             return None;
@@ -433,7 +515,7 @@ impl Reader {
             Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
             None => {
                 let offset = |axis: usize| block.center[axis] * self.scale;
-                if self.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
+                if self.modes.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
             }
         };
         let angle = |at: [f64; 2]| (at[1] - middle[1]).atan2(at[0] - middle[0]).to_degrees();
@@ -447,6 +529,10 @@ impl Reader {
             sweep = if counter { 360.0 } else { -360.0 };
         }
         let out = (begin[0] - middle[0]).hypot(begin[1] - middle[1]);
+        // An end that is not on the circle is an alarm of any control, but for rounding.
+        if ((end[0] - middle[0]).hypot(end[1] - middle[1]) - out).abs() > 0.02 + 0.01 * out {
+            return None;
+        }
         let mut center = [self.place[0], self.place[1], self.place[2]];
         (center[a], center[o]) = (middle[0], middle[1]);
         (out > 0.0 && out.is_finite()).then_some([center[0], center[1], center[2], sweep])
@@ -467,13 +553,18 @@ impl Reader {
         );
         say(self.computed, "places-computed", "Places that the control computes are not known here, until a number is given");
         say(self.machine, "machine-places", "Places in the machine's own system are not known in the work system");
+        say(
+            self.transformed,
+            "places-transformed",
+            "Shifts, turns, mirrors, scales and polar places are not followed: later places are as written",
+        );
         say(self.from_unknown, "start-unknown", "Incremental moves begin where nobody knows: they are counted from 0");
         say(self.arcs_unsolved, "arc-unsolved", "Arcs whose centre or begin is not known are straight here");
         if self.path.metric.is_none() && !self.path.is_empty() {
             checker.info("no-units", "", "The program does not say its units");
         }
         self.path.findings = checker.findings();
-        self.path.plane = self.plane.unwrap_or(Plane::G17);
+        self.path.plane = self.plane.unwrap_or_default();
         self.path
     }
 }

@@ -220,9 +220,9 @@ pub struct Moves<'a> {
     pub to: &'a [f64],
     /// What each is: 0 rapid, 1 at a feed, 2 probing.
     pub kind: &'a [u8],
-    /// The arcs: index of the move, centre, degrees.
-    pub arcs: &'a [[f64; 5]],
-    /// The plane of the arcs.
+    /// The arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
+    pub arcs: &'a [[f64; 6]],
+    /// The plane that it is seen in.
     pub plane: Plane,
     /// Millimetres in a unit of the program, where it says its units.
     pub scale: Option<f64>,
@@ -235,14 +235,18 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
     let mut lines = Vec::with_capacity(moves.kind.len());
     let mut ends = Vec::with_capacity(moves.kind.len());
     let mut beyond = Vec::new();
+    // Sixty to a circle; fewer where there are very many.
+    let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
     let mut arcs = moves.arcs.iter().peekable();
     let mut from = Vec3::NAN;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
         let scale = moves.scale.unwrap_or(1.0);
         let end = Vec3::from_slice(to) * scale;
-        let arc = arcs
-            .next_if(|arc| arc[0] == index as f64)
-            .map(|[_, a, b, c, sweep]| crate::path::Arc { center: Vec3::new(*a, *b, *c) * scale, sweep: sweep.to_radians() });
+        let arc = arcs.next_if(|arc| arc[0] == index as f64).map(|[_, a, b, c, sweep, plane]| {
+            let plane = [Plane::G17, Plane::G18, Plane::G19][(*plane as usize).saturating_sub(17).min(2)];
+            let center = Vec3::new(*a, *b, *c) * scale;
+            (crate::path::Arc { center, sweep: sweep.to_radians() }, plane.basis()[2])
+        });
         if from.is_finite() && end.is_finite() {
             let stroke = match kind {
                 0 => Stroke::Position,
@@ -250,7 +254,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
                 _ => Stroke::Link,
             };
             let mut start = from;
-            let pieces = helix(from, end, arc, basis[2]);
+            let pieces = helix(from, end, arc, most);
             beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
             for piece in pieces {
                 lines.push(Line { from: spot(start), to: spot(piece), stroke, rapid: *kind == 0, index });
@@ -277,10 +281,10 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
     }
 }
 
-/// The ends of the straight pieces of a move: an arc, or a helix, in pieces of at most six degrees.
-fn helix(from: Vec3, end: Vec3, arc: Option<crate::path::Arc>, up: Vec3) -> Vec<Vec3> {
-    let Some(arc) = arc else { return vec![end] };
-    let count = (arc.sweep.abs().to_degrees() / 6.0).ceil().max(1.0) as usize;
+/// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
+fn helix(from: Vec3, end: Vec3, arc: Option<(crate::path::Arc, Vec3)>, most: usize) -> Vec<Vec3> {
+    let Some((arc, up)) = arc else { return vec![end] };
+    let count = (arc.sweep.abs() / std::f64::consts::TAU * most as f64).ceil().max(1.0) as usize;
     let out = from - arc.center;
     let (flat, rise) = (out - up * out.dot(up), (end - from).dot(up));
     let across = up.cross(flat);
@@ -436,7 +440,7 @@ mod tests {
     #[test]
     fn a_program_in_inch_is_seen_in_millimetres() {
         let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
-        let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0]];
+        let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
         let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
         let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
         let top = program(&moves, Projection::Top);

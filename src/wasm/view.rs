@@ -95,6 +95,9 @@ impl View {
     /// Shows the moves of any program, as `readProgram` reads it.
     #[wasm_bindgen(js_name = showProgram)]
     pub fn show_program(&mut self, text: &str) {
+        if text.len() > crate::import::toolpath::LONGEST_PROGRAM {
+            return;
+        }
         let path = read_program(text, None);
         self.shown = Some(self.of_program(Rc::new(path)));
         self.fit();

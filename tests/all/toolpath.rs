@@ -116,8 +116,9 @@ T1 M5 S100
             assert!(wanted.kind == "rapid" || (path.feed[i] - wanted.feed).abs() < 1e-3, "{shown}");
             let arc = path.arcs.iter().find(|arc| arc[0] == i as f64);
             assert_eq!(arc.is_some(), wanted.arc.is_some(), "{shown}");
-            if let (Some([_, x, y, z, sweep]), Some((center, counter))) = (arc, wanted.arc) {
+            if let (Some([_, x, y, z, sweep, own]), Some((center, counter))) = (arc, wanted.arc) {
                 assert!(near([*x, *y, *z], center) && (*sweep > 0.0) == counter, "{arc:?} {shown}");
+                assert_eq!(*own, 17.0 + plane as f64);
                 arcs += 1;
             }
             moves += 1;
@@ -187,10 +188,10 @@ fn a_sinumerik_is_known_by_its_words() {
 fn arcs_come_with_centre_and_degrees() {
     let path = read_program("G21 G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100\nG2 X10 Y0 R10\nG2 X10 Y0 I-10\nG91 G1 X1\n", None);
     assert_eq!(path.arcs.len(), 3);
-    let near = |a: [f64; 5], b: [f64; 5]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
-    assert!(near(path.arcs[0], [1.0, 0.0, 0.0, 0.0, 90.0]), "{:?}", path.arcs);
-    assert!(near(path.arcs[1], [2.0, 0.0, 0.0, 0.0, -90.0]), "{:?}", path.arcs);
-    assert!(near(path.arcs[2], [3.0, 0.0, 0.0, 0.0, -360.0]), "{:?}", path.arcs);
+    let near = |a: [f64; 6], b: [f64; 6]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    assert!(near(path.arcs[0], [1.0, 0.0, 0.0, 0.0, 90.0, 17.0]), "{:?}", path.arcs);
+    assert!(near(path.arcs[1], [2.0, 0.0, 0.0, 0.0, -90.0, 17.0]), "{:?}", path.arcs);
+    assert!(near(path.arcs[2], [3.0, 0.0, 0.0, 0.0, -360.0, 17.0]), "{:?}", path.arcs);
     assert_eq!(path.end(4).x, 11.0);
 }
 
@@ -227,4 +228,58 @@ fn hostile_texts_are_read() {
         }
     }
     assert_eq!(said(&read_program("G91 G1 X1\n", None)), ["start-unknown", "no-units"]);
+}
+
+/// The end of each program's moves, and what was said: each of these was read as something that it is not.
+#[test]
+fn words_that_are_no_moves_were_read_as_moves() {
+    let unknown = [f64::NAN; 3];
+    let known = |x: f64, y: f64, z: f64| [x, y, z];
+    type Case<'a> = (&'a str, usize, [f64; 3], &'a [&'a str]);
+    let cases: &[Case<'_>] = &[
+        // A macro's arguments, and where it leaves the ball.
+        ("G65 P9811 Z-5. F300\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        ("M98 P100\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        ("o<probe> call [1]\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        // Other systems.
+        ("G68 X0 Y0 R45\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        ("G51.1 X0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        ("G92 X0 Y0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        // To the reference point, all axes or those that are named.
+        ("G28\nX1", 2, known(1.0, f64::NAN, f64::NAN), &["machine-places"]),
+        ("G91 G28 Z0\nG90 X1", 3, known(1.0, 10.0, f64::NAN), &["machine-places"]),
+        // A line that is not followed, with places in it.
+        ("Z-#5\nX2", 3, known(2.0, 10.0, f64::NAN), &["places-computed"]),
+        ("Z[#5+1] IF\nX2", 2, known(2.0, 10.0, f64::NAN), &["lines-skipped"]),
+        // What stands in a subroutine runs where it is called; what stands behind the end does not run.
+        ("o<s> sub\nG1 Z-50\no<s> endsub\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
+        ("M30\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        // Blocks that may be left out, and main blocks.
+        ("/2 X3", 2, known(3.0, 10.0, 10.0), &[]),
+        (":10 X3", 2, known(3.0, 10.0, 10.0), &[]),
+        // An end that is not on its circle.
+        ("G2 X20 Y10 I1 J0", 2, known(20.0, 10.0, 10.0), &["arc-unsolved"]),
+    ];
+    for (text, moves, end, said_of_it) in cases {
+        let path = read_program(&format!("G21 G90\nG0 X10 Y10 Z10\n{text}\n"), None);
+        assert_eq!(path.len(), *moves, "{text}: {:?}", places(&path));
+        let last = *places(&path).last().unwrap_or(&unknown);
+        let same = (0..3).all(|axis| last[axis] == end[axis] || (last[axis].is_nan() && end[axis].is_nan()));
+        assert!(same, "{text}: {last:?}");
+        assert_eq!(said(&path), *said_of_it, "{text}");
+    }
+}
+
+#[test]
+fn what_is_said_beside_a_motion_is_no_feed_no_mode_and_no_dialect() {
+    let dwell = read_program("G71\nG1 X1 F1000\nG4 F2\nX5\n", Some("sinumerik"));
+    assert_eq!(dwell.feed, [1000.0, 1000.0], "the time of a dwell");
+    let jump = read_program("G21 G90\nG1 X1 F1000\nG0 G91 GOTO 5\nX5\n", None);
+    assert_eq!((kinds(&jump), jump.end(1).x), (vec!["feed", "feed"], 5.0), "nothing of a line that is not followed stays");
+    assert_eq!(read_program("G70\nG1 X1\n", Some("sinumerik")).metric, Some(false));
+    assert_eq!(read_program("G71\nX1\nG70\nX1\n", Some("sinumerik")).end(1).x, 25.4);
+    let comment = read_program("%\nO1 (A)\nG21 G90\nT1 M6 (PROBE CYCLE TEST)\nG0 X1 Y1 Z1\nG31 Z-5 F100\n", None);
+    assert_eq!((comment.dialect, kinds(&comment)), ("iso", vec!["rapid", "probe"]), "a comment may say anything");
+    let planes = read_program("G21\nG17\nG0 X0 Y0 Z0\nG2 X10 Y0 I5 J0\nG18\nG2 X20 Z0 I5 K0\n", None);
+    assert_eq!((planes.plane.word(), planes.arcs[0][5], planes.arcs[1][5]), ("G17", 17.0, 18.0));
 }

@@ -63,6 +63,27 @@ test("a program of another hand was refused: its moves are drawn, probing told a
   await viewer.waitFor();
 });
 
+test("a shorter program after a longer one left the picture of the first: what was pointed at is forgotten", async () => {
+  const long = `G21 G90\nG0 X0 Y0 Z0\n${Array.from({ length: 40 }, (_, i) => `G1 X${i} Y${i % 2 ? 20 : 0} F100`).join("\n")}\nM2\n`;
+  await openText(long, "long.ngc");
+  const viewer = page.locator("tp-viewer");
+  await viewer.waitFor();
+  const box = await viewer.locator("canvas").boundingBox();
+  assert.ok(box);
+  const told = () => textOf(viewer.locator("p[role=status]"));
+  for (let x = box.width - 10; x > 0 && !(await told()).startsWith("Line"); x -= 8) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+  }
+  assert.match(await told(), /^Line \d\d:/, "a move that the next program has not");
+  await openText("G21 G90\nG0 X0 Y0 Z0\nG38.2 X5 F50\nM2\n", "short.ngc");
+  await page.waitForFunction(() => {
+    const app = document.querySelector("touchpath-app");
+    return app?.shadowRoot
+      ?.querySelector("tp-viewer p[role=status]")
+      ?.textContent?.startsWith("2 moves, 1 of them probing");
+  });
+});
+
 test("a file that is dropped on the page was opened by the browser in its place", async () => {
   await page.locator("tp-form").evaluate((target, text) => {
     const dataTransfer = new DataTransfer();

@@ -214,7 +214,11 @@ export function dress(raw: Raw, instance: Instance): Api {
       return { ...{ job: json as Job }, ...imported };
     },
     readProgram: (text, dialect) => {
-      const length = typeof text === "string" ? text.length : 0;
+      if (typeof text !== "string") {
+        const message = "A program is text";
+        throw new JobError(message, [{ level: "error", code: "wrong-type", path: "", message }]);
+      }
+      const { length } = text;
       const bytes = new TextEncoder().encode(length > 0 && length <= LONGEST_PROGRAM ? text : "");
       const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
       return { ...moves, kinds: ["rapid", "feed", "probe"] };

@@ -32,7 +32,7 @@ export interface ProgramMoves {
   feed: Float64Array;
   /** The 0-based line of each move. */
   line: Uint32Array;
-  /** Five numbers an arc: index of its move, centre X, Y, Z, and degrees, counter-clockwise positive. */
+  /** Six numbers an arc: index of its move, centre X, Y, Z, degrees, counter-clockwise positive, and its plane: 17, 18 or 19. */
   arcs: Float64Array;
   /** `rapid`, `feed`, `probe`. */
   kinds: string[];

@@ -191,7 +191,12 @@ class App extends LitElement {
   /** A file too large for a job is not even read. */
   private async takeFile(file: File): Promise<void> {
     if (file.size > this.store.longest) this.tell(this.store.tooLong(file.size, "file"));
-    else this.take(await file.text());
+    else {
+      // A folder can be dropped, too.
+      const text = await file.text().catch(() => null);
+      if (text === null) this.tell("This file cannot be read");
+      else this.take(text);
+    }
   }
 
   /** A file may be dropped anywhere: a job, a dump, a program. */
@@ -247,7 +252,8 @@ class App extends LitElement {
       ["no-job-in-program", "not-understood", "nothing-to-import"].includes(f.code),
     );
     const moves = program ? readProgram(text) : null;
-    if (!moves || moves.kind.length === 0) return false;
+    // One move from nowhere is nothing to see.
+    if (!moves || moves.kind.length < 2) return false;
     this.viewed = { text, moves };
     this.use("viewer");
     this.tell(`${why.message}. Its moves are drawn`);

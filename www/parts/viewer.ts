@@ -5,7 +5,7 @@ import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
 class ViewerPart extends DrawnPart {
-  viewed!: { text: string; moves: ProgramMoves };
+  declare viewed: { text: string; moves: ProgramMoves };
   protected override follows: string[] = [];
   private drawn?: object;
   private pointed: number | null = null;
@@ -34,6 +34,10 @@ class ViewerPart extends DrawnPart {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.drawn = undefined;
+  }
+
+  protected override willUpdate(changed: PropertyValues): void {
+    if (changed.has("viewed")) this.pointed = null;
   }
 
   protected override updated(_changed: PropertyValues): void {
