@@ -67,9 +67,7 @@ const native = new Map(
     }),
 );
 
-console.log(
-  "\nReading a program back and proving it, natively: by the time of printing it (under 2), rules by the same",
-);
+console.log("\nReading a program back and proving it, natively: by the time of printing it; rules by the same");
 for (const name of Object.keys(jobs)) {
   const [print, prove, rules] = ["print", "prove", "rules"].map(
     (stage) => native.get(`  ${stage}: ${name}`) ?? Number.NaN,
