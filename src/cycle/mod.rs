@@ -107,7 +107,7 @@ pub trait Cycle {
     fn turned_error(&self, code: &str) -> Option<&'static str>;
 }
 
-/// In place of a supertrait, which would keep every field of every form printable: in WebAssembly that is 4 kB that nobody calls.
+/// In place of a supertrait, which would keep every field of every form printable: in WebAssembly that is 4 kB of unused code.
 impl std::fmt::Debug for dyn Cycle {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str("Cycle")

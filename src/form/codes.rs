@@ -89,7 +89,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "places-transformed",
-        "A program shifts, turns, mirrors or scales its system: that is not followed, and later places are as written.",
+        "A program shifts, turns, mirrors or scales its system, or takes another work offset: that is not followed, and later places are as written.",
     ),
     ("plane-from-dump", "The plane was found from the points of a dump."),
     ("plane-unknown", "The points of a dump fit several planes, or none."),
@@ -119,7 +119,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("short-arc", "1411: over so short an arc the centre is uncertain."),
     ("small-hole", "1411: the hole is smaller than the set-up clearance; the control asks, and starts from its centre."),
     ("start-in-feature", "The path would begin and end inside the feature; the message says the least feed distance."),
-    ("start-unknown", "Incremental moves of a program begin where nobody knows: they are counted from 0."),
+    ("start-unknown", "Incremental moves of a program begin at a place that is not known: they are counted from 0."),
     ("starts-disagree", "Picked touches and their clearances put the one start of the cycle at several places."),
     ("stylus-from-dump", "The ball's diameter was found from the used and the original points of a dump."),
     ("text-too-long", "The text is longer than is read."),

@@ -189,6 +189,8 @@ struct Reader {
     modes: Modes,
     /// The plane that was chosen first.
     plane: Option<Plane>,
+    /// The work offset that was selected first: ten times its code.
+    offset: Option<i32>,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
     inside: bool,
     /// Behind the end of the program.
@@ -222,6 +224,7 @@ impl Reader {
             place: [f64::NAN; 3],
             modes: Modes { motion: Motion::Rapid, absolute: true, centers_absolute: false, plane: None },
             plane: None,
+            offset: None,
             inside: false,
             ended: false,
             scale: 1.0,
@@ -426,17 +429,14 @@ impl Reader {
                 block.elsewhere = true;
                 count(&mut self.transformed, self.line);
             }
-            // A macro is called.
-            650 | 660 | 661 if !self.sinumerik => {
+            // A macro that is called, or a cycle of the control's own, moves by itself: where to is not known.
+            650 | 660 | 661 | 730 | 740 | 760 | 810..=890 if !self.sinumerik => {
                 block.elsewhere = true;
                 self.place = [f64::NAN; 3];
                 count(&mut self.skipped, self.line);
             }
-            // A cycle of the control's own moves by itself.
-            730 | 740 | 760 | 810..=890 if !self.sinumerik => {
-                block.elsewhere = true;
-                count(&mut self.skipped, self.line);
-            }
+            // One work offset is what all is seen in; another one lies elsewhere.
+            540..=599 if *self.offset.get_or_insert(tenths) != tenths => count(&mut self.transformed, self.line),
             280 | 300 | 530 | 1530 => block.machine = true,
             740 | 750 if self.sinumerik => block.machine = true,
             _ => {}
@@ -470,7 +470,7 @@ impl Reader {
             } else if self.modes.absolute {
                 x
             } else if from[axis].is_nan() {
-                // From where nobody knows: it is counted from 0.
+                // The begin is not known: it is counted from 0.
                 count(&mut self.from_unknown, self.line);
                 x
             } else {
@@ -556,9 +556,13 @@ impl Reader {
         say(
             self.transformed,
             "places-transformed",
-            "Shifts, turns, mirrors, scales and polar places are not followed: later places are as written",
+            "Shifts, turns, mirrors, scales, polar places and other work offsets are not followed: later places are as written",
         );
-        say(self.from_unknown, "start-unknown", "Incremental moves begin where nobody knows: they are counted from 0");
+        say(
+            self.from_unknown,
+            "start-unknown",
+            "Incremental moves begin at a place that is not known: they are counted from 0",
+        );
         say(self.arcs_unsolved, "arc-unsolved", "Arcs whose centre or begin is not known are straight here");
         if self.path.metric.is_none() && !self.path.is_empty() {
             checker.info("no-units", "", "The program does not say its units");

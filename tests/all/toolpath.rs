@@ -245,6 +245,10 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ("G68 X0 Y0 R45\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
         ("G51.1 X0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
         ("G92 X0 Y0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        ("G54\nX20\nG55\nX30", 3, known(30.0, 10.0, 10.0), &["places-transformed"]),
+        ("G54\nX20\nG54\nX30", 3, known(30.0, 10.0, 10.0), &[]),
+        // A cycle leaves the ball at its retract plane, wherever that is.
+        ("G81 X20 Y20 Z-5 R2 F100\nX30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
         // To the reference point, all axes or those that are named.
         ("G28\nX1", 2, known(1.0, f64::NAN, f64::NAN), &["machine-places"]),
         ("G91 G28 Z0\nG90 X1", 3, known(1.0, 10.0, f64::NAN), &["machine-places"]),

@@ -30,7 +30,7 @@ export class JobError extends Error {
   }
 }
 
-/** Takes what the module hands out: views of its memory, copied before it goes on. */
+/** Copies what the module gives: views of its memory, which do not last. */
 class Sink implements Packed {
   numbers = new Float64Array();
   text = "";

@@ -1,23 +1,17 @@
 import { html, type TemplateResult } from "lit";
 import { type Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
+import { Scheme } from "./scheme.js";
 
 /** A part with a large picture: its views and zoom, and what its canvas needs while it is there. */
 export abstract class DrawnPart extends Part {
   protected drawing?: Drawing;
   protected look: (typeof VIEWS)[number] = "top";
   protected readonly observer = new ResizeObserver(() => this.drawing?.dress());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.drawing?.dress();
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.recolour);
-  }
+  protected readonly scheme = new Scheme(this, () => this.drawing?.dress());
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.recolour);
     this.observer.disconnect();
     this.drawing?.free();
     this.drawing = undefined;

@@ -2,23 +2,17 @@ import { html, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob } from "../core/browser.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
+import { Scheme } from "./scheme.js";
 
 /** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
   private query = "";
   private readonly drawings = new Map<string, Drawing>();
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.paint();
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.recolour);
-  }
+  protected readonly scheme = new Scheme(this, () => this.paint());
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.recolour);
     for (const drawing of this.drawings.values()) drawing.free();
     this.drawings.clear();
   }

@@ -3,6 +3,7 @@ import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lento
 import { parseNumber, type Store } from "../store.js";
 import { Drawing } from "./drawing.js";
 import { copy } from "./hand.js";
+import { Scheme } from "./scheme.js";
 
 const GROUPS: [string, number][] = [
   ["Milling tools (100 to 199)", 120],
@@ -39,8 +40,7 @@ class LentoaxPart extends LitElement {
   private drawing?: Drawing;
   private told = "";
   private readonly observer = new ResizeObserver(() => this.draw());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly recolour = () => this.draw();
+  protected readonly scheme = new Scheme(this, () => this.draw());
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -48,13 +48,11 @@ class LentoaxPart extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.dark.addEventListener("change", this.recolour);
     this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.recolour);
     this.observer.disconnect();
     this.drawing?.free();
     this.drawing = undefined;
