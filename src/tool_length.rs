@@ -10,6 +10,8 @@ use crate::geom::{Plane, Vec3};
 
 /// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
 const PARALLEL: f64 = 1e-9;
+/// What the arithmetic of a frame may leave of a 0 or a ±1 in a matrix that is not parallel as a whole.
+const ROUNDING: f64 = 1e-12;
 
 /// A 3 × 3 matrix by rows, as it is handed out.
 pub type Rows = [[f64; 3]; 3];
@@ -84,13 +86,14 @@ pub fn lentoax(query: &Query) -> Answer {
     read(query.plane.axes().map(|axis| seen.row(axis).to_array()))
 }
 
-/// _AXIND and the status from the matrix. A parallel one is cleared of rounding.
+/// _AXIND and the status from the matrix. A parallel one is cleared of what it is off; any other only of rounding, since one of
+/// its cosines can be all but 1 where the sine beside it is not yet 0.
 fn read(mut matrix: Rows) -> Answer {
-    let near = |x: f64, y: f64| (x - y).abs() <= PARALLEL;
-    let parallel = matrix.iter().flatten().all(|x| near(*x, 0.0) || near(x.abs(), 1.0));
+    let parallel = matrix.iter().flatten().all(|x| (x - x.round()).abs() <= PARALLEL);
+    let off = if parallel { PARALLEL } else { ROUNDING };
     for element in matrix.iter_mut().flatten() {
         let whole = element.round();
-        if near(*element, whole) {
+        if (*element - whole).abs() <= off {
             // Adding 0 makes −0 a 0.
             *element = whole + 0.0;
         }

@@ -17,6 +17,7 @@ import {
 } from "./core/browser.js";
 import { complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
+import { stem } from "./names.js";
 
 export type { Draft } from "./job.js";
 
@@ -31,6 +32,17 @@ type Units = "mm" | "inch";
 /** Measured points as text, by the units they were typed in: read in other units they would be other points. */
 type Points = Record<Units, string>;
 const noPoints = (): Points => ({ mm: "", inch: "" });
+
+/** Everything that a user can change, at a moment. */
+interface Moment {
+  draft: Draft;
+  typed: [string, string][];
+  points: Points;
+  left: [string, Left][];
+}
+
+/** So many steps can be taken back. */
+const MOST_STEPS = 200;
 
 /** What outlives a reload. */
 interface State {
@@ -51,14 +63,22 @@ export class Store extends EventTarget {
   stale = false;
   /** The job that `plan` is of. */
   shown!: Draft;
-  /** The move that is pointed at. */
+  /** The move that is pointed at, or else the one that is pinned. */
   highlight: number | null = null;
+  /** The move that stays lit when the pointer leaves. */
+  private pinned: number | null = null;
+  /** The path of the field that has the focus. */
+  focused: string | null = null;
   /** What the page must say about what it found in the browser's storage. */
   notice = "";
   /** The points that a machine measured for this job. */
   private points = noPoints();
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
+  private past: Moment[] = [];
+  private future: Moment[] = [];
+  /** What the last change was of: further changes of the same belong to the same step. */
+  private changing: string | null = null;
 
   constructor() {
     super();
@@ -103,8 +123,9 @@ export class Store extends EventTarget {
     return steps(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
   }
 
-  /** Sets a value; every keystroke comes through here. */
+  /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
+    this.mark(path);
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
     const keys = steps(path);
@@ -130,6 +151,7 @@ export class Store extends EventTarget {
     const keys = steps(path);
     const last = keys.pop() as string;
     const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
+    this.mark(null);
     if (place) delete (place as Draft)[last];
     this.forget(path);
     this.changed();
@@ -139,6 +161,7 @@ export class Store extends EventTarget {
   choose(type: Cycle["type"]): void {
     const old = this.draft.cycle as Draft;
     if (type === old.type) return;
+    this.mark(null);
     const { units } = this;
     this.left.set(String(old.type), { units, cycle: old, points: this.points });
     const back = this.left.get(type);
@@ -162,6 +185,7 @@ export class Store extends EventTarget {
     (this.draft.part as Draft).sizes = {};
     this.forget("cycle");
     this.forget("part.sizes");
+    this.pinned = null;
     this.highlight = null;
     this.changed();
   }
@@ -169,6 +193,7 @@ export class Store extends EventTarget {
   /** Other units: the values shown are converted, the geometry stays. */
   setUnits(units: Units): void {
     if (units === this.draft.units) return;
+    this.mark(null);
     // Numbers in units that are none cannot be converted: they stay, and now have units.
     const known = this.draft.units === "mm" || this.draft.units === "inch";
     this.draft = known ? (convertUnits(this.draft, units) as unknown as Draft) : { ...this.draft, units };
@@ -177,13 +202,22 @@ export class Store extends EventTarget {
   }
 
   /** Takes a whole job, one that fits the form. */
-  load(job: Draft): void {
+  load(job: Draft, measured = ""): void {
+    this.mark(null);
     this.draft = complete(job, this.catalog);
-    this.points = noPoints();
-    for (const left of this.left.values()) left.points = noPoints();
+    this.points = { ...noPoints(), [this.units]: measured };
+    this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
     this.typed.clear();
+    this.pinned = null;
     this.highlight = null;
     this.changed();
+  }
+
+  /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
+  take(job: unknown, measured: string): void {
+    const problem = this.unusable(job);
+    if (problem) throw new JobError(`Nothing was changed: the job of this link cannot be used: ${problem}`, []);
+    this.load(job as Draft, measured);
   }
 
   /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
@@ -208,10 +242,78 @@ export class Store extends EventTarget {
     this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
   }
 
+  /** What is changed next is a step of its own. */
+  settle(): void {
+    this.changing = null;
+  }
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  /** Takes the last step back, whatever it was: a field, a drag, a file, a reset. */
+  undo(): void {
+    this.turn(this.past, this.future);
+  }
+
+  redo(): void {
+    this.turn(this.future, this.past);
+  }
+
+  /** Points at a move; at none, the pinned one stays lit. */
   point(index: number | null): void {
-    if (index === this.highlight) return;
-    this.highlight = index;
+    const lit = index ?? this.pinned;
+    if (lit === this.highlight) return;
+    this.highlight = lit;
     this.dispatchEvent(new Event("highlight"));
+  }
+
+  /** Keeps a move lit, or none. */
+  pin(index: number | null): void {
+    this.pinned = index;
+    this.point(index);
+  }
+
+  /** A field has the focus. */
+  focus(path: string | null): void {
+    if (path === this.focused) return;
+    this.focused = path;
+    this.dispatchEvent(new Event("focus"));
+  }
+
+  /** A number field shows its number again, not the sum that was typed. */
+  tidy(path: string): void {
+    if (this.typed.delete(path)) this.changed();
+  }
+
+  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
+  fieldAt(path: string): FieldEntry | undefined {
+    const plain = path.replace(/\[\d\]$/, "");
+    const keys = plain.split(".");
+    const key = keys.pop();
+    const place = keys.join(".");
+    const { cycle, catalog } = this;
+    if (plain === "cycle.type") return undefined;
+    if (place === "part.sizes") return sizeField(cycle.fields.find((f) => f.key === key));
+    const section =
+      place === "cycle"
+        ? cycle
+        : (cycle.sections.find((s) => `cycle.${s.key}` === place) ?? catalog.sections.find((s) => s.path === place));
+    return section?.fields.find((f) => f.key === key);
+  }
+
+  /** The name of the program's file. */
+  fileName(extension: string): string {
+    return `${stem(this.draft.name)}.${extension}`;
+  }
+
+  /** The name of any other file of this job: the cycle is in it. */
+  otherName(what: string): string {
+    return `${stem(this.draft.name)}-${this.cycle.type}${what}`;
   }
 
   /** What a field holds where the job says nothing, in the job's units. */
@@ -244,7 +346,9 @@ export class Store extends EventTarget {
       this.findings = this.plan.findings;
       this.shown = structuredClone(this.draft);
       this.stale = false;
-      if (this.highlight !== null && this.highlight >= this.plan.moves.length) this.highlight = null;
+      const count = this.plan.moves.length;
+      if (this.pinned !== null && this.pinned >= count) this.pinned = null;
+      if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
     } catch (thrown) {
       this.findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
       this.stale = true;
@@ -277,17 +381,47 @@ export class Store extends EventTarget {
     }
   }
 
+  private moment(): Moment {
+    const { typed, points, left } = this;
+    return { draft: structuredClone(this.draft), typed: [...typed], points: { ...points }, left: [...left] };
+  }
+
+  /** Before a change: what it is of decides whether it can be taken back by itself. */
+  private mark(changing: string | null): void {
+    if (changing !== null && changing === this.changing) return;
+    this.past.push(this.moment());
+    if (this.past.length > MOST_STEPS) this.past.shift();
+    this.future = [];
+    this.changing = changing;
+  }
+
+  private turn(from: Moment[], to: Moment[]): void {
+    const moment = from.pop();
+    if (!moment) return;
+    to.push(this.moment());
+    this.draft = moment.draft;
+    this.typed = new Map(moment.typed);
+    this.points = moment.points;
+    this.left = new Map(moment.left);
+    this.changing = null;
+    this.pinned = null;
+    this.highlight = null;
+    this.changed();
+  }
+
   private forget(prefix: string): void {
     for (const path of [...this.typed.keys()]) if (path.startsWith(prefix)) this.typed.delete(path);
   }
 }
 
-function steps(path: string): string[] {
-  return path.split(/[.[\]]+/).filter(Boolean);
+/** How much a size of the trial part differs. */
+export function sizeField(field: FieldEntry | undefined): FieldEntry | undefined {
+  if (!field) return undefined;
+  const label = `${field.label} differs by`;
+  const help = `How much the real ${field.label.toLowerCase()} is larger (or, negative, smaller) than it should be.`;
+  return { ...field, label, help, default: 0, code: null, usual: null, range: null };
 }
 
-/** A number as a user types it, with point or comma; what is none stays text, and the check will say so. */
-export function parseNumber(text: string): number | string {
-  const plain = text.trim().replace(",", ".");
-  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : text;
+function steps(path: string): string[] {
+  return path.split(/[.[\]]+/).filter(Boolean);
 }

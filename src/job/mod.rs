@@ -18,7 +18,7 @@ mod units;
 pub use defaults::{default_job, default_job_in, resolved};
 pub use examine::{examine, proves, stages};
 pub use lentoax::lentoax_query;
-pub use plan::Planned;
+pub use plan::{Planned, minutes};
 pub use rows::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
 pub use sections::{FORMAT, Job, SECTIONS, Units};
 pub use units::convert_units;

@@ -316,19 +316,30 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
 }
 
 fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
-    let mut length = 0.0;
-    let mut time = 0.0;
-    let mut at = request.path.start;
-    for step in &request.path.moves {
-        if let Some(from) = at {
-            let way = match step.arc {
-                Some(arc) => from.distance(arc.center) * arc.sweep.abs(),
-                None => from.distance(step.to),
-            };
-            length += way;
-            time += way / (job.post.rate)(request, at, step).unwrap_or(RAPID_RATE);
-        }
-        at = Some(step.to);
+    let (mut length, mut time) = (0.0, 0.0);
+    for (way, minutes) in ways(job, request) {
+        length += way;
+        time += minutes;
     }
     (tidy(length / job.scale), tidy(time))
+}
+
+/// How long each move takes, minutes: what the plan's time is the sum of.
+pub fn minutes(planned: &Planned) -> Vec<f64> {
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    let request = request(planned, &feeds, None);
+    ways(&planned.job, &request).map(|(_, minutes)| minutes).collect()
+}
+
+/// The way of each move, mm, and its minutes. The way to a first place that is not said from where counts nothing.
+fn ways<'a>(job: &'a Job, request: &'a Request<'_>) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let mut at = request.path.start;
+    request.path.moves.iter().map(move |step| {
+        let Some(from) = at.replace(step.to) else { return (0.0, 0.0) };
+        let way = match step.arc {
+            Some(arc) => from.distance(arc.center) * arc.sweep.abs(),
+            None => from.distance(step.to),
+        };
+        (way, way / (job.post.rate)(request, Some(from), step).unwrap_or(RAPID_RATE))
+    })
 }

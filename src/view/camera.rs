@@ -15,6 +15,8 @@ pub struct Camera {
 
 /// Room around a fitted scene, pixels: for axes and numbers, and in a small picture without them.
 pub const MARGIN: f64 = 36.0;
+/// The same where dimensions stand around the scene.
+pub const DIMENSION_MARGIN: f64 = 84.0;
 /// The same in a small picture.
 pub const SMALL_MARGIN: f64 = 8.0;
 

@@ -3,7 +3,24 @@
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::Camera;
-use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
+use crate::view::scene::{Arrow, Drawn, Line, Scene, Spot, Stroke, WallShape};
+
+/// What is pointed at and said beside the scene itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Marks<'a> {
+    /// The move that is lit.
+    pub highlight: Option<usize>,
+    /// How much of that move is done, 0 to 1.
+    pub part: f64,
+    /// Whether the trial part lies other than the nominal one.
+    pub deviates: bool,
+    /// The path of the field that has the focus.
+    pub field: Option<&'a str>,
+    /// What a dimension is called, by its field's path.
+    pub names: &'a [(&'static str, String)],
+    /// The name of the work offset.
+    pub origin: &'a str,
+}
 
 /// The colours of a picture, as CSS colours.
 #[derive(Clone, Debug)]
@@ -62,6 +79,12 @@ impl Theme {
 /// Pixels between the strokes of a hatching, and their length.
 const HATCH: f64 = 7.0;
 
+/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
+const STANDS_OFF: [f64; 2] = [46.0, 16.0];
+
+/// Pixels of a touch's disc.
+const DISC: f64 = 9.0;
+
 /// Half the size of a handle in pixels.
 const HANDLE: f64 = 6.0;
 
@@ -78,6 +101,19 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
         [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
     };
     Some([at(start, 18.0), at(start + sweep, 32.0)])
+}
+
+/// The dimensions that are drawn now, each with its ends on the part and the ends of its line, pixels.
+pub fn placed<'a>(scene: &'a Scene, camera: &Camera, focus: Option<&str>) -> Vec<(&'a Drawn, [Spot; 4])> {
+    let shown = scene.dimensions.iter().filter(|d| !d.on_demand || focus == Some(d.field));
+    shown
+        .map(|d| {
+            let [from, to] = d.ends.map(|spot| camera.pixel(spot));
+            let far = d.aside.1 * camera.scale + STANDS_OFF[usize::from(d.on_demand)];
+            let line = [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
+            (d, [from, to, line[0], line[1]])
+        })
+        .collect()
 }
 
 /// A canvas and what is drawn on it.
@@ -107,8 +143,9 @@ impl Painter {
         self.canvas.set_height((height * ratio).round() as u32);
     }
 
-    /// Draws everything. `highlight` is the move that is pointed at.
-    pub fn draw(&self, scene: &Scene, camera: &Camera, highlight: Option<usize>, deviates: bool) {
+    /// Draws everything.
+    pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
         c.set_fill_style_str(&self.theme.background);
@@ -124,9 +161,12 @@ impl Painter {
                 self.line(line, camera, highlight == Some(line.index));
             }
         }
+        if !self.small {
+            self.arrows(scene, camera);
+        }
         self.touches(scene, camera, deviates);
-        if let Some(end) = highlight.and_then(|i| scene.ends.get(i)) {
-            let ball = camera.pixel(*end);
+        if let Some(end) = highlight.and_then(|i| scene.ball(i, marks.part)) {
+            let ball = camera.pixel(end);
             c.set_global_alpha(0.25);
             self.disc(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight);
             c.set_global_alpha(1.0);
@@ -152,7 +192,11 @@ impl Painter {
         if let Some((origin, direction)) = scene.handle {
             self.handle(camera.pixel(origin), direction);
         }
-        self.axes(scene, camera);
+        for (drawn, line) in placed(scene, camera, marks.field) {
+            let name = marks.names.iter().find(|(field, _)| *field == drawn.field).map_or("", |(_, name)| name);
+            self.dimension(line, name, marks.field == Some(drawn.field));
+        }
+        self.axes(scene, camera, marks.origin);
         if scene.metric {
             self.scale_bar(camera);
         }
@@ -205,10 +249,16 @@ impl Painter {
             if i == 0 { c.move_to(p[0], p[1]) } else { c.line_to(p[0], p[1]) }
         }
         c.close_path();
+        // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
+        if wall.faces && !wall.actual {
+            c.set_fill_style_str(&self.theme.background);
+            c.set_global_alpha(0.8);
+            c.fill();
+        }
         c.set_fill_style_str(colour);
-        c.set_global_alpha(0.07);
+        c.set_global_alpha(if wall.faces { 0.2 } else { 0.05 });
         c.fill();
-        c.set_global_alpha(0.55);
+        c.set_global_alpha(if wall.faces { 0.8 } else { 0.35 });
         c.set_stroke_style_str(colour);
         c.set_line_width(1.0);
         self.dash(&[]);
@@ -247,13 +297,14 @@ impl Painter {
     }
 
     fn line(&self, line: &Line, camera: &Camera, highlit: bool) {
-        let (colour, width, alpha) = match line.stroke {
-            Stroke::Position => (&self.theme.position, 2.0, 1.0),
-            Stroke::Link => (&self.theme.link, 1.5, 1.0),
-            Stroke::Touch => (&self.theme.touch, 2.0, 1.0),
-            Stroke::Overtravel => (&self.theme.touch, 1.0, 0.45),
+        // The kind is told by the line first, by the colour second.
+        let (colour, width, alpha, dash): (_, _, _, &[f64]) = match line.stroke {
+            _ if line.rapid => (&self.theme.position, 1.0, 1.0, &[12.0, 5.0]),
+            Stroke::Position => (&self.theme.position, 1.5, 1.0, &[9.0, 4.0, 2.0, 4.0]),
+            Stroke::Link => (&self.theme.link, 1.5, 1.0, &[6.0, 4.0]),
+            Stroke::Touch => (&self.theme.touch, 2.5, 1.0, &[]),
+            Stroke::Overtravel => (&self.theme.touch, 1.5, 0.9, &[1.5, 3.5]),
         };
-        let dash: &[f64] = if line.rapid { &[6.0, 5.0] } else { &[] };
         let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
         self.context.set_global_alpha(alpha);
         if highlit {
@@ -289,8 +340,86 @@ impl Painter {
                 place[0] += 14.0;
             }
             written.push(place);
-            self.label(&(k + 1).to_string(), place);
+            self.disc(place, DISC, &self.theme.touch);
+            c.set_fill_style_str(&self.theme.background);
+            let _ = c.fill_text(&(k + 1).to_string(), place[0], place[1]);
         }
+    }
+
+    /// An arrow head on every move that is long enough for one: of a touch at its contact, of the others on their way.
+    fn arrows(&self, scene: &Scene, camera: &Camera) {
+        for line in scene.lines.iter().filter(|l| l.stroke != Stroke::Overtravel) {
+            let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            let far = dx.hypot(dy);
+            let touch = line.stroke == Stroke::Touch;
+            if far < if touch { 10.0 } else { 36.0 } {
+                continue;
+            }
+            let (ux, uy) = (dx / far, dy / far);
+            let at = if touch { to } else { [from[0] + dx * 0.62, from[1] + dy * 0.62] };
+            let colour = match line.stroke {
+                Stroke::Position => &self.theme.position,
+                Stroke::Link => &self.theme.link,
+                Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
+            };
+            self.head(at, [ux, uy], 9.0, colour);
+        }
+    }
+
+    /// A filled arrow head with its tip at a place.
+    fn head(&self, tip: Spot, [ux, uy]: Spot, size: f64, colour: &str) {
+        let c = &self.context;
+        let back = [tip[0] - ux * size, tip[1] - uy * size];
+        let half = size * 0.42;
+        c.begin_path();
+        c.move_to(tip[0], tip[1]);
+        c.line_to(back[0] - uy * half, back[1] + ux * half);
+        c.line_to(back[0] + uy * half, back[1] - ux * half);
+        c.close_path();
+        c.set_fill_style_str(colour);
+        c.fill();
+    }
+
+    /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
+    fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
+        let c = &self.context;
+        let colour = &self.theme.ball;
+        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
+        let far = dx.hypot(dy).max(1e-9);
+        let (ux, uy) = (dx / far, dy / far);
+        let (ox, oy) = (start[0] - from[0], start[1] - from[1]);
+        let off = ox.hypot(oy).max(1e-9);
+        for (near, line) in [(from, start), (to, end)] {
+            let past = [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0];
+            self.segment(near, past, colour, 0.75, &[]);
+        }
+        self.segment(start, end, colour, if lit { 2.0 } else { 1.0 }, &[]);
+        if far > 22.0 {
+            self.head(start, [-ux, -uy], 8.0, colour);
+            self.head(end, [ux, uy], 8.0, colour);
+        }
+        c.set_font("600 12px system-ui, sans-serif");
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
+        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
+        // An upright dimension is written upright, as on a drawing.
+        let upright = dy.abs() > dx.abs();
+        let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
+        c.save();
+        let _ = c.translate(middle[0], middle[1]);
+        if upright {
+            let _ = c.rotate(-std::f64::consts::FRAC_PI_2);
+        }
+        c.set_fill_style_str(if lit { colour } else { &self.theme.background });
+        c.fill_rect(-width / 2.0, -10.0, width, 20.0);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(1.0);
+        self.dash(&[]);
+        c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
+        c.set_fill_style_str(if lit { &self.theme.background } else { &self.theme.text });
+        let _ = c.fill_text(name, 0.0, 0.0);
+        c.restore();
     }
 
     fn label(&self, text: &str, at: Spot) {
@@ -317,11 +446,39 @@ impl Painter {
         c.stroke_rect(at[0] - HANDLE, at[1] - HANDLE, 2.0 * HANDLE, 2.0 * HANDLE);
     }
 
-    /// The work axes as arrows in the corner, and the work origin as a small cross.
-    fn axes(&self, scene: &Scene, camera: &Camera) {
+    /// The work origin as a quartered disc with the name of its offset, or at the edge of the picture an arrow to it.
+    fn origin(&self, scene: &Scene, camera: &Camera, name: &str) {
+        let c = &self.context;
+        let [width, height] = camera.size;
         let o = camera.pixel(scene.origin);
-        self.segment([o[0] - 5.0, o[1]], [o[0] + 5.0, o[1]], &self.theme.text, 1.0, &[]);
-        self.segment([o[0], o[1] - 5.0], [o[0], o[1] + 5.0], &self.theme.text, 1.0, &[]);
+        let within = |x: f64, size: f64| crate::num::within(x, 14.0, (size - 14.0).max(14.0));
+        let inside = [within(o[0], width), within(o[1], height)];
+        let (dx, dy) = (o[0] - inside[0], o[1] - inside[1]);
+        let away = dx.hypot(dy);
+        c.set_text_align("left");
+        if away > 0.0 {
+            self.head(inside, [dx / away, dy / away], 12.0, &self.theme.text);
+            self.label(name, [inside[0].min(width - 60.0) + 10.0, inside[1].min(height - 30.0) + 16.0]);
+            c.set_text_align("center");
+            return;
+        }
+        self.disc(o, 6.0, &self.theme.background);
+        c.set_fill_style_str(&self.theme.text);
+        for quarter in [0.0, std::f64::consts::PI] {
+            c.begin_path();
+            c.move_to(o[0], o[1]);
+            let _ = c.arc(o[0], o[1], 6.0, quarter, quarter + std::f64::consts::FRAC_PI_2);
+            c.fill();
+        }
+        self.circle(o, 6.0, &self.theme.text, 1.5);
+        self.label(name, [o[0] + 10.0, o[1] + 16.0]);
+        c.set_text_align("center");
+    }
+
+    /// The work axes as arrows in the corner, and the work origin.
+    fn axes(&self, scene: &Scene, camera: &Camera, name: &str) {
+        self.context.set_font("600 12px system-ui, sans-serif");
+        self.origin(scene, camera, name);
         let corner = [34.0, camera.size[1] - 34.0];
         self.context.set_font("600 12px system-ui, sans-serif");
         for (name, direction) in scene.axes {

@@ -1,6 +1,7 @@
 //! The picture: a scene in mm, a camera, and (in a browser) the canvas they are drawn on.
 
 pub mod camera;
+pub mod dimension;
 pub mod scene;
 mod svg;
 

@@ -5,6 +5,7 @@ use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 
 use crate::tool_length::{self, Query};
+use crate::view::dimension::{Dimension, dimensions};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -42,6 +43,14 @@ impl Projection {
             Projection::Side => [Vec3::Y, Vec3::Z],
             Projection::Isometric => [Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(), Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt()],
         }
+    }
+
+    /// The direction towards who looks, in the work coordinate system.
+    fn towards(self, plane: Plane) -> Vec3 {
+        let [right, up] = self.axes();
+        let [a, o, w] = plane.basis();
+        let local = right.cross(up);
+        a * local.x + o * local.y + w * local.z
     }
 
     /// Where a point of the work coordinate system is seen.
@@ -91,6 +100,8 @@ pub struct WallShape {
     pub actual: bool,
     /// Whether it is one strip of a round wall, whose sides are no edges.
     pub strip: bool,
+    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
+    pub faces: bool,
 }
 
 /// One touch.
@@ -104,6 +115,21 @@ pub struct TouchShape {
     pub trigger: Option<Spot>,
     /// Where its number stands: a direction away from the material.
     pub inward: Spot,
+}
+
+/// A dimension in the picture plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// The path of the job's field that says it.
+    pub field: &'static str,
+    /// Its ends on the part.
+    pub ends: [Spot; 2],
+    /// The side on which its line stands, and how far the part goes there, mm.
+    pub aside: (Spot, f64),
+    /// Its length, mm.
+    pub length: f64,
+    /// Whether it is drawn only while its field has the focus.
+    pub on_demand: bool,
 }
 
 /// Everything that is drawn.
@@ -132,6 +158,8 @@ pub struct Scene {
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
     pub spread: Option<(Spot, f64, f64, f64)>,
+    /// The dimensions of the nominal part that are seen in their true length.
+    pub dimensions: Vec<Drawn>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
     pub handle: Option<(Spot, Spot)>,
 }
@@ -154,15 +182,27 @@ pub struct Actual<'a> {
 /// The scene of a path.
 pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.spot(setup.plane, p);
-    let shape = |surface: &Surface, actual: bool| match surface {
-        Surface::Flat(wall) => vec![wall_shape(wall, path.frame.w, &spot, actual)],
-        Surface::Unknown => Vec::new(),
-        Surface::Round(round) => {
-            let shape = |w: &Wall| WallShape { strip: true, ..wall_shape(w, path.frame.w, &spot, actual) };
-            strips(round, path.frame.w, path.frame.u).iter().map(shape).collect()
-        }
+    let towards = view.towards(setup.plane);
+    let far = |wall: &Wall| wall.point.dot(towards);
+    let one = |wall: &Wall, actual: bool, strip: bool| {
+        let shape = wall_shape(wall, path.frame.w, &spot, actual);
+        (far(wall), WallShape { strip, faces: wall.normal.dot(towards) > 0.0, ..shape })
     };
-    let walls = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
+    let shape = |surface: &Surface, actual: bool| match surface {
+        Surface::Flat(wall) => vec![one(wall, actual, false)],
+        Surface::Unknown => Vec::new(),
+        Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().map(|w| one(w, actual, true)).collect(),
+    };
+    let all = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
+    let mut walls: Vec<(f64, WallShape)> = Vec::new();
+    for wall in all {
+        // What is seen through comes last, so that it veils what lies behind it and hides nothing.
+        let lies_behind =
+            |other: &(f64, WallShape)| if other.1.faces == wall.1.faces { other.0 <= wall.0 } else { other.1.faces };
+        let place = if view == Projection::Isometric { walls.partition_point(lies_behind) } else { walls.len() };
+        walls.insert(place, wall);
+    }
+    let walls = walls.into_iter().map(|(_, shape)| shape);
     let mut lines = Vec::new();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -209,8 +249,28 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
             .and_then(|c| c.spread)
             .filter(|_| view == Projection::Top)
             .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
+        dimensions: drawn(path, setup.plane, view),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
+}
+
+/// The dimensions that a projection shows in their true length; one that it shows shorter would mislead.
+pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
+    let seen = |d: Dimension| {
+        let length = d.from.distance(d.to);
+        let ends = [d.from, d.to].map(|p| view.spot(plane, p));
+        let along = sub(ends[1], ends[0]);
+        if along[0].hypot(along[1]) < length * 0.999 || length < 1e-6 || view == Projection::Isometric {
+            return None;
+        }
+        // A side that this projection looks along is replaced by the one square to the dimension.
+        let side = view.spot(plane, d.aside);
+        let size = side[0].hypot(side[1]);
+        let square = [-along[1] / length, along[0] / length];
+        let aside = if size > 0.5 { ([side[0] / size, side[1] / size], d.beyond) } else { (square, 0.0) };
+        Some(Drawn { field: d.field, ends, aside, length, on_demand: d.on_demand })
+    };
+    dimensions(path).into_iter().filter_map(seen).collect()
 }
 
 /// The moves of a program that nothing else is known of.
@@ -277,6 +337,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
         centre_lines: None,
         spread: None,
+        dimensions: Vec::new(),
         handle: None,
     }
 }
@@ -372,10 +433,26 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
         };
         (line, material)
     });
-    WallShape { corners, edge, actual, strip: false }
+    WallShape { corners, edge, actual, strip: false, faces: true }
 }
 
 impl Scene {
+    /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
+    pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
+        let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();
+        let whole: f64 = pieces.iter().map(|l| length(sub(l.to, l.from))).sum();
+        let mut rest = whole * part;
+        for line in &pieces {
+            let way = length(sub(line.to, line.from));
+            if rest <= way && way > 0.0 {
+                let t = rest / way;
+                return Some([line.from[0] + (line.to[0] - line.from[0]) * t, line.from[1] + (line.to[1] - line.from[1]) * t]);
+            }
+            rest -= way;
+        }
+        self.ends.get(index).copied()
+    }
+
     /// The smallest and largest spot of everything that must be seen.
     pub fn bounds(&self) -> [Spot; 2] {
         let balls = self.touches.iter().flat_map(|t| [t.contact, t.ball]);

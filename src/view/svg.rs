@@ -68,7 +68,9 @@ impl Canvas {
         let corners: Vec<String> = wall.corners.map(|corner| self.at(corner)).to_vec();
         let stroke = if wall.strip { "none" } else { "#8a94a3" };
         let points = corners.join(" ");
-        let _ = writeln!(text, "<polygon points=\"{points}\" fill=\"#334\" fill-opacity=\".07\" stroke=\"{stroke}\"/>");
+        // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
+        let fill = if wall.faces { "#d9dde2" } else { "#334\" fill-opacity=\".05" };
+        let _ = writeln!(text, "<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
         for edge in corners.chunks(2).filter(|_| wall.strip) {
             let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"#8a94a3\"/>", edge.join(" "));
         }

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
-use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
-use crate::view::canvas::{ARM, Painter, Theme, spread_handles};
+use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
+use crate::view::canvas::{ARM, Marks, Painter, Theme, placed, spread_handles};
 use crate::view::scene::{self, Actual, Moves, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
@@ -22,6 +22,10 @@ pub struct View {
     camera: Camera,
     shown: Option<Shown>,
     highlight: Option<usize>,
+    /// How much of the highlit move is done, 0 to 1.
+    part: f64,
+    /// The path of the field that has the focus.
+    field: Option<String>,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
     moved: bool,
     /// Whether the picture must stay where it is, since something in it is being dragged.
@@ -52,6 +56,10 @@ struct Held {
     offset: crate::geom::Vec3,
     turn: f64,
     origin: crate::geom::Vec3,
+    /// What each dimension is called, by its field's path.
+    names: Vec<(&'static str, String)>,
+    /// The work origin's name.
+    offset_name: String,
 }
 
 #[wasm_bindgen]
@@ -61,7 +69,17 @@ impl View {
     pub fn new(canvas: web_sys::HtmlCanvasElement) -> Result<View, JsValue> {
         let painter = Painter::new(canvas).ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
         let camera = Camera { scale: 1.0, middle: [0.0; 2], size: [300.0, 150.0] };
-        Ok(View { painter, projection: Projection::Top, camera, shown: None, highlight: None, moved: false, held: false })
+        Ok(View {
+            painter,
+            projection: Projection::Top,
+            camera,
+            shown: None,
+            highlight: None,
+            part: 1.0,
+            field: None,
+            moved: false,
+            held: false,
+        })
     }
 
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
@@ -141,7 +159,16 @@ impl View {
     /// Fits the whole scene into the canvas.
     pub fn fit(&mut self) {
         if let Some(shown) = &self.shown {
-            let margin = if self.painter.small { SMALL_MARGIN } else { MARGIN };
+            let margin = match &shown.scene {
+                _ if self.painter.small => SMALL_MARGIN,
+                scene if scene.dimensions.is_empty() => MARGIN,
+                // Room for the lines of the dimensions.
+                _ => crate::num::within(
+                    self.camera.size[0].min(self.camera.size[1]) * 0.2,
+                    DIMENSION_MARGIN * 0.7,
+                    DIMENSION_MARGIN,
+                ),
+            };
             self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), margin);
         }
         self.moved = false;
@@ -178,10 +205,56 @@ impl View {
 
     /// Lights up a move, or none.
     pub fn highlight(&mut self, index: Option<usize>) {
-        if self.highlight != index {
+        if self.highlight != index || self.part != 1.0 {
             self.highlight = index;
+            self.part = 1.0;
             self.draw();
         }
+    }
+
+    /// Lights up a move of which such a part is done, 0 to 1: the ball is on its way.
+    pub fn play(&mut self, index: usize, part: f64) {
+        self.highlight = Some(index);
+        self.part = if part.is_finite() { crate::num::within(part, 0.0, 1.0) } else { 1.0 };
+        self.draw();
+    }
+
+    /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time.
+    pub fn times(&self) -> Vec<f64> {
+        self.held().map_or_else(Vec::new, |held| job::minutes(&held.last.planned).into_iter().map(|m| m * 60.0).collect())
+    }
+
+    /// Lights up the dimension of a field, by its path in the job, or none.
+    pub fn focus(&mut self, field: Option<String>) {
+        if self.field != field {
+            self.field = field;
+            self.draw();
+        }
+    }
+
+    /// From where the dimension of a field is seen in its true length: where it is seen now, no other; nothing for a field without one.
+    #[wasm_bindgen(js_name = lookFor)]
+    pub fn look_for(&self, field: &str) -> Option<String> {
+        let held = self.held()?;
+        let (path, plane) = (&held.last.planned.path, held.plane);
+        let sees = |view| scene::drawn(path, plane, view).iter().any(|d| d.field == field);
+        let names = ["top", "front", "side"];
+        let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
+        let found = now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(sees));
+        found.map(str::to_owned)
+    }
+
+    /// The path of the field whose dimension is written at a pixel.
+    #[wasm_bindgen(js_name = dimensionAt)]
+    pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
+        let scene = &self.shown.as_ref()?.scene;
+        let near = |[_, _, a, b]: [Spot; 4]| {
+            let upright = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
+            let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
+            ((a[0] + b[0]) / 2.0 - x).abs() <= wide && ((a[1] + b[1]) / 2.0 - y).abs() <= high
+        };
+        let found = placed(scene, &self.camera, self.field.as_deref()).into_iter().find(|(_, line)| near(*line));
+        found.map(|(drawn, _)| drawn.field.to_owned())
     }
 
     /// The handle at a pixel: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
@@ -310,6 +383,8 @@ impl View {
             offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
             turn: job.lie.turn,
             origin: path.frame.origin,
+            names: scene.dimensions.iter().map(|d| (d.field, dimension_name(job, d.field, d.length))).collect(),
+            offset_name: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
             last,
         };
         Shown { scene, what: What::Job(Box::new(held)) }
@@ -331,8 +406,23 @@ impl View {
 
     fn draw(&self) {
         if let Some(shown) = &self.shown {
-            let deviates = self.held().is_some_and(|held| held.deviates);
-            self.painter.draw(&shown.scene, &self.camera, self.highlight, deviates);
+            let held = self.held();
+            let marks = Marks {
+                highlight: self.highlight,
+                part: self.part,
+                deviates: held.is_some_and(|held| held.deviates),
+                field: self.field.as_deref(),
+                names: held.map_or(&[], |held| &held.names),
+                origin: held.map_or("", |held| &held.offset_name),
+            };
+            self.painter.draw(&shown.scene, &self.camera, &marks);
         }
     }
+}
+
+/// What is written on a dimension: the field's name as the form has it, and its value in the job's units.
+fn dimension_name(job: &job::Job, path: &str, length: f64) -> String {
+    let key = path.strip_prefix("cycle.").unwrap_or(path);
+    let label = job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
+    format!("{label} {}", crate::num::decimal(length / job.scale, 4))
 }

@@ -119,6 +119,29 @@ fn step() -> impl Strategy<Value = Step> {
     ]
 }
 
+/// 0.0022° beyond a half turn: the cosine is 7.5e-10 short of −1, the sine is 3.9e-5. Rounding the one and not the other made the
+/// rows longer than 1.
+#[test]
+fn a_frame_that_is_all_but_square_keeps_rows_of_length_one() {
+    let frame = vec![Step::Rotation { axis: 0, angle: 540.002_215_372_537_9 }];
+    let query = Query {
+        plane: Plane::G17,
+        tool_type: 0,
+        frame,
+        coord: "WCS".to_owned(),
+        tool_active: true,
+        sd42900: false,
+        sd42940: 0,
+        sd42950: 0,
+    };
+    let Answer { status, matrix, .. } = lentoax(&query);
+    assert_eq!(status, 1);
+    for row in matrix {
+        let square: f64 = row.iter().map(|x| x * x).sum();
+        assert!((square - 1.0).abs() < 1e-15, "{row:?}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -17,6 +17,7 @@ mod layers;
 mod lentoax;
 mod linuxcnc;
 mod part;
+mod picture;
 mod problems;
 mod reread;
 mod safety;

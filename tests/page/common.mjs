@@ -63,8 +63,38 @@ export async function openTab() {
 /** Until the page stands. */
 export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
-  await tab.locator("canvas").waitFor();
+  await tab.locator("tp-picture canvas").waitFor({ state: "attached" });
+  await unfold(tab);
 }
+
+/** Opens every group of the form. */
+export const unfold = (tab = page) =>
+  tab.evaluate(() => {
+    const root = document.querySelector("touchpath-app")?.shadowRoot;
+    /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
+  });
+
+/** Chooses in the menu of what is rarely used. */
+export async function more(/** @type {string | RegExp} */ name, tab = page) {
+  await tab.getByRole("button", { name: "More" }).click();
+  await tab.locator("#menu").getByRole("button", { name }).click();
+}
+
+/** Puts the whole form back. */
+export async function reset() {
+  await more("Reset");
+  await page.getByRole("button", { name: "Put back" }).click();
+}
+
+/** Sets a value of the job, as a file or another program would: also one that the page does not offer. */
+export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>
+  page.evaluate(
+    ([path, value]) => /** @type {any} */ (document.querySelector("touchpath-app")).store.set(path, value),
+    /** @type {[string, unknown]} */ ([path, value]),
+  );
+
+/** The primary button. */
+export const saveButton = () => page.getByRole("button", { name: /^(Save )?\S+\.(ngc|nc|mpf|h)$/i });
 
 /** A field by its path in the job. */
 export const field = (/** @type {string} */ path, tab = page) => tab.locator(`[id="f-${path}"]`);
@@ -82,19 +112,22 @@ export const openText = (/** @type {string} */ text, name = "job.json", tab = pa
 
 /** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
 export const pixels = () =>
-  page.locator("canvas:visible").evaluate((node) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (node);
-    const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
-    let count = 0;
-    let sum = 0;
-    data.forEach((pixel, i) => {
-      if (pixel === data[0]) return;
-      count++;
-      sum = (sum * 31 + i + pixel) % 1_000_000_007;
+  page
+    .locator("canvas:visible")
+    .first()
+    .evaluate((node) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (node);
+      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      let count = 0;
+      let sum = 0;
+      data.forEach((pixel, i) => {
+        if (pixel === data[0]) return;
+        count++;
+        sum = (sum * 31 + i + pixel) % 1_000_000_007;
+      });
+      return { count, sum };
     });
-    return { count, sum };
-  });
 
 /** Where a part of the page stands in the window. */
 export async function boxOf(/** @type {import("playwright-core").Locator} */ locator) {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { plan } from "touchpath";
-import { context, field, held, open, openTab, openText, page, program, ready, setUp, textOf } from "./common.mjs";
+import { context, field, held, more, open, openTab, openText, page, program, ready, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -44,7 +44,7 @@ test("a file that the form cannot show left three cycles at once: it changes not
     assert.deepEqual({ ...(await cycles()), text: await program() }, before, path);
     await page.locator(".note").getByRole("button", { name: "OK" }).click();
   }
-  await page.getByRole("button", { name: "Paste" }).click();
+  await more("Paste");
   await page.locator("#paste").fill(JSON.stringify(unusable[0]?.[1]));
   await page.getByRole("button", { name: "Read it" }).click();
   assert.match(await note(), /cycle\.touches/);
@@ -167,6 +167,7 @@ const points = "37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10";
 
 test("measured points stayed across a change of cycle and units: they belong to the job they were entered for", async () => {
   const box = page.locator("#measured");
+  await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("Points that a machine measured").click();
   await box.fill(points);
   await field("cycle.type").selectOption("surface");
@@ -191,7 +192,7 @@ test("measured points stayed across a change of cycle and units: they belong to 
 test("ten megabytes that are pasted, dropped or opened froze the tab: they are refused with a sentence", async () => {
   const most = await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.longest);
   for (const kind of ["paste", "drop"]) {
-    await page.getByRole("button", { name: "Paste" }).click();
+    await more("Paste");
     const taken = await page.locator("#paste").evaluate(
       (box, { kind, length }) => {
         const data = new DataTransfer();
@@ -221,7 +222,7 @@ test("ten megabytes that are pasted, dropped or opened froze the tab: they are r
 });
 
 test("a text that is pasted by the keyboard, and is short enough, is read", async () => {
-  await page.getByRole("button", { name: "Paste" }).click();
+  await more("Paste");
   await page.evaluate((text) => navigator.clipboard.writeText(text), '{"format":1,"cycle":{"type":"hole"}}');
   await page.locator("#paste").press("Control+v");
   await page.getByRole("button", { name: "Read it" }).click();

@@ -4,7 +4,24 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";
 import { catalog } from "touchpath";
-import { boxOf, field, focusedId, open, page, pixels, problems, program, setUp, until } from "./common.mjs";
+import {
+  boxOf,
+  field,
+  focusedId,
+  more,
+  open,
+  page,
+  pixels,
+  problems,
+  program,
+  ready,
+  reset,
+  saveButton,
+  setUp,
+  textOf,
+  unfold,
+  until,
+} from "./common.mjs";
 
 setUp();
 
@@ -20,6 +37,7 @@ test("a keystroke changes program, table, picture and results", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
   const row = page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-53]" });
   assert.match((await row.textContent()) ?? "", /90/);
+  await page.getByRole("tab", { name: "Results" }).click();
   assert.match((await page.locator("tp-results tr", { hasText: "width1" }).first().textContent()) ?? "", /90\.0000/);
   assert.deepEqual(problems, []);
 });
@@ -51,11 +69,11 @@ test("an error stands beside its field, the last good plan stays and is marked, 
   await field("cycle.depth").fill("ten");
   assert.match((await page.locator("tp-findings").textContent()) ?? "", /2 errors/);
   await page.reload();
-  await page.locator("canvas").waitFor();
+  await ready();
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.sideClearance1").inputValue(), "2");
-  await page.locator("tp-findings summary").click();
-  await page.locator("tp-findings a", { hasText: "cycle.depth" }).click();
+  await page.locator("tp-findings").getByRole("button", { name: "All" }).click();
+  await page.locator("tp-checks a", { hasText: "Depth" }).click();
   assert.equal(await focusedId(), "f-cycle.depth");
   await field("cycle.depth").fill("10");
   await field("cycle.sideClearance1").fill("8");
@@ -108,13 +126,13 @@ test("copy and save with the control's extension", async () => {
   await page.getByText("Copied").waitFor();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save .ngc" }).click();
+  await saveButton().click();
   const saved = await download;
   assert.equal(saved.suggestedFilename(), "MY_POCKET.ngc");
   assert.equal(readFileSync(await saved.path(), "utf8"), copied);
   assert.match(copied, /^\(Job: MY POCKET\)\n[\s\S]*\nM2\n$/);
   await field("control.post").selectOption("grbl");
-  assert.equal(await page.getByRole("button", { name: "Save .nc" }).count(), 1);
+  assert.match(await textOf(saveButton()), /^Save MY_POCKET\.nc$/);
   assert.doesNotMatch(await program(), /#</);
 });
 
@@ -134,9 +152,9 @@ test("the parameter table is copied as text and saved as CSV", async () => {
 test("a job is saved and opened again", async () => {
   await field("cycle.width2").fill("44");
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save job" }).click();
+  await more("Save job");
   const path = await (await download).path();
-  await page.getByRole("button", { name: "Reset" }).click();
+  await reset();
   assert.equal(await field("cycle.width2").inputValue(), "50");
   await page.locator("input[type=file]").setInputFiles(path);
   await until("cycle.width2", "44");
@@ -210,6 +228,7 @@ test("the virtual part: its fields, its handle, its results", async () => {
 });
 
 test("measured points give the same results, and bad ones a plain answer", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("Points that a machine measured").click();
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
@@ -254,10 +273,10 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   await field("cycle.extrusion.points").fill("3");
   assert.match(await program(), /\n\d+ TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /);
   const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save .h" }).click();
+  await saveButton().click();
   const path = await (await download).path();
   const text = readFileSync(path, "utf8");
-  await page.getByRole("button", { name: "Reset" }).click();
+  await reset();
   assert.doesNotMatch(await program(), /1493/);
   await page
     .locator("input[type=file]")
@@ -269,7 +288,7 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
 });
 
 test("tool lengths: the manual's examples, a frame by steps, what the control is asked", async () => {
-  await page.getByRole("button", { name: "Tool lengths" }).click();
+  await more("Tool lengths");
   const answer = page.locator("tp-lentoax .answer");
   const axind = async () =>
     (await answer.locator("tbody td:nth-child(2)").allTextContents()).map((t) => t.trim()).join(" ");
@@ -344,14 +363,19 @@ test("every cycle has a plan on the page, and its steps light up with the move",
   for (const { type, steps } of catalog().cycles) {
     await field("cycle.type").selectOption(type);
     assert.equal(await page.locator("tp-findings .error").count(), 0, type);
-    assert.equal(await page.locator(".documented li").count(), steps.length, type);
     if (steps.length === 0) continue;
+    const heads = await page.locator("tp-program .step span").allTextContents();
+    assert.ok(heads.length > 1 && heads.every((text) => steps.includes(text)), type);
     const moves = Number(await page.locator("#scrub").getAttribute("max"));
     for (const move of [1, moves]) {
       await page.locator("#scrub").fill(String(move));
       const said = (await page.locator(".scrub output").textContent()) ?? "";
-      const lit = await page.locator(".documented li.lit").allTextContents();
-      assert.deepEqual(lit, [steps[Number(/step (\d+)/.exec(said)?.[1]) - 1]], type);
+      const step = Number(/step (\d+)/.exec(said)?.[1]);
+      const lit = await page.locator("tp-program .step.lit span").allTextContents();
+      assert.ok(lit.length > 0 && lit.every((text) => text === steps[step - 1]), `${type}: ${lit} at ${said}`);
+      // The line that is lit stands under a heading of that step.
+      const over = await page.locator("tp-program [aria-selected=true]").locator("..").getAttribute("aria-label");
+      assert.equal(over, `Step ${step}: ${steps[step - 1]}`, type);
     }
   }
   assert.deepEqual(problems, []);
@@ -390,8 +414,8 @@ test("a dump is pasted in and becomes the job again; nonsense stays where it was
   await page.getByRole("button", { name: "Copy as text" }).click();
   await page.getByText("Copied").waitFor();
   const dump = await page.evaluate(() => navigator.clipboard.readText());
-  await page.getByRole("button", { name: "Reset" }).click();
-  await page.getByRole("button", { name: "Paste" }).click();
+  await reset();
+  await more("Paste");
   await page.locator("#paste").fill("G1 X0");
   await page.getByRole("button", { name: "Read it" }).click();
   assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
@@ -423,21 +447,21 @@ test("touches are picked one by one and given back", async () => {
 
 test("SINUMERIK: the probe's length decides, the program comes back", async () => {
   await field("control.post").selectOption("sinumerik");
-  await field("control.workOffset").selectOption({ label: "G505 (5)" });
+  await field("control.workOffset").selectOption({ label: "writes G505 (5)" });
   assert.match(await program(), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
   assert.match(await program(), /\$P_UIFR\[5,X,TR\]=/);
   await field("tool.type").fill("500");
   assert.match((await page.locator("tp-findings").textContent()) ?? "", /L1 acts along \+Y/);
   await field("tool.type").fill("710");
-  await page.getByRole("button", { name: "Tool lengths" }).click();
+  await more("Tool lengths");
   await page.getByRole("button", { name: "Add ROT" }).click();
   await page.getByLabel("Step 1: angle").fill("60");
   await page.getByRole("button", { name: "Take into the job" }).click();
   assert.match((await page.locator("tp-form").textContent()) ?? "", /Frame: ROT Z60/);
   assert.equal(await page.locator("tp-findings .error").count(), 0, "a turn about the tool axis leaves L1 where it is");
   const text = await program();
-  await page.getByRole("button", { name: "Reset" }).click();
-  await page.getByRole("button", { name: "Paste" }).click();
+  await reset();
+  await more("Paste");
   await page.locator("#paste").fill(text);
   await page.getByRole("button", { name: "Read it" }).click();
   assert.equal(await program(), text, "what was written comes back byte for byte");
@@ -475,17 +499,23 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       assert.deepEqual(await violations(), []);
       await field("cycle.type").selectOption("web-three-points");
       await field("control.post").selectOption("sinumerik");
+      await unfold();
       await page.getByRole("button", { name: "Pick touches one by one" }).click();
-      await page.getByRole("button", { name: "Paste" }).click();
+      await more("Paste");
       assert.deepEqual(await violations(), []);
       await page.getByRole("button", { name: "Cancel" }).click();
-      if (width < 900) {
-        for (const name of ["Program", "Parameters", "Results"]) {
+      if (width < 1080) {
+        for (const name of ["Program", "Parameters", "Results", "Checks", "Setup"]) {
           await page.getByRole("tab", { name }).click();
           assert.deepEqual(await violations(), []);
         }
       }
-      await page.getByRole("button", { name: "Gallery" }).click();
+      await page.getByRole("button", { name: "More" }).click();
+      assert.deepEqual(await violations(), []);
+      await page.locator("#menu").getByRole("button", { name: "Setup sheet" }).click();
+      assert.deepEqual(await violations(), []);
+      await page.getByRole("button", { name: "Cycles", exact: true }).click();
+      await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).ask("gallery"));
       assert.deepEqual(await violations(), []);
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,

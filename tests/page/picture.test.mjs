@@ -1,7 +1,7 @@
 // The picture: a drag, a hover, what it leaves behind.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { context, field, held, page, pixels, program, setUp } from "./common.mjs";
+import { boxOf, context, field, held, page, pixels, program, setUp } from "./common.mjs";
 
 setUp();
 
@@ -48,11 +48,10 @@ for (const steps of [1, 10]) {
 
 test("a dragged part ran away where errors came up under an open list: the canvas keeps its height", async () => {
   await field("feeds.work").fill("4000");
-  await page.locator("tp-findings summary").click();
   const { x, y, scale, height } = await handle("shift");
   // So far that touches no longer meet their walls.
   await drag({ x, y }, 90, -70, 12);
-  await page.locator("tp-findings li.error").first().waitFor();
+  await page.locator("tp-findings .verdict.error").waitFor();
   assert.equal((await handle("shift")).height, height);
   const offset = /** @type {number[]} */ (await held("part.offset"));
   near(offset[0] ?? 0, 90 / scale, "X");
@@ -61,7 +60,8 @@ test("a dragged part ran away where errors came up under an open list: the canva
 });
 
 test("the canvas changed its height with every message", async () => {
-  const { height } = await handle("shift");
+  const high = async () => (await boxOf(page.locator("tp-picture canvas"))).height;
+  const height = await high();
   for (const [path, value] of /** @type {const} */ ([
     ["feeds.work", "4000"],
     ["cycle.depth", "-1"],
@@ -69,10 +69,10 @@ test("the canvas changed its height with every message", async () => {
     ["cycle.sideClearance1", "2"],
   ])) {
     await field(path).fill(value);
-    assert.equal((await handle("shift")).height, height, path);
+    assert.equal(await high(), height, path);
   }
   await page.locator("tp-program .line", { hasText: "G38.2" }).first().hover();
-  assert.equal((await handle("shift")).height, height, "a hover");
+  assert.equal(await high(), height, "a hover");
 });
 
 test("a handle jumped to the pointer when it was gripped beside its middle: no turn without a way", async () => {
@@ -118,9 +118,13 @@ test("every hover planned again: only another job is planned and shown", async (
 test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   const session = await context.newCDPSession(page);
   await session.send("Performance.enable");
+  const ask = (/** @type {string} */ tool) =>
+    page.evaluate((tool) => {
+      const app = /** @type {any} */ (document.querySelector("touchpath-app"));
+      app.ask(tool);
+      return app.updateComplete;
+    }, tool);
   const cycles = page.getByRole("button", { name: "Cycles", exact: true });
-  const lengths = page.getByRole("button", { name: "Tool lengths" });
-  const gallery = page.getByRole("button", { name: "Gallery" });
   const measure = async () => {
     await session.send("HeapProfiler.collectGarbage");
     const { metrics } = await session.send("Performance.getMetrics");
@@ -129,8 +133,8 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   };
   const open = async (/** @type {number} */ times) => {
     for (let i = 0; i < times; i++) {
-      await lengths.click();
-      if (i % 10 === 0) await gallery.click();
+      await ask("lengths");
+      if (i % 10 === 0) await ask("gallery");
       await cycles.click();
     }
   };

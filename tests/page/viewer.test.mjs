@@ -1,7 +1,7 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openText, page, program, setUp, textOf } from "./common.mjs";
+import { more, openText, page, program, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -59,7 +59,7 @@ test("a program of another hand was refused: its moves are drawn, probing told a
   assert.match(told, /^Line (3|4|5|6|7|9): (rapid|feed|probe) to X/);
   await page.getByRole("button", { name: "Cycles", exact: true }).click();
   assert.equal(await program(), before, "the job is as it was");
-  await page.getByRole("button", { name: "Moves", exact: true }).click();
+  await more("Moves of the opened program");
   await viewer.waitFor();
 });
 

@@ -1,46 +1,53 @@
 import { css, html, LitElement, nothing, type TemplateResult, unsafeCSS } from "lit";
 import { JobError, type ProgramMoves, readProgram, version } from "../core/browser.js";
+import { fromFragment, isFragment, toFragment } from "../share.js";
 import { Store } from "../store.js";
 import styles from "../style.css?inline";
+import "./bar.js";
+import "./checks.js";
 import "./findings.js";
 import "./form.js";
 import "./gallery.js";
-import { download } from "./hand.js";
+import { copy, download } from "./hand.js";
+import "./help.js";
 import "./lentoax.js";
 import "./picture.js";
+import type { ProgramPart } from "./program.js";
 import "./program.js";
 import "./results.js";
+import "./sheet.js";
 import "./table.js";
 import "./viewer.js";
 
-const TABS = { setup: "Setup", program: "Program", table: "Parameters", results: "Results" } as const;
-type Tab = keyof typeof TABS;
+const PANELS = {
+  setup: "Setup",
+  program: "Program",
+  table: "Parameters",
+  results: "Results",
+  checks: "Checks",
+} as const;
+type Panel = keyof typeof PANELS;
 
-/** The tabs by the width of the window: what has a place of its own needs none. */
-const LAYOUTS: [string, Tab[]][] = [
-  ["(min-width: 1180px)", ["program", "table"]],
-  ["(min-width: 900px)", ["program", "table", "results"]],
-  ["all", ["setup", "program", "table", "results"]],
-];
+/** From this width on the form has a column of its own; the style sheet knows the same width. */
+const WIDE = 1080;
+/** Below this width picture and panel stand on each other; the style sheet knows the same width. */
+const NARROW = 600;
 
-/** The whole page as one element. On a narrow screen one panel is shown at a time; on a wide one they stand side by side. */
+/** What takes the place of the job's picture and panels: pictures to choose from, LENTOAX, a program that says no job, a page to print. */
+type Tool = "gallery" | "cycles" | "lengths" | "viewer" | "sheet";
+
+/** The whole page as one element. What fits beside the picture has a place of its own; the rest is behind tabs. */
 class App extends LitElement {
   static override styles = css`${unsafeCSS(styles)}`;
   private readonly store = new Store();
-  private tab: Tab = "setup";
-  /** The probing cycles, SINUMERIK's LENTOAX, or a program that says no job. */
-  private tool: "gallery" | "cycles" | "lengths" | "viewer" = "cycles";
+  private panel: Panel | null = null;
+  private tool: Tool = "cycles";
   private viewed: { text: string; moves: ProgramMoves } | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
   private told = this.store.notice;
-  private readonly layouts = LAYOUTS.map(([query, tabs]) => ({ query: matchMedia(query), tabs }));
-  private readonly relayout = () => this.requestUpdate();
-
-  /** How much of the window the picture takes that stays in sight. */
-  private readonly observer = new ResizeObserver(([entry]) =>
-    this.style.setProperty("--picture", `${Math.ceil(entry?.target.clientHeight ?? 0)}px`),
-  );
+  private width = WIDE;
+  private readonly observer = new ResizeObserver(() => this.measure());
 
   /** The kinds of files that may hold a job. */
   private get readable(): string {
@@ -51,57 +58,47 @@ class App extends LitElement {
     return [...new Set([".json", ".txt", ".csv", ".i", ...programs, "application/json", "text/plain"])].join(",");
   }
 
-  private get tabs(): Tab[] {
-    return this.layouts.find(({ query }) => query.matches)?.tabs ?? [];
+  private get panels(): Panel[] {
+    return (Object.keys(PANELS) as Panel[]).filter((panel) => panel !== "setup" || this.width < WIDE);
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const { query } of this.layouts) query.addEventListener("change", this.relayout);
+    this.measure();
+    this.observer.observe(this);
     this.addEventListener("paste", this.refuse);
     this.addEventListener("drop", this.refuse);
     this.addEventListener("dragover", this.welcome);
-    this.addEventListener("focusin", this.uncover);
-    this.addEventListener("input", this.uncover);
+    this.addEventListener("keydown", this.shortcut);
+    this.addEventListener("focusin", this.unhelp);
+    addEventListener("hashchange", this.follow);
+    this.follow();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    for (const { query } of this.layouts) query.removeEventListener("change", this.relayout);
     this.observer.disconnect();
     this.removeEventListener("paste", this.refuse);
     this.removeEventListener("drop", this.refuse);
     this.removeEventListener("dragover", this.welcome);
-    this.removeEventListener("focusin", this.uncover);
-    this.removeEventListener("input", this.uncover);
-  }
-
-  protected override firstUpdated(): void {
-    const picture = this.renderRoot.querySelector("tp-picture");
-    if (picture) this.observer.observe(picture);
+    this.removeEventListener("keydown", this.shortcut);
+    this.removeEventListener("focusin", this.unhelp);
+    removeEventListener("hashchange", this.follow);
   }
 
   override render(): TemplateResult {
-    const tabs = this.tabs;
-    const active = tabs.includes(this.tab) ? this.tab : (tabs[0] as Tab);
-    const hidden = (tab: Tab) => tabs.includes(tab) && tab !== active;
+    const panels = this.panels;
+    const active = this.panel && panels.includes(this.panel) ? this.panel : (panels[0] as Panel);
+    const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
     return html`
+      <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
       <header>
         <h1>Touchpath</h1>
-        <p>Touch-probe cycles, seen before the machine moves</p>
-        <nav aria-label="Tools">
-          <button type="button" aria-pressed=${this.tool === "gallery" ? "true" : "false"} @click=${() => this.use("gallery")}>Gallery</button>
-          <button type="button" aria-pressed=${this.tool === "cycles" ? "true" : "false"} @click=${() => this.use("cycles")}>Cycles</button>
-          <button type="button" aria-pressed=${this.tool === "lengths" ? "true" : "false"} @click=${() => this.use("lengths")}>Tool lengths</button>
-          ${this.viewed ? html`<button type="button" aria-pressed=${this.tool === "viewer" ? "true" : "false"} @click=${() => this.use("viewer")}>Moves</button>` : nothing}
-        </nav>
-        <span class="gap"></span>
-        <button type="button" @click=${() => this.store.reset()}>Reset</button>
-        <button type="button" @click=${this.saveJob}>Save job</button>
-        <button type="button" aria-expanded=${this.pasting ? "true" : "false"} @click=${() => this.paste(!this.pasting)}>Paste</button>
-        <label class="button">Open job<input type="file" accept=${this.readable} @change=${this.openJob} /></label>
-        <small>${version()} <a href="./licences.txt">Licences</a></small>
+        <tp-bar .store=${this.store}></tp-bar>
+        <input id="file" class="unseen" type="file" tabindex="-1" aria-label="Open a file" accept=${this.readable} @change=${this.openJob} />
+        ${this.menu()}
       </header>
+      <div class="notes">
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
       ${
         this.pasting
@@ -112,74 +109,185 @@ class App extends LitElement {
       </section>`
           : nothing
       }
-      <main ?hidden=${this.tool !== "cycles"} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
-        <section class="picture" aria-label="Picture">
-          <tp-picture .store=${this.store}></tp-picture>
-          <tp-findings .store=${this.store}></tp-findings>
+      ${
+        this.tool === "cycles"
+          ? nothing
+          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>Cycles</button> ${this.tool === "sheet" ? nothing : "back to the job"}</p>`
+      }
+      </div>
+      <main ?hidden=${this.tool !== "cycles"}>
+        <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}>
+          <tp-form .store=${this.store}></tp-form>
+          <tp-help .store=${this.store} aria-live="off"></tp-help>
         </section>
+        <section class="picture" aria-label="Picture"><tp-picture .store=${this.store}></tp-picture></section>
         <div class="tabs" role="tablist" aria-label="Panels">
-          ${tabs.map(
+          ${panels.map(
             (
-              tab,
-            ) => html`<button type="button" role="tab" id=${`tab-${tab}`} aria-controls=${`panel-${tab}`} tabindex=${tab === active ? 0 : -1}
-            aria-selected=${tab === active ? "true" : "false"} @click=${() => this.show(tab)} @keydown=${(e: KeyboardEvent) => this.key(e, tabs, tab)}>${TABS[tab]}</button>`,
+              panel,
+            ) => html`<button type="button" role="tab" id=${`tab-${panel}`} aria-controls=${`panel-${panel}`} tabindex=${panel === active ? 0 : -1}
+            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${PANELS[panel]}</button>`,
           )}
         </div>
-        <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}><tp-form .store=${this.store}></tp-form></section>
-        <section class="program" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${this.store}></tp-program></section>
-        <section class="table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
-        <section class="results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
+        <section class="panel" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${this.store}></tp-program></section>
+        <section class="panel" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
+        <section class="panel scrolls" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
+        <section class="panel scrolls" id="panel-checks" aria-label="Checks" ?hidden=${hidden("checks")}><tp-checks .store=${this.store}></tp-checks></section>
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${this.store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${this.store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${this.store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
+      ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${this.store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
+      <footer aria-label="State of the job"><tp-findings .store=${this.store}></tp-findings></footer>
+      ${this.question()}
+      </div>
     `;
   }
 
-  private show(tab: Tab): void {
-    this.tab = tab;
+  /** What is rarely used. */
+  private menu(): TemplateResult {
+    const item = (what: string, name: string) =>
+      html`<button type="button" @click=${() => this.choose(what)}>${name}</button>`;
+    return html`<div class="menu" id="menu" popover role="group" aria-label="More">
+      ${item("open", "Open a file")} ${item("paste", "Paste")} ${item("save-job", "Save job")} ${item("share", "Copy a link to this job")}
+      ${item("sheet", "Setup sheet to print")} ${item("lengths", "Tool lengths")} ${this.viewed ? item("viewer", "Moves of the opened program") : nothing}
+      ${item("reset", "Reset")}
+      <small>Touchpath ${version()} · <a href="./licences.txt">Licences</a></small>
+    </div>`;
+  }
+
+  private question(): TemplateResult {
+    return html`<dialog id="ask-reset" aria-labelledby="ask-reset-text">
+      <p id="ask-reset-text">Put the whole form back to the defaults of “${this.store.cycle.title}”? Undo brings back what is there now.</p>
+      <form method="dialog" class="tools"><button @click=${() => this.store.reset()}>Put back</button><button>Keep</button></form>
+    </dialog>`;
+  }
+
+  protected override updated(): void {
+    // One order for eye and Tab: on a narrow page the picture stands above the form.
+    const main = this.renderRoot.querySelector("main");
+    const [setup, picture] = [".setup", ".picture"].map((name) => this.renderRoot.querySelector(name));
+    if (!main || !setup || !picture) return;
+    const above = picture.compareDocumentPosition(setup) & Node.DOCUMENT_POSITION_FOLLOWING;
+    const wanted = this.width < NARROW;
+    if (wanted !== Boolean(above)) main.insertBefore(picture, wanted ? setup : setup.nextSibling);
+  }
+
+  private measure(): void {
+    const width = this.getBoundingClientRect().width || WIDE;
+    if (width === this.width) return;
+    this.width = width;
     this.requestUpdate();
   }
 
-  private key(event: KeyboardEvent, tabs: Tab[], tab: Tab): void {
+  private show(panel: Panel): void {
+    this.panel = panel;
+    this.requestUpdate();
+  }
+
+  private key(event: KeyboardEvent, panels: Panel[], panel: Panel): void {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
-    const next = tabs[(tabs.indexOf(tab) + step + tabs.length) % tabs.length] as Tab;
+    const next = panels[(panels.indexOf(panel) + step + panels.length) % panels.length] as Panel;
     this.show(next);
     this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   }
 
-  /** Brings a field out from under the picture that stays in sight: a browser that scrolls to the caret knows nothing of it. */
-  private readonly uncover = (event: Event): void => {
-    const field = event.composedPath()[0];
-    const picture = this.renderRoot.querySelector("tp-picture");
-    if (!(field instanceof HTMLElement) || !picture || picture.contains(field)) return;
-    requestAnimationFrame(() => {
-      if (getComputedStyle(picture).position !== "sticky") return;
-      const hidden = picture.getBoundingClientRect().bottom + 34 - field.getBoundingClientRect().top;
-      if (hidden > 0 && field.isConnected) scrollBy(0, -hidden);
-    });
+  /** Undo and redo are the page's, in its fields too: only a text of several lines keeps its own. */
+  private readonly shortcut = (event: KeyboardEvent): void => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const key = event.key.toLowerCase();
+    const inText = event.composedPath()[0] instanceof HTMLTextAreaElement;
+    if (key === "z" && !inText) event.shiftKey ? this.store.redo() : this.store.undo();
+    else if (key === "y" && !inText) this.store.redo();
+    else if (key === "s") this.ask("save");
+    else return;
+    event.preventDefault();
+  };
+
+  /** The help is of the field that has the focus: elsewhere there is none. */
+  private readonly unhelp = (event: Event): void => {
+    const inside = (event.composedPath()[0] as Element).closest?.("tp-form, tp-bar, tp-help");
+    if (!inside) this.store.focus(null);
   };
 
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {
-    if (this.tabs.includes("setup")) this.show("setup");
+    this.use("cycles");
+    if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
+    await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);
     const find = (p: string) => this.renderRoot.querySelector<HTMLElement>(`[id="f-${p}"]`);
     const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
     field?.scrollIntoView({ block: "center" });
     field?.focus();
   }
 
-  private use(tool: "gallery" | "cycles" | "lengths" | "viewer"): void {
+  private use(tool: Tool): void {
     this.tool = tool;
     this.requestUpdate();
   }
 
+  private choose(what: string): void {
+    this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
+    this.ask(what);
+  }
+
+  /** Does what a button of the bar or the menu asks for. */
+  private ask(what: string): void {
+    const dialog = this.renderRoot.querySelector<HTMLDialogElement>("#ask-reset");
+    const actions: Record<string, () => void> = {
+      gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
+      open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
+      paste: () => this.paste(!this.pasting),
+      reset: () => dialog?.showModal(),
+      save: () => this.renderRoot.querySelector<ProgramPart>("tp-program")?.save(),
+      sheet: () => this.store.withheld === null && this.use("sheet"),
+      lengths: () => this.use("lengths"),
+      viewer: () => this.use("viewer"),
+      checks: () => {
+        this.use("cycles");
+        this.show("checks");
+      },
+      share: () => this.share(),
+      "save-job": () => this.saveJob(),
+    };
+    actions[what]?.();
+  }
+
   /** The form as it stands, also with errors: it is the user's work. */
   private saveJob(): void {
-    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, "job.json", "application/json");
+    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, this.store.otherName(".json"), "application/json");
   }
+
+  private async share(): Promise<void> {
+    const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
+    if (fragment === null) {
+      this.tell("This job is too long for a link: save it as a file instead");
+      return;
+    }
+    const link = new URL(fragment, location.href).href;
+    const told = await copy(link);
+    this.tell(
+      told === "Copied" ? "A link to this job was copied. The job is in the link itself: no server keeps it." : link,
+    );
+  }
+
+  /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
+  private readonly follow = async (): Promise<void> => {
+    const { hash } = location;
+    if (!isFragment(hash)) return;
+    history.replaceState(null, "", location.pathname + location.search);
+    const state = await fromFragment(hash, this.store.longest);
+    try {
+      if (!state) throw new JobError("Nothing was changed: this link holds no job that can be read here", []);
+      this.store.take(state.job, state.measured);
+      this.use("cycles");
+      this.tell("This is the job of the link that was opened. Undo brings back the one before.");
+    } catch (thrown) {
+      this.tell(thrown instanceof JobError ? thrown.message : "This link cannot be read");
+    }
+  };
 
   private async openJob(event: Event): Promise<void> {
     const input = event.target as HTMLInputElement;

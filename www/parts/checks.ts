@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { Plan } from "../core/browser.js";
+import type { Finding, Plan } from "../core/browser.js";
+import { LEVELS, NAMES } from "./findings.js";
 import { Part } from "./part.js";
 
 type Row = Plan["safety"][number];
@@ -10,26 +11,46 @@ function sign(row: Row): { mark: string; word: string } {
   return row.holds ? { mark: "✓", word: "holds" } : { mark: "!", word: "does not hold" };
 }
 
-/** The safety rules for the program, each with what it came to; in one line what was proven of it. */
+/** What the safety rules came to, and what was proven of the program, in a line. */
+export function checked(plan: Plan): string {
+  const count = (holds: boolean | null) => plan.safety.filter((row) => row.holds === holds).length;
+  const [good, bad, unable] = [count(true), count(false), count(null)];
+  const { proof } = plan.program;
+  return [
+    proof
+      ? `Read back: ${proof.moves} moves are the path${proof.arithmetic ? ", and its arithmetic is right" : ""}`
+      : "",
+    good ? `${good} safety rules hold` : "",
+    bad ? `${bad} ${bad === 1 ? "does" : "do"} not` : "",
+    unable ? `${unable} this control cannot hold` : "",
+  ]
+    .filter(Boolean)
+    .join("; ");
+}
+
+/** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
 class ChecksPart extends Part {
   protected override follows = ["change"];
 
-  override render(): TemplateResult | typeof nothing {
-    const { plan, stale } = this.store;
-    if (stale) return nothing;
-    const count = (holds: boolean | null) => plan.safety.filter((row) => row.holds === holds).length;
-    const [good, bad, unable] = [count(true), count(false), count(null)];
-    const { proof } = plan.program;
-    const parts = [
-      proof
-        ? `Read back: ${proof.moves} moves are the path${proof.arithmetic ? ", and its arithmetic is right" : ""}`
-        : "",
-      good ? `${good} safety rules hold` : "",
-      bad ? `${bad} ${bad === 1 ? "does" : "do"} not` : "",
-      unable ? `${unable} this control cannot hold` : "",
-    ];
-    return html`<details class="checks"><summary class=${bad ? "warning" : ""}>${parts.filter(Boolean).join("; ")}</summary>
-      <ul>${plan.safety.map((row) => this.row(row))}</ul></details>`;
+  override render(): TemplateResult {
+    const { plan, stale, findings } = this.store;
+    const sorted = LEVELS.flatMap((level) => findings.filter((f) => f.level === level));
+    const bad = plan.safety.some((row) => row.holds === false);
+    return html`
+      <h2>Findings</h2>
+      ${sorted.length === 0 ? html`<p class="fine">✓ No problems found</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
+      ${
+        stale
+          ? nothing
+          : html`<h2>Safety rules of this program</h2><p class=${bad ? "proof warning" : "proof"}>${checked(plan)}</p>
+            <ul class="checks">${plan.safety.map((row) => this.row(row))}</ul>`
+      }
+    `;
+  }
+
+  private finding(f: Finding): TemplateResult {
+    return html`<li class=${f.level}><span class="level">${NAMES[f.level]}</span> ${f.message}
+      ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.store.fieldAt(f.path)?.label ?? f.path}</a>` : nothing}</li>`;
   }
 
   private row(row: Row): TemplateResult {
@@ -38,6 +59,11 @@ class ChecksPart extends Part {
     const at = row.lines.length ? html` <small>Line ${row.lines.map((line) => line + 1).join(", ")}</small>` : nothing;
     return html`<li class=${row.holds === false ? "warning" : ""} title=${why ?? nothing}><span class="mark" role="img" aria-label=${word}>${mark}</span>
       ${row.message}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${at}</li>`;
+  }
+
+  private go(event: Event, path: string): void {
+    event.preventDefault();
+    this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
   }
 }
 

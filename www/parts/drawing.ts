@@ -62,6 +62,11 @@ export class Drawing {
     event.preventDefault();
   }
 
+  /** Looks from elsewhere. */
+  look(from: string): void {
+    this.use((view) => view.look(from));
+  }
+
   free(): void {
     this.view?.free();
     this.view = undefined;

@@ -10,6 +10,12 @@ export abstract class DrawnPart extends Part {
   protected readonly observer = new ResizeObserver(() => this.drawing?.dress());
   protected readonly scheme = new Scheme(this, () => this.drawing?.dress());
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    // Moved to another place of the page, it has lost its drawing.
+    this.requestUpdate();
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
@@ -34,15 +40,15 @@ export abstract class DrawnPart extends Part {
     return html`<div class="tools" role="toolbar" aria-label=${label}>
         ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
         <span class="gap"></span>
-        <button type="button" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
-        <button type="button" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
+        <button type="button" class="zoom" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
+        <button type="button" class="zoom" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
         <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
       </div>`;
   }
 
-  private turn(name: (typeof VIEWS)[number]): void {
+  protected turn(name: (typeof VIEWS)[number]): void {
     this.look = name;
-    this.drawing?.use((view) => view.look(name));
+    this.drawing?.look(name);
     this.requestUpdate();
   }
 }

@@ -2,38 +2,43 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Finding } from "../core/browser.js";
 import { Part } from "./part.js";
 
-const LEVELS = ["error", "warning", "info"] as const;
-const NAMES = { error: "error", warning: "warning", info: "note" } as const;
+export const LEVELS = ["error", "warning", "info"] as const;
+export const NAMES = { error: "error", warning: "warning", info: "note" } as const;
 
-/** Every finding in one place: how many, and what the gravest says, in a line of steady height; the list on request. */
+/** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
 class FindingsPart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult {
-    const { findings } = this.store;
+    const { findings, plan, stale, units } = this.store;
     const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;
       return n === 0 ? [] : [`${n} ${NAMES[level]}${n === 1 ? "" : "s"}`];
     });
     const worst = LEVELS.flatMap(of)[0];
-    if (!worst) return html`<p class="fine" role="status">No problems found</p>`;
+    const minutes = Math.floor(plan.time);
+    const seconds = String(Math.round((plan.time - minutes) * 60)).padStart(2, "0");
     return html`
-      <details>
-        <summary class=${worst.level}><span role="status"><b>${words.join(", ")}:</b> ${worst.message}</span></summary>
-        <ul>
-          ${LEVELS.flatMap(of).map(
-            (f) => html`<li class=${f.level}><span class="level">${NAMES[f.level]}</span> ${f.message}
-              ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${f.path}</a>` : nothing}</li>`,
-          )}
-        </ul>
-      </details>
+      ${
+        worst
+          ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${worst.message}</p>
+            ${worst.path ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>Go to it</button>` : nothing}
+            ${findings.length > 1 ? html`<button type="button" class="quiet" @click=${() => this.all()}>All</button>` : nothing}`
+          : html`<p class="verdict fine" role="status">✓ No problems found</p>`
+      }
+      <span class="gap"></span>
+      ${stale ? nothing : html`<span class="run">${plan.moves.length} moves · ${plan.length.toFixed(0)} ${units} · ${minutes}:${seconds}</span>`}
+      <span class="run private">Nothing leaves this browser</span>
     `;
   }
 
-  private go(event: Event, path: string): void {
-    event.preventDefault();
+  private go(path: string): void {
     this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
+  }
+
+  private all(): void {
+    this.dispatchEvent(new CustomEvent("ask", { detail: "checks", bubbles: true }));
   }
 }
 

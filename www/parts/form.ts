@@ -1,13 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
-import { parseNumber } from "../store.js";
-import { Part } from "./part.js";
-
-/** A field and where its value stands in the job. */
-interface Placed {
-  field: FieldEntry;
-  path: string;
-}
+import { sizeField } from "../store.js";
+import { FieldPart, type Placed } from "./field.js";
 
 /** A number of a picked touch. */
 const TOUCH: FieldEntry = {
@@ -27,43 +21,54 @@ const TOUCH: FieldEntry = {
   size: false,
 };
 
-/** The form, drawn from the catalog. */
-class FormPart extends Part {
+/** What stands in the bar, not in the form. */
+const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
+const TRIAL = "Virtual part";
+/** Groups of the cycle that are folded at first, as those around it are. */
+const FOLDED = /^(Postprocessor|After probing)/;
+
+/** The form, drawn from the catalog: groups that fold to a line of their values. */
+class FormPart extends FieldPart {
   /** Forms inside the form that may be left out, by heading. */
   private readonly optional = new Map<string, { path: string; fields: FieldEntry[] }>();
-  protected override follows = ["change"];
+  /** What the user has folded or opened. */
+  private readonly opened = new Map<string, boolean>();
+  /** Whether everything else stands open. */
+  private all = false;
 
   override render(): TemplateResult {
-    const cycle = this.store.cycle;
+    const groups = this.groups();
     return html`
-      <form @submit=${(event: Event) => event.preventDefault()} autocomplete="off">
-        <fieldset>
-          <legend>Cycle</legend>
-          <div class="field wide">
-            <label for="f-cycle.type">Cycle</label>
-            <select id="f-cycle.type" @change=${(e: Event) => this.store.choose((e.target as HTMLSelectElement).value as typeof cycle.type)}>
-              ${this.store.catalog.cycles.map((c) => html`<option value=${c.type} ?selected=${c.type === cycle.type}>${c.title} (${c.source})</option>`)}
-            </select>
-            ${this.problems("cycle.type")}
-          </div>
-        </fieldset>
-        ${this.groups().map(
-          ([name, fields]) =>
-            html`<fieldset><legend>${name}</legend>${this.switch(name)}${fields.map((placed) => this.field(placed))}
-              ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}</fieldset>`,
-        )}
-        ${cycle.touches ? this.touches() : nothing}
+      <nav class="chips" aria-label="Parts of the form">${groups.map(
+        ([name]) => html`<button type="button" @click=${() => this.show(name)}
+          @focus=${(e: Event) => (e.target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" })}>${name}</button>`,
+      )}</nav>
+      <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
+        ${groups.map(([name, fields]) => this.group(name, fields))}
+        ${this.store.cycle.touches ? this.touches() : nothing}
       </form>
     `;
   }
 
-  /** Fields under their headings: the cycle's own first, then what stands around it, the virtual part last. */
+  /** Unfolds the group of a path; every group where none is named. */
+  unfold(path?: string): Promise<boolean> {
+    this.all ||= path === undefined;
+    for (const [name, fields] of this.groups()) {
+      const holds = (placed: Placed) => path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
+      if (path !== undefined && fields.some(holds)) this.opened.set(name, true);
+    }
+    this.requestUpdate();
+    return this.updateComplete;
+  }
+
+  /** Fields under their headings: the cycle's own first, then what stands around it. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
     const own = this.store.cycle.ownFeeds;
     const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
+      if (IN_BAR.has(path)) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);
@@ -83,14 +88,81 @@ class FormPart extends Part {
         if (!(own && field.key === "overtravel")) add(path ? `${path}.${field.key}` : field.key, field);
       }
     }
-    for (const field of this.store.cycle.fields.filter((f) => f.size)) {
-      const label = `${field.label} differs by`;
-      const help = `How much the real ${field.label.toLowerCase()} is larger (or, negative, smaller) than it should be.`;
-      add(`part.sizes.${field.key}`, { ...field, label, help, default: 0, code: null }, "Virtual part");
-    }
+    for (const field of this.store.cycle.fields.filter((f) => f.size))
+      add(`part.sizes.${field.key}`, sizeField(field) as FieldEntry, TRIAL);
     // The postprocessor's own fields are rarely touched.
-    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === "Virtual part" ? 2 : 0);
+    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === TRIAL ? 2 : 0);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
+  }
+
+  private group(name: string, fields: Placed[]): TemplateResult {
+    const open = this.isOpen(name);
+    const level = ["error", "warning"].find((level) => fields.some(({ path }) => this.levels(path).includes(level)));
+    const id = `group-${name.replaceAll(/\W+/g, "-")}`;
+    return html`<section class="group" id=${id} aria-label=${name}>
+      <h2><button type="button" class=${`fold ${level ?? ""}`} aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name, open)}>
+        <span class="sign" aria-hidden="true">${open ? "▾" : "▸"}</span> <b>${name}</b>
+        <span class="summary">${open ? nothing : this.summary(name, fields)}</span></button></h2>
+      ${
+        open
+          ? html`<div class="fields">${this.switch(name)}${fields.map((placed) => this.field(placed))}
+            ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}</div>`
+          : nothing
+      }
+    </section>`;
+  }
+
+  /** The levels of what is said at a path or inside it. */
+  private levels(path: string): string[] {
+    const of = (f: Finding) =>
+      f.path === path || f.path.startsWith(`${path}[`) || (f.path === "part" && path.startsWith("part."));
+    return this.store.findings.filter(of).map((f) => f.level);
+  }
+
+  /** What a drawing says stands open at first. */
+  private isOpen(name: string): boolean {
+    const own = this.store.cycle.fields.some((f) => f.group === name) && !FOLDED.test(name);
+    return this.opened.get(name) ?? (this.all || own);
+  }
+
+  private fold(name: string, open: boolean): void {
+    this.opened.set(name, !open);
+    this.requestUpdate();
+  }
+
+  /** To a group, from a chip. */
+  private async show(name: string): Promise<void> {
+    this.opened.set(name, true);
+    this.requestUpdate();
+    await this.updateComplete;
+    this.querySelector(`#group-${name.replaceAll(/\W+/g, "-")}`)?.scrollIntoView({ block: "start" });
+  }
+
+  /** The values of a folded group in one line. */
+  private summary(name: string, fields: Placed[]): string {
+    if (name === TRIAL) return this.lie(fields);
+    const words = fields.flatMap(({ field, path }) => {
+      const value =
+        this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
+      if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];
+      if (value === null) return field.null ? [`${field.label.toLowerCase()} ${field.null}`] : [];
+      const choice = field.choices.find((c) => c.value === value);
+      if (choice) return [choice.label];
+      return [`${field.label.toLowerCase()} ${Array.isArray(value) ? value.join(" ") : String(value)}`];
+    });
+    return words.join(" · ") || (this.optional.has(name) ? "not used" : "");
+  }
+
+  /** How the trial part lies: what deviates, or that nothing does. */
+  private lie(fields: Placed[]): string {
+    const offset = (this.store.get("part.offset") ?? []) as unknown[];
+    const shift = offset.flatMap((x, i) => (x === 0 || x === undefined ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
+    const turn = this.store.get("part.rotation") ?? 0;
+    const sizes = fields.flatMap(({ field, path }) => {
+      const value = path.startsWith("part.sizes.") ? (this.store.get(path) ?? 0) : 0;
+      return value === 0 ? [] : [`${field.label.replace(" differs by", "")} ${signed(value)}`];
+    });
+    return [...shift, ...(turn === 0 ? [] : [`turned ${String(turn)}°`]), ...sizes].join(" · ") || "nominal";
   }
 
   /** The box that puts a form inside the form in or out. */
@@ -98,7 +170,7 @@ class FormPart extends Part {
     const section = this.optional.get(group);
     if (!section) return nothing;
     const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f) ?? null]));
-    return html`<div class="field wide"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
+    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
       @change=${(e: Event) => this.store.set(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
   }
 
@@ -106,7 +178,7 @@ class FormPart extends Part {
   private frame(): TemplateResult {
     const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
     const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
-    return html`<div class="field wide"><p class="help">Frame: ${words || "none"}. Tool lengths, above, has a button that takes its question
+    return html`<div class="row"><p class="help">Frame: ${words || "none"}. Tool lengths, under ⋯, has a button that takes its question
       into the job.</p>${frame.length ? html`<button type="button" @click=${() => this.store.set("tool.frame", [])}>No frame</button>` : nothing}
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
@@ -116,13 +188,15 @@ class FormPart extends Part {
     const picks = this.store.get("cycle.touches") as { point: unknown[]; vector: unknown[] }[] | null | undefined;
     const take = () => {
       const touches = this.store.plan.touches.map(({ point, vector }) => ({ point: [...point], vector: [...vector] }));
+      this.store.settle();
       this.store.set("cycle.touches", touches);
+      this.store.settle();
     };
     const point: FieldEntry = { ...TOUCH, unit: "length", label: "Point" };
     const vector: FieldEntry = { ...TOUCH, unit: "none", label: "Vector" };
-    return html`<fieldset><legend>Picked touches</legend>
-      <div class="field wide">
-        <p class="help">The Job Assignment's own picks: points on the surface and outward normals. They replace the points that the dimensions give.</p>
+    return html`<section class="group" aria-label="Picked touches"><h2>Picked touches</h2>
+      <div class="fields">
+        <p class="help">Points on the surface and outward normals, picked in the part. They replace the points that the dimensions give.</p>
         ${
           picks
             ? html`<button type="button" @click=${() => this.store.drop("cycle.touches")}>Back to the dimensions</button>`
@@ -135,92 +209,60 @@ class FormPart extends Part {
             html`<div class="point" role="group" aria-label=${`${field.label} of touch ${k + 1}`}>${["X", "Y", "Z"].map(
               (axis, i) => this.number(field, `${at}.${key}[${i}]`, `${field.label} of touch ${k + 1}, ${axis}`),
             )}</div>`;
-          return html`<li>${row(point, "point")}${row(vector, "vector")}${this.problems(at)}${this.problems(`${at}.vector`)}</li>`;
+          const found = this.store.findings.filter((f) => f.path.startsWith(at));
+          return html`<li>${row(point, "point")}${row(vector, "vector")}${found.map((f) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)}</li>`;
         })}</ol>
-      </div></fieldset>`;
+      </div></section>`;
   }
 
   private field(placed: Placed): TemplateResult {
     const { field, path } = placed;
-    if (path === "control.workOffset") return this.workOffset(placed);
-    const held = this.store.get(path);
-    const value = held === undefined ? field.default : held;
+    const row = (body: TemplateResult) =>
+      html`<div class="row"><label for=${`f-${path}`}>${field.label}</label>${body}${this.said(placed)}</div>`;
     switch (field.kind) {
       case "flag":
-        return html`<div class="field">
-          <label class="check"><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true} aria-describedby=${`h-${path}`}
-            @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>
-          ${this.foot(placed)}
-        </div>`;
+        return html`<div class="row"><label class="check"><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}
+          aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
+          @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
       case "choice":
-        return html`<div class="field">
-          <label for=${`f-${path}`}>${field.label}</label>
-          <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.choose(path, (e.target as HTMLSelectElement).value)}>
-            ${this.options(field.choices, value)}
-          </select>
-          ${this.foot(placed)}
-        </div>`;
+        return row(this.select(path, field.choices, (value) => this.store.set(path, value)));
       case "code":
-        return html`<div class="field">
-          <label for=${`f-${path}`}>${field.label}</label>
-          <select id=${`f-${path}`} aria-describedby=${`h-${path}`} @change=${(e: Event) => this.store.set(path, Number((e.target as HTMLSelectElement).value))}>
-            ${this.options(
-              field.choices.map((c) => ({ value: c.value, label: `${c.value}: ${c.label}` })),
-              value,
-            )}
-          </select>
-          ${this.foot(placed)}
-        </div>`;
+        return row(
+          this.select(
+            path,
+            field.choices.map((c) => ({ value: c.value, label: `${c.value}: ${c.label}` })),
+            (value) => this.store.set(path, Number(value)),
+          ),
+        );
       case "text":
-        return html`<div class="field">
-          <label for=${`f-${path}`}>${field.label}</label>
-          <input id=${`f-${path}`} type="text" spellcheck="false" aria-describedby=${`h-${path}`} .value=${String(this.store.get(path) ?? "")}
-            @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} />
-          ${this.foot(placed)}
-        </div>`;
+        return row(html`<span class="number"><input id=${`f-${path}`} type="text" spellcheck="false" aria-describedby=${`h-${path} e-${path}`}
+          .value=${String(this.store.get(path) ?? "")} @focus=${() => this.store.focus(path)} @blur=${() => this.store.settle()}
+          @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} /></span>`);
       case "nominalPoint":
       case "point":
-        return html`<div class="field wide" role="group" aria-label=${field.label}>
+        return html`<div class="row whole" role="group" aria-label=${field.label}>
           <span class="label">${field.label}</span>
           <div class="point">
-            ${["X", "Y", "Z"].map((axis, i) => html`<span class="axis"><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`)}</span>`)}
+            ${["X", "Y", "Z"].map((axis, i) => html`<span class="axis"><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`)}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
           </div>
-          ${[0, 1, 2].map((i) => this.problems(`${path}[${i}]`))} ${this.foot(placed)}
+          ${this.said(placed, [path, ...[0, 1, 2].map((i) => `${path}[${i}]`)])}
         </div>`;
       case "nominal":
       case "number":
       case "count":
-        return html`<div class="field">
-          <label for=${`f-${path}`}>${field.label}</label>
-          <div class="line">${field.null ? this.nullable(placed) : this.number(field, path)}</div>
-          ${this.foot(placed)}
-        </div>`;
+        return row(field.null ? this.nullable(placed) : this.number(field, path));
     }
-  }
-
-  private number(field: FieldEntry, path: string, name?: string): TemplateResult {
-    const value = this.store.get(path);
-    const stand = this.store.standIn(field);
-    const index = /\[(\d)\]$/.exec(path)?.[1];
-    const missing = Array.isArray(stand) && index ? stand[Number(index)] : stand;
-    const text = this.store.typed.get(path) ?? String((value === undefined ? missing : value) ?? "");
-    const words = field.kind === "nominal" || field.kind === "nominalPoint";
-    const bad = this.store.at(path).some((f) => f.level === "error");
-    return html`<span class="number"><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
-        aria-describedby=${`h-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${bad ? "true" : "false"} .value=${text}
-        @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
-        @input=${(e: Event) => {
-          const typed = (e.target as HTMLInputElement).value;
-          this.store.set(path, parseNumber(typed), typed);
-        }} /><span class="unit">${this.unit(field)}</span></span>`;
   }
 
   /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
   private nullable({ field, path }: Placed): TemplateResult {
     const off = this.store.get(path) === null;
-    return html`${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
-      <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`}
-        @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>`;
+    return html`<span class="line">${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
+      <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
+        @change=${(e: Event) => {
+          this.store.settle();
+          this.store.set(path, (e.target as HTMLInputElement).checked ? null : this.rate(field));
+        }} /> ${field.null}</label></span>`;
   }
 
   /** A rate to start from where one was not wanted before. */
@@ -229,55 +271,13 @@ class FormPart extends Part {
     return typeof stand === "number" ? stand : this.store.units === "inch" ? 80 : 2000;
   }
 
-  private workOffset(placed: Placed): TemplateResult {
-    const { field, path } = placed;
-    const value = this.store.get(path) ?? null;
-    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
-    const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
-    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1, label: `${word(i + 1)} (${i + 1})` }));
-    const options = [{ value: null, label: "none, measure only" }, ...numbers];
-    return html`<div class="field">
-      <label for=${`f-${path}`}>${field.label}</label>
-      <select id=${`f-${path}`} aria-describedby=${`h-${path}`}
-        @change=${(e: Event) => {
-          const chosen = (e.target as HTMLSelectElement).value;
-          this.store.set(path, chosen ? Number(chosen) : null);
-        }}>
-        ${this.options(options, value)}
-      </select>
-      ${this.foot(placed)}
-    </div>`;
-  }
-
-  /** The choices, and before them a value that is none of them: the form shows what the job says. */
-  private options(choices: { value: string | number | null; label: string }[], value: unknown): TemplateResult {
-    const known = choices.some((c) => c.value === value);
-    return html`${known ? nothing : html`<option value=${String(value)} selected disabled>${String(value)}</option>`}
-      ${choices.map((c) => html`<option value=${c.value ?? ""} ?selected=${c.value === value}>${c.label}</option>`)}`;
-  }
-
-  private choose(path: string, value: string): void {
-    if (path === "units") this.store.setUnits(value as "mm" | "inch");
-    else this.store.set(path, value);
-  }
-
-  private unit(field: FieldEntry): string {
-    const unit = this.store.units;
-    return { length: unit, feed: `${unit}/min`, angle: "°", none: "" }[field.unit];
-  }
-
-  /** Problems and help under a field. */
-  private foot({ field, path }: Placed): TemplateResult {
-    const code = field.code ? html` <code>${field.code}</code>` : nothing;
-    return html`${this.problems(path)}<p class="help" id=${`h-${path}`}>${field.help}${code}</p>`;
-  }
-
-  private problems(path: string): TemplateResult | typeof nothing {
-    const found = this.store.at(path);
-    if (found.length === 0) return nothing;
-    return html`<div id=${`e-${path}`}>${found.map((f: Finding) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)}</div>`;
+  /** Enter goes on to the next number. */
+  private next(box: HTMLElement): void {
+    const boxes = [...this.querySelectorAll<HTMLElement>("input[type=text]:not(:disabled)")];
+    boxes[boxes.indexOf(box) + 1]?.focus();
   }
 }
+
+const signed = (x: unknown) => (typeof x === "number" && x > 0 ? `+${x}` : String(x));
 
 customElements.define("tp-form", FormPart);

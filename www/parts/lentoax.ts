@@ -1,6 +1,7 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
-import { parseNumber, type Store } from "../store.js";
+import { readNumber } from "../number.js";
+import type { Store } from "../store.js";
 import { Drawing } from "./drawing.js";
 import { copy } from "./hand.js";
 import { Scheme } from "./scheme.js";
@@ -217,7 +218,7 @@ class LentoaxPart extends LitElement {
         this.change(() => {
           const text = (e.target as HTMLInputElement).value;
           this.typed.set(id, text);
-          take(parseNumber(text));
+          take(readNumber(text));
         })} />${name ? html`<span class="unit">°</span>` : nothing}</span>`;
   }
 

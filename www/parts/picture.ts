@@ -1,60 +1,178 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3 } from "../core/browser.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
-/** The picture with its tools: views, zoom, and a slider over the moves. */
+const SPEEDS = [1, 4, 16] as const;
+
+/** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
+  protected override follows = ["change", "highlight", "focus"];
   /** The job in the picture; a hover draws it again but does not plan it again. */
   private drawn?: object;
   private pointers = new Map<number, { x: number; y: number }>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
   private dragged = false;
+  /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
+  private times: Float64Array = new Float64Array();
+  private clock: number | null = null;
+  private speed: (typeof SPEEDS)[number] = 4;
+  private frameAsked = 0;
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
     const count = plan.moves.length;
+    const ticks = plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
+    const to = (index: number) => () => this.step(index);
+    const now = highlight === null ? 0 : highlight + 1;
+    const touches = (way: 1 | -1) => {
+      const next = way > 0 ? ticks.find((t) => t > now) : ticks.findLast((t) => t < now);
+      return next ?? (way > 0 ? count : 0);
+    };
     return html`
       ${this.tools("Picture")}
       <div class=${stale ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
+          @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
-        ${stale ? html`<p class="stamp" role="status">The form has errors: this is the last good plan</p>` : nothing}
+        ${stale ? html`<p class="stamp" role="status">The form has errors: this is the last good plan</p>` : this.trial()}
       </div>
-      <div class="scrub">
-        <label for="scrub">Move</label>
-        <input id="scrub" type="range" min="0" max=${count} .value=${String(highlight === null ? 0 : highlight + 1)}
-          aria-valuetext=${this.says()}
-          @input=${(e: Event) => {
-            const n = Number((e.target as HTMLInputElement).value);
-            this.store.point(n === 0 ? null : n - 1);
-          }} />
-        <output for="scrub">${this.says()}</output>
-      </div>
-      <ul class="key" aria-label="Colours">
-        <li class="position">positioning</li><li class="link">link, back</li><li class="touch">touch</li><li class="ghost">overtravel</li><li class="rapid">rapid</li><li class="actual">virtual part</li>
+      <ul class="key" aria-label="Lines">
+        <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>
       </ul>
+      <div class="scrub" role="group" aria-label="Timeline" @keydown=${this.timelineKey}>
+        <button type="button" class="icon" aria-label="Touch before" title="Touch before (Ctrl+←)" @click=${to(touches(-1))}>|◀</button>
+        <button type="button" class="icon play" aria-label=${this.clock === null ? "Play" : "Pause"} title="Play, pause (Space)" ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
+        <button type="button" class="icon" aria-label="Next touch" title="Next touch (Ctrl+→)" @click=${to(touches(1))}>▶|</button>
+        <span class="track">
+          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label="Move" .value=${String(now)}
+            aria-valuetext=${this.says()} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
+          <datalist id="ticks">${ticks.map((t) => html`<option value=${t}></option>`)}</datalist>
+        </span>
+        <output for="scrub">${this.says()}</output>
+        <button type="button" class="quiet" aria-label=${`Speed: ${this.speed} times`} title="Speed" @click=${this.faster}>${this.speed}×</button>
+      </div>
     `;
   }
 
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.pause();
+    this.drawn = undefined;
+  }
+
   protected override updated(_changed: PropertyValues): void {
-    const { shown, highlight } = this.store;
+    const { shown, highlight, focused } = this.store;
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
       this.drawing = new Drawing(canvas, (view) => {
         view.look(this.look);
         view.show(this.store.shown);
+        view.focus(this.store.focused ?? undefined);
         view.highlight(this.store.highlight ?? undefined);
       });
       this.observer.observe(canvas);
     }
+    if (this.drawn !== shown) this.pause();
     this.drawing?.use((view) => {
-      if (this.drawn !== shown) view.show(shown);
-      view.highlight(highlight ?? undefined);
+      if (this.drawn !== shown) {
+        view.show(shown);
+        this.times = view.times();
+      }
+      if (this.clock === null) view.highlight(highlight ?? undefined);
+      view.focus(focused ?? undefined);
     });
     this.drawn = shown;
+    if (focused !== this.turnedFor) this.face(focused);
+  }
+
+  /** The field that the picture was last turned for: a view that the user chooses after it stays. */
+  private turnedFor: string | null = null;
+
+  /** Turns to where the dimension of a field is seen. */
+  private face(path: string | null): void {
+    this.turnedFor = path;
+    const look = path === null ? undefined : this.drawing?.use((view) => view.lookFor(path));
+    if (look && look !== this.look && this.look !== "isometric") this.turn(look as (typeof VIEWS)[number]);
+  }
+
+  /** What lies other than the drawing says is seen without opening anything. */
+  private trial(): TemplateResult | typeof nothing {
+    const part = this.store.get("part") as
+      | { offset?: number[]; rotation?: number; sizes?: Record<string, number> }
+      | undefined;
+    const turned = Number(part?.rotation ?? 0);
+    const shifted = (part?.offset ?? []).some((x) => x !== 0);
+    const sized = Object.values(part?.sizes ?? {}).some((x) => x !== 0);
+    if (!turned && !shifted && !sized) return nothing;
+    const words = [
+      turned ? `turned ${turned}°` : "",
+      shifted ? `shifted ${part?.offset?.join(", ")} ${this.store.units}` : "",
+      sized ? "of other sizes" : "",
+    ];
+    return html`<p class="trial">Virtual part: ${words.filter(Boolean).join(", ")}</p>`;
+  }
+
+  /** To a move, counted from 1; 0 is none. */
+  private step(count: number): void {
+    this.pause();
+    this.store.pin(count === 0 ? null : count - 1);
+  }
+
+  private readonly timelineKey = (event: KeyboardEvent): void => {
+    const target = event.target as HTMLElement;
+    if (event.key === " " && target.id === "scrub") this.toggle();
+    else if (event.ctrlKey && event.key === "ArrowRight")
+      this.querySelector<HTMLElement>("[aria-label='Next touch']")?.click();
+    else if (event.ctrlKey && event.key === "ArrowLeft")
+      this.querySelector<HTMLElement>("[aria-label='Touch before']")?.click();
+    else return;
+    event.preventDefault();
+  };
+
+  private readonly faster = (): void => {
+    this.speed = SPEEDS[(SPEEDS.indexOf(this.speed) + 1) % SPEEDS.length] as (typeof SPEEDS)[number];
+    this.requestUpdate();
+  };
+
+  private readonly toggle = (): void => {
+    if (this.clock !== null) {
+      this.pause();
+      return;
+    }
+    const { highlight, plan } = this.store;
+    const from = highlight === null || highlight >= plan.moves.length - 1 ? 0 : highlight + 1;
+    this.clock = this.times.subarray(0, from).reduce((sum, t) => sum + t, 0);
+    let before = performance.now();
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const tick = (now: number) => {
+      if (this.clock === null) return;
+      this.clock += ((now - before) / 1000) * this.speed;
+      before = now;
+      let left = this.clock;
+      let move = 0;
+      while (move < this.times.length && left >= (this.times[move] as number)) left -= this.times[move++] as number;
+      if (move >= this.times.length) {
+        this.pause();
+        this.store.pin(this.times.length - 1);
+        return;
+      }
+      this.store.pin(move);
+      // Where motion is not wanted the ball goes from end to end.
+      this.drawing?.use((view) => view.play(move, still ? 1 : left / (this.times[move] as number)));
+      this.frameAsked = requestAnimationFrame(tick);
+    };
+    this.frameAsked = requestAnimationFrame(tick);
+    this.requestUpdate();
+  };
+
+  private pause(): void {
+    if (this.clock === null) return;
+    cancelAnimationFrame(this.frameAsked);
+    this.clock = null;
+    this.requestUpdate();
   }
 
   private frame(): HTMLElement {
@@ -76,7 +194,8 @@ class PicturePart extends DrawnPart {
       return `${plan.moves.length} moves, ${plan.length.toFixed(0)} ${this.store.units}, ${minutes} min ${seconds} s`;
     }
     const kind = { position: "positioning", touch: `touch ${(move.touch ?? 0) + 1}`, back: "back" }[move.kind];
-    return `${highlight + 1} of ${plan.moves.length}: step ${move.step}, ${kind}, ${move.feed === "longLink" ? "long link" : move.feed}`;
+    const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((move.to[i] as number).toFixed(4))}`).join(" ");
+    return `${highlight + 1} of ${plan.moves.length}: step ${move.step}, ${kind}, ${move.feed === "longLink" ? "long link" : move.feed}, to ${place}`;
   }
 
   private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
@@ -89,6 +208,7 @@ class PicturePart extends DrawnPart {
     this.canvas().setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, at);
     this.dragged = false;
+    this.store.settle();
     if (this.pointers.size > 1) {
       this.release();
       return;
@@ -108,6 +228,7 @@ class PicturePart extends DrawnPart {
   private release(): void {
     if (!this.grip) return;
     this.grip = null;
+    this.store.settle();
     this.frame().style.cssText = "";
     this.drawing?.use((view) => view.hold(false));
   }
@@ -117,7 +238,7 @@ class PicturePart extends DrawnPart {
     const before = this.pointers.get(event.pointerId);
     if (!before) {
       this.drawing?.use((view) => {
-        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : "";
+        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : view.dimensionAt(at.x, at.y) ? "text" : "";
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;
@@ -165,7 +286,9 @@ class PicturePart extends DrawnPart {
     const at = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
     if (at && !this.dragged && !this.grip) {
-      this.store.point(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
+      const field = this.drawing?.use((view) => view.dimensionAt(at.x, at.y));
+      if (field) this.dispatchEvent(new CustomEvent("go", { detail: field, bubbles: true }));
+      else this.store.pin(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
     }
     this.release();
   }

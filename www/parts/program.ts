@@ -1,49 +1,65 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { copy, download, withheld } from "./hand.js";
-import "./checks.js";
 import { Part } from "./part.js";
 
-/** The program, line by line; a line that makes a move lights up with it. */
+/** A run of lines under one heading. */
+interface Block {
+  /** The documented step; 0 is none. */
+  step: number;
+  lines: { text: string; line: number }[];
+}
+
+/** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
   private told = "";
   /** The program that was saved or copied: what is said of it holds for no other. */
   private toldOf = "";
+  private unfolded = false;
 
   override render(): TemplateResult {
-    const { stale, catalog } = this.store;
-    const { program } = this.store.plan;
-    // The extension is the chosen control's, also while there is no program for it.
-    const chosen = catalog.posts.find((p) => p.id === this.store.get("control.post"));
-    const extension = chosen?.extension ?? program.extension;
+    const { stale, highlight } = this.store;
+    const { program, moves } = this.store.plan;
     const why = stale ? "withheld-program" : nothing;
     const lines = program.text.replace(/\n$/, "").split("\n");
-    const moves = new Map(program.moveLines.map((line, move) => [line, move]));
-    const lit = this.store.highlight === null ? -1 : program.moveLines[this.store.highlight];
-    const step = this.store.highlight === null ? 0 : (this.store.plan.moves[this.store.highlight]?.step ?? 0);
+    const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
+    const first = program.moveLines[0] ?? 0;
+    const head = first > 3 ? first : 0;
+    const lit = highlight === null ? -1 : (program.moveLines[highlight] as number);
+    const step = highlight === null ? 0 : (moves[highlight]?.step ?? 0);
     const { steps } = this.store.cycle;
+    const row = ({ text, line }: Block["lines"][number]) => {
+      const move = moveAt.get(line);
+      const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected=${line === lit ? "true" : "false"}
+        @mouseenter=${() => this.store.point(move ?? null)} @click=${() => this.store.pin(move ?? null)}><span class="no">${line + 1}</span><span class="text">${text}</span></div>`;
+    };
+    const numbered = lines.map((text, line) => ({ text, line }));
+    let now = -1;
+    const blocks: Block[] = [];
+    for (const one of numbered.slice(head)) {
+      const move = moveAt.get(one.line);
+      const next = move === undefined ? now : (moves[move]?.step ?? 0);
+      if (next !== now || blocks.length === 0) blocks.push({ step: Math.max(next, 0), lines: [] });
+      now = next;
+      blocks.at(-1)?.lines.push(one);
+    }
     return html`
-      ${
-        steps.length
-          ? html`<details class="documented" open><summary>Documented steps</summary>
-        <ol>${steps.map(
-          (text, i) => html`<li class=${i + 1 === step ? "lit" : ""} aria-current=${i + 1 === step ? "step" : "false"}
-          @mouseenter=${() => this.first(i + 1)} @mouseleave=${() => this.store.point(null)}>${text}</li>`,
-        )}</ol></details>`
-          : ""
-      }
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy</button>
-        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.save}>Save .${extension}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
+        <span class="gap"></span>
+        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${head} lines before the first move</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
-      <tp-checks .store=${this.store}></tp-checks>
       <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
-        ${lines.map((text, line) => {
-          const move = moves.get(line);
-          return html`<div role="option" class=${move === undefined ? "line plain" : "line"} data-line=${line} aria-selected=${line === lit ? "true" : "false"}
-            @mouseenter=${() => this.store.point(move ?? null)} @click=${() => this.store.point(move ?? null)}><span class="no">${line + 1}</span><span class="text">${text}</span></div>`;
+        ${head > 0 ? html`<div role="group" aria-label="Before the first move" ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
+        ${blocks.map((block) => {
+          const text = steps[block.step - 1];
+          if (!text) return html`<div role="group" aria-label="Program">${block.lines.map(row)}</div>`;
+          return html`<div role="group" aria-label=${`Step ${block.step}: ${text}`}>
+            <div class=${block.step === step ? "step lit" : "step"} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
+            ${block.lines.map(row)}</div>`;
         })}
       </div>
     `;
@@ -51,7 +67,6 @@ class ProgramPart extends Part {
 
   protected override updated(): void {
     if (this.matches(":hover")) return;
-    this.querySelector<HTMLElement>(".documented .lit")?.scrollIntoView({ block: "nearest" });
     const lit = this.querySelector<HTMLElement>("[aria-selected=true]");
     const box = this.querySelector<HTMLElement>(".code");
     if (!lit || !box) return;
@@ -61,31 +76,32 @@ class ProgramPart extends Part {
     }
   }
 
-  /** Points at the first move of a step. */
-  private first(step: number): void {
-    const move = this.store.plan.moves.findIndex((m) => m.step === step);
-    this.store.point(move < 0 ? null : move);
+  /** Saves the program; only ever that of the form as it stands. */
+  save(): void {
+    if (this.store.stale) return;
+    const { text, extension } = this.store.plan.program;
+    const name = this.store.fileName(extension);
+    download(text, name, "text/plain");
+    this.tell(`Saved ${name}`);
   }
 
+  private readonly fold = () => {
+    this.unfolded = !this.unfolded;
+    this.requestUpdate();
+  };
+
   private key(event: KeyboardEvent): void {
+    if (event.key === "Escape") this.store.pin(null);
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (!step) return;
     event.preventDefault();
     const last = this.store.plan.moves.length - 1;
     const now = this.store.highlight ?? (step > 0 ? -1 : last + 1);
-    this.store.point(Math.max(0, Math.min(last, now + step)));
+    this.store.pin(Math.max(0, Math.min(last, now + step)));
   }
 
   private async copy(): Promise<void> {
     if (!this.store.stale) this.tell(await copy(this.store.plan.program.text));
-  }
-
-  private save(): void {
-    if (this.store.stale) return;
-    const { text, extension } = this.store.plan.program;
-    const name = String(this.store.shown.name ?? "").replace(/[^A-Za-z0-9_-]+/g, "_") || "PROBE";
-    download(text, `${name}.${extension}`, "text/plain");
-    this.tell(`Saved ${name}.${extension}`);
   }
 
   private tell(text: string): void {
@@ -94,5 +110,7 @@ class ProgramPart extends Part {
     this.requestUpdate();
   }
 }
+
+export type { ProgramPart };
 
 customElements.define("tp-program", ProgramPart);

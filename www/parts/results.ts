@@ -57,8 +57,18 @@ class ResultsPart extends Part {
     this.requestUpdate();
   }
 
+  /** A result by the name that the form has for it. */
+  private named(code: string): string {
+    const field = this.store.cycle.fields.find((f) => f.key === code);
+    const [thing, axis] = code.split(".");
+    return (
+      field?.label ??
+      (axis && /^[xyz]$/.test(axis) ? `${thing?.replace(/^./, (c) => c.toUpperCase())} ${axis.toUpperCase()}` : "")
+    );
+  }
+
   private row(r: ResultRow, truth: boolean): TemplateResult {
-    const name = html`<td class="name" title=${r.meaning}><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    const name = html`<td class="name" title=${r.meaning}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
     const verdict = (text: string) => html`<span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>`;
     if (r.unit === "") {
       return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan=${truth ? 3 : 2}>${verdict(r.verdict ?? "")}</td></tr>`;

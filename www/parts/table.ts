@@ -85,8 +85,9 @@ class TablePart extends Part {
 
   private save(): void {
     if (this.store.stale) return;
-    download(exportTable(this.store.shown as unknown as Job, "csv"), "parameters.csv", "text/csv");
-    this.told = "Saved parameters.csv";
+    const name = this.store.otherName("-parameters.csv");
+    download(exportTable(this.store.shown as unknown as Job, "csv"), name, "text/csv");
+    this.told = `Saved ${name}`;
     this.toldOf = this.store.plan;
     this.requestUpdate();
   }

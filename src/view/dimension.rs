@@ -1,0 +1,95 @@
+//! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
+
+use crate::geom::Vec3;
+use crate::path::{Bore, Feature, Pair, Path, Protection, Rectangle, Surface};
+
+/// A dimension of the nominal part, in the work coordinate system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dimension {
+    /// The path of the job's field that says it.
+    pub field: &'static str,
+    /// Where it begins, mm.
+    pub from: Vec3,
+    /// Where it ends, mm; its length is the field's value.
+    pub to: Vec3,
+    /// The side on which its line stands, a unit vector square to it.
+    pub aside: Vec3,
+    /// How far the part goes on that side, mm.
+    pub beyond: f64,
+    /// Whether it is drawn only while its field has the focus.
+    pub on_demand: bool,
+}
+
+/// The dimensions of what a path probes; none where the touches were picked, since then they say nothing of where it lies.
+pub fn dimensions(path: &Path) -> Vec<Dimension> {
+    if path.feature.picked() {
+        return Vec::new();
+    }
+    let frame = path.frame;
+    let (u, v, w) = (frame.u, frame.v, frame.w);
+    let top = path.top.unwrap_or(frame.origin.dot(w));
+    let center = frame.origin + w * (top - frame.origin.dot(w));
+    let across = |field, along: Vec3, width: f64, edge: Vec3, aside: Vec3, beyond: f64| {
+        let half = along * (width / 2.0);
+        Dimension { field, from: center - half + edge, to: center + half + edge, aside, beyond, on_demand: false }
+    };
+    let deep = |depth: f64, out: Vec3| {
+        let edge = center + out;
+        Dimension {
+            field: "cycle.depth",
+            from: edge,
+            to: edge - w * depth,
+            aside: out.normalize_or(u),
+            beyond: 0.0,
+            on_demand: false,
+        }
+    };
+    let mut all = Vec::new();
+    match &path.feature {
+        Feature::Hole(bore) | Feature::Boss(bore) => {
+            let Bore { diameter, depth, protected, .. } = *bore;
+            all.push(across("cycle.diameter", u, diameter, Vec3::ZERO, -v, diameter / 2.0));
+            all.push(deep(depth, u * (diameter / 2.0)));
+            clearances(path, protected, &["cycle.sideClearance"], &mut all);
+        }
+        Feature::Pocket(rectangle) | Feature::Block(rectangle) => {
+            let Rectangle { widths: [first, second], depth, protected, .. } = *rectangle;
+            all.push(across("cycle.width1", u, first, v * (-second / 2.0), -v, 0.0));
+            all.push(across("cycle.width2", v, second, u * (-first / 2.0), -u, 0.0));
+            all.push(deep(depth, u * (first / 2.0)));
+            clearances(path, protected, &["cycle.sideClearance1", "cycle.sideClearance2"], &mut all);
+        }
+        Feature::Web(pair) | Feature::Groove(pair) => {
+            let Pair { width, depth, protected, .. } = *pair;
+            let far = path.surfaces.iter().filter_map(|s| match s {
+                Surface::Flat(wall) => Some(wall.extent.0.abs().max(wall.extent.1.abs())),
+                _ => None,
+            });
+            let far = far.fold(0.0, f64::max);
+            all.push(across("cycle.width", u, width, v * -far, -v, 0.0));
+            all.push(deep(depth, u * (width / 2.0)));
+            clearances(path, protected, &["cycle.sideClearance"], &mut all);
+        }
+        Feature::TwoCircles(_) | Feature::Still | Feature::Surface { .. } | Feature::Corner(_) | Feature::Triple(_) => {}
+    }
+    all
+}
+
+/// From a wall to where its touch begins, and from the top side up to where the ball crosses.
+fn clearances(path: &Path, protection: Option<Protection>, sides: &[&'static str], all: &mut Vec<Dimension>) {
+    let Some(Protection { top, sides: clear }) = protection else { return };
+    let w = path.frame.w;
+    for (i, field) in sides.iter().enumerate() {
+        // The first touch of each pair of walls.
+        if let Some(touch) = path.touches.get(2 * i) {
+            let (from, to) = (touch.point, touch.point + touch.vector * clear[i]);
+            let aside = w.cross(touch.vector);
+            all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
+        }
+    }
+    if let (Some(touch), Some(height)) = (path.touches.first(), path.top) {
+        let from = touch.point + w * (height - touch.point.dot(w));
+        let aside = -touch.vector;
+        all.push(Dimension { field: "cycle.topClearance", from, to: from + w * top, aside, beyond: 0.0, on_demand: true });
+    }
+}

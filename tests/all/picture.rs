@@ -1,0 +1,128 @@
+//! The picture: what its dimensions say, which walls are seen, how long its moves take.
+
+use touchpath::geom::Vec3;
+use touchpath::job;
+use touchpath::path::Path;
+use touchpath::view::dimension::dimensions;
+use touchpath::view::scene::{self, Actual, Projection, Scene};
+
+use crate::common::{jobs, number_at, planned, with};
+use touchpath::form::Value;
+
+fn built(job: &Value, view: Projection) -> (Scene, Path) {
+    let planned = job::planned(job).expect("the job is sound");
+    let touchpath::job::Planned { job, path, surfaces, run } = planned;
+    let actual = Actual { surfaces: &surfaces, run: &run, origin: Vec3::ZERO, direction: path.frame.u, line: None };
+    let feeds = path.feeds.unwrap_or(job.feeds);
+    (scene::build(&path, &job.setup, &feeds, &actual, view), path)
+}
+
+/// A cycle at its defaults.
+fn of(cycle: &str) -> Value {
+    crate::common::job(&format!("{{\"format\":1,\"cycle\":{{\"type\":\"{cycle}\"}}}}"))
+}
+
+/// Every job of the tests, its cycle's name first; those in inches too.
+fn metric() -> impl Iterator<Item = (String, Value)> {
+    jobs().into_iter().filter(|(_, job)| !matches!(job.get("units"), Some(Value::Text(units)) if units == "inch"))
+}
+
+#[test]
+fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
+    let mut seen = 0;
+    for (name, job) in metric() {
+        let path = job::planned(&job).expect("the job is sound").path;
+        for d in dimensions(&path) {
+            let said = number_at(&job, d.field, f64::NAN);
+            let long = d.from.distance(d.to);
+            assert!(
+                (long - said).abs() < 1e-9 || said.is_nan(),
+                "{name}: {} is {long} mm long, the field says {said}",
+                d.field
+            );
+            assert!((d.aside.length() - 1.0).abs() < 1e-9 && d.aside.dot(d.to - d.from).abs() < 1e-9, "{name}: {}", d.field);
+            seen += usize::from(!said.is_nan());
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+/// The ends of a width are where its touches are: the picture measures what the probe measures.
+#[test]
+fn the_ends_of_a_width_lie_in_the_walls_that_are_touched() {
+    let mut seen = 0;
+    for (name, job) in metric() {
+        let path = job::planned(&job).expect("the job is sound").path;
+        for d in dimensions(&path).iter().filter(|d| ["cycle.width", "cycle.width1", "cycle.diameter"].contains(&d.field)) {
+            let along = (d.to - d.from).normalize();
+            let spans: Vec<f64> = path.touches.iter().map(|t| (t.point - d.from).dot(along)).collect();
+            let (low, high) = spans.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
+            // Touches of a circle may stand aside of its first direction; then they lie within.
+            let exact = d.field != "cycle.diameter";
+            assert!(low > -1e-6 && high < d.from.distance(d.to) + 1e-6, "{name}: {} {low} {high}", d.field);
+            if exact {
+                assert!(low.abs() < 1e-6 && (high - d.from.distance(d.to)).abs() < 1e-6, "{name}: {} {low} {high}", d.field);
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}
+
+#[test]
+fn a_view_shows_only_dimensions_in_their_true_length() {
+    let job = of("internal-rectangle-protected");
+    let fields = |view| built(&job, view).0.dimensions.iter().map(|d| d.field).collect::<Vec<_>>();
+    assert_eq!(fields(Projection::Top), ["cycle.width1", "cycle.width2", "cycle.sideClearance1", "cycle.sideClearance2"]);
+    assert_eq!(fields(Projection::Front), ["cycle.width1", "cycle.depth", "cycle.sideClearance1", "cycle.topClearance"]);
+    assert_eq!(fields(Projection::Side), ["cycle.width2", "cycle.depth", "cycle.sideClearance2", "cycle.topClearance"]);
+    assert!(fields(Projection::Isometric).is_empty());
+    let turned = with(&job, "cycle.rotation", crate::common::number(30.0));
+    let front: Vec<_> = built(&turned, Projection::Front).0.dimensions.iter().map(|d| d.field).collect();
+    assert_eq!(front, ["cycle.depth", "cycle.topClearance"], "a turned width is foreshortened from the front");
+}
+
+/// Of a round wall one half faces who looks: of a boss the near one, of a hole the far one.
+#[test]
+fn a_hole_is_not_a_boss() {
+    for (cycle, near) in [("hole", false), ("boss", true)] {
+        let job = of(cycle);
+        let (scene, _) = built(&job, Projection::Isometric);
+        let walls: Vec<_> = scene.walls.iter().filter(|w| !w.actual).collect();
+        let middle = walls.iter().map(|w| w.corners[0][1]).sum::<f64>() / walls.len() as f64;
+        let low = |faces: bool| {
+            let of: Vec<f64> = walls.iter().filter(|w| w.faces == faces).map(|w| w.corners[0][1]).collect();
+            assert!(of.len() > 20, "{cycle}: half of the strips");
+            of.iter().sum::<f64>() / (of.len() as f64)
+        };
+        // Lower in the picture is nearer.
+        assert_eq!(low(true) < middle, near, "{cycle}");
+        let first_veil = walls.iter().position(|w| !w.faces).expect("there is one");
+        assert!(walls[first_veil..].iter().all(|w| !w.faces), "veils hide nothing that is solid");
+    }
+}
+
+#[test]
+fn the_times_of_the_moves_are_the_times_of_the_plan() {
+    for (name, job) in jobs() {
+        let plan = planned(&job);
+        let minutes = job::minutes(&job::planned(&job).expect("the job is sound"));
+        assert_eq!(minutes.len(), plan.moves.len(), "{name}");
+        let sum: f64 = minutes.iter().sum();
+        assert!((sum - plan.time).abs() < 1e-9 * (1.0 + sum), "{name}: {sum} against {}", plan.time);
+    }
+}
+
+#[test]
+fn a_ball_on_its_way_is_on_its_line() {
+    let job = of("internal-rectangle-protected");
+    let (scene, path) = built(&job, Projection::Top);
+    for index in 1..path.moves.len() {
+        let (from, to) = (scene.ends[index - 1], scene.ends[index]);
+        for part in [0.0, 0.25, 1.0] {
+            let ball = scene.ball(index, part).expect("the move is there");
+            let wanted = [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+            assert!((0..2).all(|i| (ball[i] - wanted[i]).abs() < 1e-9), "move {index} at {part}: {ball:?}, {wanted:?}");
+        }
+    }
+}

@@ -1,0 +1,20 @@
+// File names that every system can store.
+
+/** Names that Windows keeps for its devices. */
+const DEVICES = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
+const LONGEST = 60;
+
+/** A job's name as the stem of a file name: ASCII letters, digits, `-` and `_`. One that has none is PROBE. */
+export function stem(name: unknown): string {
+  const plain = String(name ?? "")
+    .replaceAll("ß", "ss")
+    .replaceAll(/[Øø]/g, (c) => (c === "Ø" ? "O" : "o"))
+    .normalize("NFKD")
+    .replaceAll(/\p{M}/gu, "")
+    .replaceAll(/[^A-Za-z0-9_-]+/g, "_")
+    .replace(/^[-_]+/, "")
+    .slice(0, LONGEST)
+    .replace(/[-_]+$/, "");
+  if (plain === "") return "PROBE";
+  return DEVICES.test(plain) ? `${plain}_` : plain;
+}

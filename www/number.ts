@@ -1,0 +1,94 @@
+// What a user types into a number field: decimal comma, true minus, a sum, a unit.
+import type { FieldEntry } from "./core/browser.js";
+
+type Unit = FieldEntry["unit"];
+type Units = "mm" | "inch";
+
+/** A unit behind the number, and the millimetres (or degrees) in one of it. */
+const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
+  length: [
+    [/\s*mm$/i, "mm"],
+    [/\s*(inch|in|"|″)$/i, "inch"],
+  ],
+  feed: [
+    [/\s*mm(\/min)?$/i, "mm"],
+    [/\s*(inch|in|ipm|"|″)(\/min)?$/i, "inch"],
+  ],
+  angle: [[/\s*(°|deg)$/i, null]],
+  none: [],
+};
+
+/** Longer texts are no sums. */
+const LONGEST = 200;
+
+/**
+ * The number that a text says, in the job's units: `80,5`, `−40`, `80/2+0.5`, `1 1/2`, `3.15 in`. What says none stays
+ * text, and the check will say so.
+ */
+export function readNumber(text: string, unit: Unit = "none", units: Units = "mm"): number | string {
+  if (text.length > LONGEST) return text;
+  let rest = text.trim().replaceAll("−", "-");
+  let given: Units | null = null;
+  for (const [pattern, of] of SUFFIXES[unit]) {
+    if (!pattern.test(rest)) continue;
+    rest = rest.replace(pattern, "");
+    given = of;
+    break;
+  }
+  const value = mixed(rest) ?? sum(rest);
+  if (value === null || !Number.isFinite(value)) return text;
+  if (given === null || given === units) return value;
+  return Number((given === "inch" ? value * 25.4 : value / 25.4).toFixed(6));
+}
+
+/** Whether a text says a number by more than its digits: by a sum or a unit. Then the field shows the number once it is accepted. */
+export function isWorkedOut(text: string): boolean {
+  return !/^\s*[+-]?(\d+[.,]?\d*|[.,]\d+)\s*$/.test(text);
+}
+
+/** `1 1/2`, as inches are read off a drawing. */
+function mixed(text: string): number | null {
+  const found = /^([+-]?)\s*(\d+)\s+(\d+)\s*\/\s*(\d+)$/.exec(text);
+  if (!found) return null;
+  const [, sign, whole, over, under] = found;
+  return (sign === "-" ? -1 : 1) * (Number(whole) + Number(over) / Number(under));
+}
+
+/** The value of a sum of products; null where the text is none. */
+function sum(text: string): number | null {
+  const words = text.match(/\d+(?:[.,]\d*)?(?:e[+-]?\d+)?|[.,]\d+(?:e[+-]?\d+)?|[-+*/×÷()]|\S/gi) ?? [];
+  let next = 0;
+  const take = (...signs: string[]) => (signs.includes(words[next] ?? "") ? words[next++] : undefined);
+
+  const factor = (): number => {
+    if (take("-")) return -factor();
+    if (take("+")) return factor();
+    if (take("(")) {
+      const inner = terms();
+      return take(")") ? inner : Number.NaN;
+    }
+    const word = words[next++] ?? "";
+    return /^[\d.,]/.test(word) && /\d/.test(word) ? Number(word.replace(",", ".")) : Number.NaN;
+  };
+  const product = (): number => {
+    let value = factor();
+    for (let sign = take("*", "/", "×", "÷"); sign; sign = take("*", "/", "×", "÷")) {
+      const other = factor();
+      value = sign === "*" || sign === "×" ? value * other : value / other;
+    }
+    return value;
+  };
+  const terms = (): number => {
+    let value = product();
+    for (let sign = take("+", "-"); sign; sign = take("+", "-")) value += sign === "+" ? product() : -product();
+    return value;
+  };
+
+  const value = terms();
+  // 0.1+0.2 is 0.3 to whoever typed it.
+  return next === words.length && words.length > 0 && Number.isFinite(value)
+    ? words.length === 1
+      ? value
+      : Number(value.toPrecision(12))
+    : null;
+}

@@ -1,0 +1,76 @@
+import { html, nothing, type TemplateResult } from "lit";
+import type { CycleEntry } from "../core/browser.js";
+import { FieldPart } from "./field.js";
+
+/** The head of the page: the job in one sentence, and what is handed out. */
+class BarPart extends FieldPart {
+  override render(): TemplateResult {
+    const { store } = this;
+    const { withheld } = store;
+    const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
+    return html`
+      ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), "Cycle")}
+      <button type="button" class="gallery" aria-label="Gallery" title="Choose the cycle from pictures" @click=${() => this.ask("gallery")}>▦</button>
+      ${this.select("control.post", this.posts(), (id) => store.set("control.post", id), "Control")}
+      ${this.select(
+        "control.workOffset",
+        this.offsets(),
+        (n) => store.set("control.workOffset", n === "" ? null : Number(n)),
+        "Work offset",
+      )}
+      ${this.select(
+        "units",
+        [
+          { value: "mm", label: "mm" },
+          { value: "inch", label: "inch" },
+        ],
+        (units) => store.setUnits(units as "mm" | "inch"),
+        "Units",
+      )}
+      ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
+      <span class="gap"></span>
+      <button type="button" class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon" aria-label="Redo" title="Redo (Ctrl+Y)" ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="wide" @click=${() => this.ask("open")}>Open</button>
+      <button type="button" class="wide" @click=${() => this.ask("share")}>Share</button>
+      <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>Setup sheet</button>
+      <button type="button" class="icon" aria-label="More" title="More" popovertarget="menu">⋯</button>
+      <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}
+        title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">Save </span>${store.fileName(post?.extension ?? "txt")}</button>
+      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">Nothing to save or copy while the form has an error: ${withheld}</span>`}
+    `;
+  }
+
+  private cycles() {
+    return this.store.catalog.cycles.map((c) => ({ value: c.type, label: `${c.title} (${c.source})` }));
+  }
+
+  /** Controls that do not take this cycle are shown, with the reason, and cannot be chosen. */
+  private posts() {
+    const { type } = this.store.cycle;
+    return this.store.catalog.posts.map((post) => {
+      const forms = post.cycles.filter((c) => c.type === type);
+      const takes = forms.some((c) => c.supported);
+      const reason = forms.find((c) => !c.supported)?.reason ?? "It has no program for this cycle";
+      return { value: post.id, label: post.title, ...(takes ? {} : { not: reason }) };
+    });
+  }
+
+  private offsets() {
+    const value = this.store.get("control.workOffset") ?? null;
+    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
+    const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
+    const numbers = Array.from({ length: most }, (_, i) => ({
+      value: i + 1,
+      label: `writes ${word(i + 1)} (${i + 1})`,
+    }));
+    return [{ value: null, label: "measures only, writes no offset" }, ...numbers];
+  }
+
+  private ask(what: string): void {
+    this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: what }));
+  }
+}
+
+customElements.define("tp-bar", BarPart);

@@ -1,0 +1,145 @@
+import { html, nothing, type TemplateResult } from "lit";
+import type { FieldEntry, Finding } from "../core/browser.js";
+import { isWorkedOut, readNumber } from "../number.js";
+import { Part } from "./part.js";
+
+/** A field and where its value stands in the job. */
+export interface Placed {
+  field: FieldEntry;
+  path: string;
+}
+
+interface Choice {
+  value: string | number | null;
+  label: string;
+  /** Why it cannot be chosen here; it can still be shown. */
+  not?: string;
+}
+
+/** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
+export abstract class FieldPart extends Part {
+  protected override follows = ["change"];
+
+  /** A field's value as text, with its unit in the box. */
+  protected number(field: FieldEntry, path: string, name?: string): TemplateResult {
+    const value = this.store.get(path);
+    const stand = this.store.standIn(field);
+    const index = /\[(\d)\]$/.exec(path)?.[1];
+    const missing = Array.isArray(stand) && index ? stand[Number(index)] : stand;
+    const text = this.store.typed.get(path) ?? String((value === undefined ? missing : value) ?? "");
+    const words = field.kind === "nominal" || field.kind === "nominalPoint";
+    const unit = this.unit(field);
+    return html`<span class=${`number ${this.level(path)}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
+        aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text}
+        @focus=${(e: Event) => {
+          (e.target as HTMLInputElement).select();
+          this.entry = this.store.typed.get(path) ?? this.store.get(path);
+          this.store.focus(path);
+        }}
+        @blur=${() => this.accept(path)}
+        @keydown=${(e: KeyboardEvent) => this.key(e, field, path)}
+        @input=${(e: Event) => this.typed(field, path, (e.target as HTMLInputElement).value)} />${
+          unit ? html`<span class="unit" id=${`u-${path}`}>${unit}</span>` : nothing
+        }</span>`;
+  }
+
+  /** What the field that has the focus held when it got it. */
+  private entry: unknown;
+
+  /** A nominal value may carry a tolerance (`20+0.1-0.1`): it is no sum. */
+  private typed(field: FieldEntry, path: string, text: string): void {
+    const words = field.kind === "nominal" || field.kind === "nominalPoint";
+    const plain = words && isWorkedOut(text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""));
+    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units), text);
+  }
+
+  /** A sum shows what it comes to; what is no number stays as it was typed. */
+  private accept(path: string): void {
+    this.store.settle();
+    const text = this.store.typed.get(path);
+    const value = this.store.get(path);
+    if (text !== undefined && typeof value === "number" && isWorkedOut(text)) this.store.tidy(path);
+  }
+
+  private key(event: KeyboardEvent, field: FieldEntry, path: string): void {
+    const box = event.target as HTMLInputElement;
+    const step = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const value = this.store.get(path);
+    if (event.key === "Enter") {
+      this.accept(path);
+      box.select();
+      box.dispatchEvent(new CustomEvent("entered", { bubbles: true, detail: box }));
+    } else if (event.key === "Escape" && this.entry !== undefined && String(this.entry) !== box.value) {
+      event.stopPropagation();
+      this.typed(field, path, String(this.entry));
+      this.accept(path);
+      this.updateComplete.then(() => box.select());
+    } else if (step && typeof value === "number" && !event.ctrlKey && !event.altKey && !event.metaKey) {
+      const next = value + step * this.step(field, event.shiftKey);
+      this.store.set(path, Number(next.toFixed(6)));
+      this.updateComplete.then(() => box.select());
+    } else return;
+    event.preventDefault();
+  }
+
+  /** What an arrow key adds; with Shift a tenth of it. */
+  private step(field: FieldEntry, fine: boolean): number {
+    if (field.kind === "count") return 1;
+    const coarse = {
+      length: this.store.units === "inch" ? 0.1 : 1,
+      feed: this.store.units === "inch" ? 1 : 10,
+      angle: 1,
+      none: 1,
+    };
+    return coarse[field.unit] * (fine ? 0.1 : 1);
+  }
+
+  /** A choice from a list; one that is not of the list is shown as it is. */
+  protected select(path: string, choices: Choice[], take: (value: string) => void, name?: string): TemplateResult {
+    const held = this.store.get(path);
+    const value = held === undefined ? this.fallback(path) : held;
+    const known = choices.some((c) => c.value === value);
+    return html`<span class=${`choice ${this.level(path)}`}><select id=${`f-${path}`} aria-label=${name ?? nothing} aria-describedby=${`h-${path} e-${path}`}
+        aria-invalid=${this.isBad(path) ? "true" : "false"} @focus=${() => this.store.focus(path)}
+        @change=${(e: Event) => {
+          this.store.settle();
+          take((e.target as HTMLSelectElement).value);
+          this.store.settle();
+        }}>
+        ${known ? nothing : html`<option value=${String(value)} selected disabled>${String(value)}</option>`}
+        ${choices.map((c) => html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} ?selected=${c.value === value}>${c.label}</option>`)}
+      </select></span>`;
+  }
+
+  private fallback(path: string): unknown {
+    const [section, key] = path.split(".");
+    const fields = this.store.catalog.sections.find((s) => s.path === (key ? section : ""))?.fields;
+    return fields?.find((f) => f.key === (key ?? section))?.default ?? null;
+  }
+
+  /** Help and messages of a field, for what reads them out; the box at the foot of the form shows them. */
+  protected said({ field, path }: Placed, parts: string[] = [path]): TemplateResult {
+    return html`<span class="unseen" id=${`h-${path}`}>${field.help}</span>${parts.map((part) => this.problems(part))}`;
+  }
+
+  protected problems(path: string): TemplateResult | typeof nothing {
+    const found = this.store.at(path);
+    if (found.length === 0) return nothing;
+    return html`<span class="unseen" id=${`e-${path}`}>${found.map((f: Finding) => html`<span class=${f.level}>${f.message} </span>`)}</span>`;
+  }
+
+  protected isBad(path: string): boolean {
+    return this.store.at(path).some((f) => f.level === "error");
+  }
+
+  /** The gravest that is said of a field. */
+  protected level(path: string): string {
+    const found = this.store.at(path);
+    return found.some((f) => f.level === "error") ? "error" : found.some((f) => f.level === "warning") ? "warning" : "";
+  }
+
+  protected unit(field: FieldEntry): string {
+    const unit = this.store.units;
+    return { length: unit, feed: `${unit}/min`, angle: "°", none: "" }[field.unit];
+  }
+}

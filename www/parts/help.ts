@@ -1,0 +1,51 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { Part } from "./part.js";
+
+/** The box at the foot of the form, of a fixed height: what the field in focus is, and what is wrong with it. */
+class HelpPart extends Part {
+  protected override follows = ["change", "focus"];
+
+  override render(): TemplateResult {
+    const { focused } = this.store;
+    const entry = focused === null ? undefined : this.store.fieldAt(focused);
+    if (focused === null || !entry) {
+      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. A field says here what it is.</p>`;
+    }
+    const found = this.store.at(focused);
+    const { label, help, code, usual, range } = entry;
+    const stand = this.store.standIn(entry);
+    const standing = Array.isArray(stand) ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)] : stand;
+    const value = this.store.get(focused);
+    const other = standing !== null && standing !== undefined && value !== standing && entry.kind !== "text";
+    const span = (ends: unknown) =>
+      Array.isArray(ends) ? `${this.scaled(entry.unit, ends[0])} to ${this.scaled(entry.unit, ends[1])}` : "";
+    const usually = usual ? ` Usual ${span(usual)}.` : range ? ` ${span(range)}.` : "";
+    return html`
+      <p><b>${label}</b>${code ? html` <code>${code}</code>` : nothing}</p>
+      ${
+        found.length > 0
+          ? found.map((f) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)
+          : html`<p class="help">${help}${usually}${
+              other
+                ? html` Default ${String(standing)} <button type="button" class="quiet" aria-label=${`${label}: back to its default, ${standing}`}
+                    @click=${() => this.back(focused, standing)}>↺</button>`
+                : nothing
+            }</p>`
+      }
+    `;
+  }
+
+  private scaled(unit: string, x: unknown): string {
+    if (typeof x !== "number") return "∞";
+    const inch = (unit === "length" || unit === "feed") && this.store.units === "inch";
+    return String(inch ? Number((x / 25.4).toFixed(4)) : x);
+  }
+
+  private back(path: string, value: unknown): void {
+    this.store.settle();
+    this.store.set(path, value);
+    this.store.settle();
+  }
+}
+
+customElements.define("tp-help", HelpPart);

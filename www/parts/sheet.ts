@@ -1,0 +1,100 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { checked } from "./checks.js";
+import { Drawing } from "./drawing.js";
+import { Part } from "./part.js";
+
+/** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
+class SheetPart extends Part {
+  protected override follows = ["change"];
+  private drawing?: Drawing;
+  /** The hash of the program that is on the sheet. */
+  private hash = { of: "", hex: "" };
+
+  override render(): TemplateResult {
+    const { plan, units, catalog, shown, cycle } = this.store;
+    const { program } = plan;
+    const post = catalog.posts.find((p) => p.id === program.post);
+    const offset = this.store.get("control.workOffset");
+    const writes =
+      typeof offset === "number"
+        ? `writes ${post?.workOffsetWords[offset - 1] ?? offset}`
+        : "measures only, writes no offset";
+    const number = (x: number | null) => (x === null ? "–" : x.toFixed(units === "inch" ? 4 : 3));
+    const feeds = shown.feeds as Record<string, number | null>;
+    const stylus = shown.stylus as Record<string, unknown>;
+    return html`
+      <div class="tools screen">
+        <button type="button" class="primary" @click=${() => print()}>Print</button>
+        <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>Back to the job</button>
+      </div>
+      <article aria-label="Setup sheet">
+        <h2>${String(shown.name || "PROBE")}: ${cycle.title}</h2>
+        <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · all lengths in ${units} · file ${this.store.fileName(program.extension)}</p>
+        <div class="upper">
+          <canvas role="img" aria-label="Path of the probe from the top"></canvas>
+          <table>
+            <caption>Dimensions and probe</caption>
+            <tbody>
+              ${cycle.fields
+                .filter((f) => !f.group.startsWith("Postprocessor"))
+                .map((f) => {
+                  const value = this.store.get(`cycle.${f.key}`) ?? this.store.standIn(f);
+                  return value === null || value === undefined
+                    ? nothing
+                    : html`<tr><td>${f.label}</td><td class="n">${Array.isArray(value) ? value.join(" ") : String(value)}</td><td><code>${f.code ?? ""}</code></td></tr>`;
+                })}
+              <tr><td>Ball diameter</td><td class="n">${String(stylus.diameter)}</td><td></td></tr>
+              ${cycle.ownFeeds ? nothing : html`<tr><td>Touch feed</td><td class="n">${feeds.work}</td><td></td></tr>`}
+            </tbody>
+          </table>
+        </div>
+        <table>
+          <caption>What the control is expected to report, and what it reported</caption>
+          <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Expected</th><th class="n">± 2σ</th><th>Reported</th></tr></thead>
+          <tbody>${plan.results.map(
+            (
+              r,
+            ) => html`<tr><td>${r.meaning} <code>${r.code}</code></td><td class="n">${number(r.nominal)}</td><td class="n">${number(r.value)}</td>
+              <td class="n">${r.uncertainty === null ? "–" : (2 * r.uncertainty).toFixed(4)}</td><td class="box"></td></tr>`,
+          )}</tbody>
+        </table>
+        <table>
+          <caption>Touches: contact on the surface</caption>
+          <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>Checked</th></tr></thead>
+          <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
+        </table>
+        <p>${checked(plan)}.</p>
+        ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>Warning:</b> ${f.message}</p>`)}
+        <p class="hash">SHA-256 of the program: <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
+        <p class="sign">Machine <span></span> Date <span></span> Name <span></span></p>
+      </article>
+    `;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.drawing?.free();
+    this.drawing = undefined;
+  }
+
+  protected override updated(): void {
+    const canvas = this.querySelector("canvas");
+    if (!canvas) return;
+    this.drawing ??= new Drawing(canvas, (view) => view.show(this.store.shown));
+    this.drawing.dress();
+    const { text } = this.store.plan.program;
+    if (this.hash.of !== text) this.sum(text);
+  }
+
+  /** A page that is not served securely has no hash to give. */
+  private async sum(text: string): Promise<void> {
+    this.hash = { of: text, hex: "…" };
+    const bytes = await crypto.subtle?.digest("SHA-256", new TextEncoder().encode(text));
+    if (this.hash.of !== text) return;
+    const hex = bytes && Array.from(new Uint8Array(bytes), (b) => b.toString(16).padStart(2, "0")).join("");
+    this.hash = { of: text, hex: hex ?? "not to be had on this page" };
+    this.requestUpdate();
+  }
+}
+
+customElements.define("tp-sheet", SheetPart);

@@ -1,0 +1,61 @@
+// A whole state in a link: in the fragment, which no browser sends anywhere.
+import { isObject } from "./job.js";
+
+/** What a link holds. Links of version 1 stay readable. */
+export interface Shared {
+  job: unknown;
+  /** Measured points, as text in the job's units. */
+  measured: string;
+}
+
+const KEY = "#job1=";
+/** Longer links are cut by programs that pass them on. */
+const LONGEST_LINK = 30_000;
+
+/** The fragment of a state; null where it would be longer than links may be. */
+export async function toFragment(state: Shared): Promise<string | null> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream("deflate-raw"));
+  const text = Array.from(bytes ?? [], (byte) => String.fromCharCode(byte)).join("");
+  const fragment = KEY + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return fragment.length > LONGEST_LINK ? null : fragment;
+}
+
+/** Whether a fragment is a link's at all. */
+export const isFragment = (hash: string): boolean => hash.startsWith("#job");
+
+/** The state of a fragment; null where there is none that can be read. At most so many characters are unpacked. */
+export async function fromFragment(hash: string, longest: number): Promise<Shared | null> {
+  if (!hash.startsWith(KEY) || hash.length > LONGEST_LINK) return null;
+  try {
+    const text = atob(hash.slice(KEY.length).replaceAll("-", "+").replaceAll("_", "/"));
+    const packed = Uint8Array.from(text, (c) => c.charCodeAt(0));
+    const bytes = await through(packed, new DecompressionStream("deflate-raw"), longest);
+    const state: unknown = bytes && JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
+    if (!isObject(state)) return null;
+    const { job, measured } = state;
+    return { job, measured: typeof measured === "string" ? measured : "" };
+  } catch {
+    return null;
+  }
+}
+
+/** Bytes through a stream; null where more than so many come out. */
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: CompressionStream | DecompressionStream,
+  longest = Number.POSITIVE_INFINITY,
+): Promise<Uint8Array | null> {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let length = 0;
+  for (let { done, value } = await reader.read(); !done; { done, value } = await reader.read()) {
+    if (!value) continue;
+    length += value.length;
+    if (length > longest) {
+      await reader.cancel();
+      return null;
+    }
+    parts.push(value);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
+}
