@@ -1,5 +1,7 @@
 // Builds the package into dist/ and the page into dist/page/.
-import { appendFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createHash } from "node:crypto";
+import { appendFileSync, cpSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
@@ -32,10 +34,27 @@ function buildPackage() {
   writeFileSync(at("dist", "licences.txt"), crateLicences());
 }
 
+/** The service worker with the names of all files of the page, and a version that is theirs. */
+function writeWorker() {
+  const page = at("dist", "page");
+  const files = readdirSync(page, { recursive: true, encoding: "utf8" })
+    .filter((name) => statSync(join(page, name)).isFile())
+    .map((name) => name.replaceAll("\\", "/"))
+    .sort();
+  const hash = createHash("sha256");
+  for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
+  const list = JSON.stringify(["./", ...files.filter((file) => file !== "index.html")]);
+  const worker = readFileSync(at("www", "sw.js"), "utf8")
+    .replace("const FILES = [];", `const FILES = ${list};`)
+    .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`);
+  writeFileSync(join(page, "sw.js"), worker);
+}
+
 /** Vite writes the licences of the JavaScript that it bundles; the module's are put beneath them. */
 function buildPage() {
   run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]);
   appendFileSync(at("dist", "page", "licences.txt"), `\n${readFileSync(at("dist", "licences.txt"), "utf8")}`);
+  writeWorker();
 }
 
 /** Everything. */

@@ -59,6 +59,8 @@ export class Store extends EventTarget {
   findings: Finding[] = [];
   /** The last good plan. */
   plan!: Plan;
+  /** Counts the forms that were computed: another number is another form, also where it has errors. */
+  revision = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */
   stale = false;
   /** The job that `plan` is of. */
@@ -341,6 +343,7 @@ export class Store extends EventTarget {
   }
 
   private compute(): void {
+    this.revision++;
     try {
       this.plan = plan(this.draft as unknown as Job);
       this.findings = this.plan.findings;

@@ -158,13 +158,17 @@ impl Painter {
         // Touches lie on their ways back: drawn last, they are seen.
         for touches in [false, true] {
             for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                self.line(line, camera, highlight == Some(line.index));
+                let reached = scene.collision.is_none_or(|(index, _)| line.index <= index);
+                self.line(line, camera, highlight == Some(line.index), reached);
             }
         }
         if !self.small {
             self.arrows(scene, camera);
         }
         self.touches(scene, camera, deviates);
+        if let Some((_, place)) = scene.collision {
+            self.collision(camera.pixel(place), scene.radius * camera.scale);
+        }
         if let Some(end) = highlight.and_then(|i| scene.ball(i, marks.part)) {
             let ball = camera.pixel(end);
             c.set_global_alpha(0.25);
@@ -296,7 +300,7 @@ impl Painter {
         c.set_global_alpha(1.0);
     }
 
-    fn line(&self, line: &Line, camera: &Camera, highlit: bool) {
+    fn line(&self, line: &Line, camera: &Camera, highlit: bool, reached: bool) {
         // The kind is told by the line first, by the colour second.
         let (colour, width, alpha, dash): (_, _, _, &[f64]) = match line.stroke {
             _ if line.rapid => (&self.theme.position, 1.0, 1.0, &[12.0, 5.0]),
@@ -306,7 +310,7 @@ impl Painter {
             Stroke::Overtravel => (&self.theme.touch, 1.5, 0.9, &[1.5, 3.5]),
         };
         let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
-        self.context.set_global_alpha(alpha);
+        self.context.set_global_alpha(if reached { alpha } else { 0.2 });
         if highlit {
             self.segment(from, to, &self.theme.highlight, width + 3.0, &[]);
         }
@@ -346,9 +350,23 @@ impl Painter {
         }
     }
 
+    /// The ball where it meets the part, in the colour of touches, crossed out.
+    fn collision(&self, at: Spot, radius: f64) {
+        let (c, radius) = (&self.context, radius.max(6.0));
+        c.set_global_alpha(0.35);
+        self.disc(at, radius, &self.theme.touch);
+        c.set_global_alpha(1.0);
+        self.circle(at, radius, &self.theme.touch, 3.0);
+        let far = radius * 1.6;
+        for side in [-1.0, 1.0] {
+            self.segment([at[0] - far, at[1] - side * far], [at[0] + far, at[1] + side * far], &self.theme.touch, 3.0, &[]);
+        }
+    }
+
     /// An arrow head on every move that is long enough for one: of a touch at its contact, of the others on their way.
     fn arrows(&self, scene: &Scene, camera: &Camera) {
-        for line in scene.lines.iter().filter(|l| l.stroke != Stroke::Overtravel) {
+        let reached = |line: &&Line| scene.collision.is_none_or(|(index, _)| line.index <= index);
+        for line in scene.lines.iter().filter(reached).filter(|l| l.stroke != Stroke::Overtravel) {
             let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
             let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
             let far = dx.hypot(dy);

@@ -158,6 +158,8 @@ pub struct Scene {
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
     pub spread: Option<(Spot, f64, f64, f64)>,
+    /// The move that meets the part where it must not, and where the ball is then: what comes after it is not reached.
+    pub collision: Option<(usize, Spot)>,
     /// The dimensions of the nominal part that are seen in their true length.
     pub dimensions: Vec<Drawn>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
@@ -249,6 +251,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
             .and_then(|c| c.spread)
             .filter(|_| view == Projection::Top)
             .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
+        collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
         dimensions: drawn(path, setup.plane, view),
         handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
     }
@@ -337,6 +340,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
         centre_lines: None,
         spread: None,
+        collision: None,
         dimensions: Vec::new(),
         handle: None,
     }

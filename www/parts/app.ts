@@ -46,6 +46,8 @@ class App extends LitElement {
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
   private told = this.store.notice;
+  /** Takes a newer version of the page, where there is one. */
+  private newer: (() => void) | null = null;
   private width = WIDE;
   private readonly observer = new ResizeObserver(() => this.measure());
 
@@ -71,6 +73,7 @@ class App extends LitElement {
     this.addEventListener("dragover", this.welcome);
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
+    this.addEventListener("update-ready", this.offer);
     addEventListener("hashchange", this.follow);
     this.follow();
   }
@@ -83,6 +86,7 @@ class App extends LitElement {
     this.removeEventListener("dragover", this.welcome);
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
+    this.removeEventListener("update-ready", this.offer);
     removeEventListener("hashchange", this.follow);
   }
 
@@ -99,6 +103,7 @@ class App extends LitElement {
         ${this.menu()}
       </header>
       <div class="notes">
+      ${this.newer ? html`<p class="note" role="status">A newer version of this page is here. <button type="button" @click=${this.newer}>Take it</button> The job stays.</p>` : nothing}
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
       ${
         this.pasting
@@ -272,6 +277,11 @@ class App extends LitElement {
       told === "Copied" ? "A link to this job was copied. The job is in the link itself: no server keeps it." : link,
     );
   }
+
+  private readonly offer = (event: Event): void => {
+    this.newer = (event as CustomEvent<() => void>).detail;
+    this.requestUpdate();
+  };
 
   /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
   private readonly follow = async (): Promise<void> => {

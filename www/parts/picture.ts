@@ -8,8 +8,10 @@ const SPEEDS = [1, 4, 16] as const;
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
   protected override follows = ["change", "highlight", "focus"];
-  /** The job in the picture; a hover draws it again but does not plan it again. */
-  private drawn?: object;
+  /** The form in the picture, by its revision; a hover draws it again but does not plan it again. */
+  private drawn = -1;
+  /** Whether the picture is of the form as it stands although that has an error: it shows where the run ends. */
+  private live = false;
   private pointers = new Map<number, { x: number; y: number }>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
@@ -22,7 +24,7 @@ class PicturePart extends DrawnPart {
 
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
-    const count = plan.moves.length;
+    const count = stale && this.live ? 0 : plan.moves.length;
     const ticks = plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
     const to = (index: number) => () => this.step(index);
     const now = highlight === null ? 0 : highlight + 1;
@@ -32,12 +34,12 @@ class PicturePart extends DrawnPart {
     };
     return html`
       ${this.tools("Picture")}
-      <div class=${stale ? "canvas stale" : "canvas"}>
+      <div class=${stale && !this.live ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
-        ${stale ? html`<p class="stamp" role="status">The form has errors: this is the last good plan</p>` : this.trial()}
+        ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.trial()}
       </div>
       <ul class="key" aria-label="Lines">
         <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>
@@ -60,11 +62,11 @@ class PicturePart extends DrawnPart {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.pause();
-    this.drawn = undefined;
+    this.drawn = -1;
   }
 
   protected override updated(_changed: PropertyValues): void {
-    const { shown, highlight, focused } = this.store;
+    const { shown, highlight, focused, revision, stale, draft } = this.store;
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
       this.drawing = new Drawing(canvas, (view) => {
@@ -75,16 +77,21 @@ class PicturePart extends DrawnPart {
       });
       this.observer.observe(canvas);
     }
-    if (this.drawn !== shown) this.pause();
+    const anew = this.drawn !== revision;
+    const before = this.live;
+    if (anew) this.pause();
     this.drawing?.use((view) => {
-      if (this.drawn !== shown) {
-        view.show(shown);
+      if (anew) {
+        // A job that ends in a collision has a path to show, though it has no program.
+        this.live = stale && view.show(draft);
+        if (!this.live) view.show(shown);
         this.times = view.times();
       }
-      if (this.clock === null) view.highlight(highlight ?? undefined);
+      if (this.clock === null) view.highlight(stale && this.live ? undefined : (highlight ?? undefined));
       view.focus(focused ?? undefined);
     });
-    this.drawn = shown;
+    this.drawn = revision;
+    if (before !== this.live) this.requestUpdate();
     if (focused !== this.turnedFor) this.face(focused);
   }
 

@@ -1,0 +1,55 @@
+// A run that ends in the part is drawn up to where it ends.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { field, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
+
+setUp({ width: 1440, height: 900 });
+
+test("a collision is drawn where it happens, in the picture of the form as it stands, and nothing is handed out", async () => {
+  const good = await pixels();
+  await field("part.offset[0]").fill("60");
+  const stamp = page.locator(".stamp");
+  await stamp.waitFor();
+  assert.match(await textOf(stamp), /No program: Move \d+ \(step \d+, .*\) meets the part with the ball centre at X/);
+  assert.ok(await saveButton().isDisabled());
+  assert.notEqual((await pixels()).sum, good.sum);
+  assert.equal(
+    await page.locator("#scrub").getAttribute("max"),
+    "0",
+    "the moves of another plan cannot be stepped through",
+  );
+  // The crossed ball stands where the message says.
+  const place = /X (-?[\d.]+), Y (-?[\d.]+)/.exec(await textOf(stamp));
+  assert.ok(place);
+  const red = await page.evaluate(
+    ([x, y]) => {
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+      const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
+      const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+      // The part's origin lies 60 mm beside the work origin: two handles give the picture's scale.
+      const at = picture.drawing.use((/** @type {any} */ view) => {
+        const [hx, hy] = view.handleSpot("shift");
+        const reach = view.dragPart("shift", hx + 100, hy).offset[0] - view.dragPart("shift", hx, hy).offset[0];
+        return [hx + ((x - 60) * 100) / reach, hy - (y * 100) / reach];
+      });
+      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const ratio = canvas.width / canvas.clientWidth;
+      const [r = 0, g = 0, b = 0] = drawn.getImageData(Math.round(at[0] * ratio), Math.round(at[1] * ratio), 1, 1).data;
+      return [r, g, b];
+    },
+    /** @type {[number, number]} */ ([Number(place[1]), Number(place[2])]),
+  );
+  assert.ok((red[0] ?? 0) > 150 && (red[1] ?? 255) < 100, `${red}`);
+});
+
+test("a form that has no path keeps the picture of the last good plan, also after one that had a collision", async () => {
+  const good = await pixels();
+  await field("part.offset[0]").fill("60");
+  await page.locator(".stamp", { hasText: "meets the part" }).waitFor();
+  await field("part.offset[0]").fill("x");
+  await page.locator(".stamp", { hasText: "last good plan" }).waitFor();
+  assert.match(await program(), /G38\.2 X42/);
+  await put("part.offset[0]", 0);
+  assert.equal(await page.locator(".stamp").count(), 0);
+  assert.deepEqual((await pixels()).count, good.count);
+});

@@ -1,0 +1,87 @@
+// Without a network: the page works, and a newer version of it is taken when the user says so.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { context, field, more, page, problems, program, ready, saveButton, setUp } from "./common.mjs";
+
+setUp();
+
+/** Until the page's files are kept. */
+const kept = (tab = page) =>
+  tab.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+    const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
+    while (!(await navigator.serviceWorker.getRegistration())?.active) await wait(20);
+    return (await caches.keys()).length;
+  });
+
+test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
+  assert.equal(await kept(), 1);
+  await context.setOffline(true);
+  await page.reload();
+  await ready();
+  await field("cycle.width1").fill("90");
+  assert.match(await program(), /G38\.2 X47 /);
+  const download = page.waitForEvent("download");
+  await saveButton().click();
+  assert.match(readFileSync(await (await download).path(), "utf8"), /G38\.2 X47 /);
+  await more("Tool lengths");
+  await page.locator("tp-lentoax").waitFor();
+  await context.setOffline(false);
+});
+
+test("nothing leaves the browser: every request is for a file of the page", async () => {
+  /** @type {string[]} */
+  const asked = [];
+  context.on("request", (request) => asked.push(request.url()));
+  await page.reload();
+  await ready();
+  await kept();
+  await field("cycle.width1").fill("90");
+  await page.getByRole("button", { name: "Share" }).click();
+  const origin = new URL(page.url()).origin;
+  assert.ok(asked.length > 3);
+  assert.deepEqual(
+    asked.filter((url) => !url.startsWith(origin) || new URL(url).search !== ""),
+    [],
+  );
+});
+
+test("a newer version waits until its user takes it, and the job stays", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "touchpath-page-"));
+  cpSync(fileURLToPath(new URL("../../dist/page", import.meta.url)), folder, { recursive: true });
+  const server = await serve(0, folder);
+  const tab = await context.newPage();
+  try {
+    await tab.goto(addressOf(server));
+    await ready(tab);
+    await kept(tab);
+    await tab.reload();
+    await ready(tab);
+    await field("cycle.width1", tab).fill("77");
+    // The newer version: another worker with another title.
+    const old = readFileSync(join(folder, "sw.js"), "utf8");
+    writeFileSync(join(folder, "sw.js"), old.replace(/const VERSION = "\w+"/, 'const VERSION = "newer"'));
+    writeFileSync(
+      join(folder, "index.html"),
+      readFileSync(join(folder, "index.html"), "utf8").replace("<title>", "<title>Newer "),
+    );
+    await tab.reload();
+    await tab.locator(".note", { hasText: "newer version" }).waitFor();
+    assert.equal(await tab.title(), "Touchpath", "not before it is taken");
+    await tab.getByRole("button", { name: "Take it" }).click();
+    await tab.waitForFunction(() => document.title === "Newer Touchpath");
+    await ready(tab);
+    assert.equal(await field("cycle.width1", tab).inputValue(), "77");
+    assert.deepEqual(await tab.evaluate(() => caches.keys()), ["touchpath-newer"], "nothing of the old one is kept");
+  } finally {
+    await tab.close();
+    server.close();
+    rmSync(folder, { recursive: true });
+  }
+  assert.deepEqual(problems, []);
+});

@@ -1,0 +1,42 @@
+// The page without a network: a service worker that keeps its files, and says when there are newer ones.
+
+/** Keeps the page's files in this browser. `ready` is told when a newer version is there, with what takes it. */
+export async function keepOffline(ready: (take: () => void) => void): Promise<void> {
+  if (!("serviceWorker" in navigator)) return;
+  // A newer version that the user has taken: this page is still of the old one.
+  let taken = false;
+  navigator.serviceWorker.addEventListener("controllerchange", () => taken && location.reload());
+  const offer = (worker: ServiceWorker) =>
+    ready(() => {
+      taken = true;
+      worker.postMessage("take-over");
+    });
+  try {
+    const registration = await navigator.serviceWorker.register(own("./sw.js"));
+    if (registration.waiting) offer(registration.waiting);
+    registration.addEventListener("updatefound", () => {
+      const { installing } = registration;
+      installing?.addEventListener("statechange", () => {
+        // The first one has no older page beside it.
+        if (installing.state === "installed" && navigator.serviceWorker.controller) offer(installing);
+      });
+    });
+  } catch {
+    // Not served securely, or not allowed: the page works, but not without a network.
+  }
+}
+
+/** The address of the worker, as the page's policy asks for it. */
+function own(url: string): string {
+  const types = (
+    globalThis as {
+      trustedTypes?: { createPolicy(name: string, rules: object): { createScriptURL(url: string): unknown } };
+    }
+  ).trustedTypes;
+  if (!types) return url;
+  const only = (given: string) => {
+    if (given !== url) throw new TypeError("not this page's worker");
+    return given;
+  };
+  return types.createPolicy("touchpath", { createScriptURL: only }).createScriptURL(url) as string;
+}
