@@ -18,6 +18,7 @@ import {
 import { complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
 import { stem } from "./names.js";
+import { type Preset, SECTIONS } from "./presets.js";
 
 export type { Draft } from "./job.js";
 
@@ -242,6 +243,33 @@ export class Store extends EventTarget {
   /** Back to the defaults of the present cycle. */
   reset(): void {
     this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
+  }
+
+  /** What belongs to the machine, as a preset. */
+  preset(name: string): Preset {
+    const sections = Object.fromEntries(SECTIONS.map((section) => [section, structuredClone(this.draft[section])]));
+    return { name, units: this.units, overtravel: this.draft.overtravel, sections };
+  }
+
+  /** Takes what belongs to the machine from a preset, in this job's units. Throws `JobError`, and changes nothing, where it does not fit. */
+  usePreset({ units, overtravel, sections }: Preset): void {
+    const held = this.units;
+    const job = {
+      ...structuredClone(this.draft),
+      ...sections,
+      ...(overtravel === undefined ? {} : { overtravel }),
+      units,
+    };
+    const problem = this.unusable(job);
+    if (problem) throw new JobError(`Nothing was changed: this preset cannot be used: ${problem}`, []);
+    const taken = (units === held ? job : convertUnits(job, held)) as unknown as Draft;
+    this.mark(null);
+    for (const section of [...SECTIONS, "overtravel"])
+      if (section in sections || (section === "overtravel" && overtravel !== undefined)) {
+        this.draft[section] = structuredClone(taken[section]);
+        this.forget(section);
+      }
+    this.changed();
   }
 
   /** What is changed next is a step of its own. */

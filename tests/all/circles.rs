@@ -797,3 +797,21 @@ fn linuxcnc_and_the_page_agree_on_scattered_points() {
     let geometric = evaluate(&control, &Value::List(points)).unwrap();
     assert!((row(&geometric, "Q950").value.unwrap() - row(&shown, "Q950").value.unwrap()).abs() > 1e-5);
 }
+
+/// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position:
+/// what the plan calls good was scrap when its own touches were given back.
+#[test]
+fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
+    let text = r#"{"format":1,"units":"inch","plane":"G19","stylus":{"diameter":0.3346456692913386},
+        "control":{"post":"heidenhain","form":"cycle"},"cycle":{"type":"probing-two-circles",
+        "point1":[-2.53774969931008,-0.2510242757996466,-0.7591726449156779],"point2":["1.1820H7",-0.26437482884117103,0.30886974815155666],
+        "diameter2":0.5742965159134038,"angularLength":-10.294153901443906,"setUpClearance":1.88976,"clearanceHeight":6.06,
+        "errorReaction":2,"start":[-6.22,-6.26,7.64],"probe":{"dist":3.917,"feed":4.6,"rapid":9.35}}}"#;
+    let job = crate::common::job(text);
+    let plan = crate::common::planned(&job);
+    let lines: Vec<String> = plan.triggers.iter().map(|t| t.expect("a contact").map(|x| format!("{x}")).join(" ")).collect();
+    let rows = touchpath::job::evaluate(&job, &Value::Text(lines.join("\n"))).expect("its own touches");
+    let verdict = |rows: &[touchpath::job::ResultRow]| rows.iter().find(|r| r.code == "Q953").and_then(|r| r.verdict.clone());
+    assert_eq!(verdict(&plan.results).as_deref(), Some("good"));
+    assert_eq!(verdict(&rows).as_deref(), Some("good"));
+}

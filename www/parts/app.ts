@@ -12,6 +12,7 @@ import { copy, download } from "./hand.js";
 import "./help.js";
 import "./lentoax.js";
 import "./picture.js";
+import "./presets.js";
 import type { ProgramPart } from "./program.js";
 import "./program.js";
 import "./results.js";
@@ -155,14 +156,18 @@ class App extends LitElement {
       html`<button type="button" @click=${() => this.choose(what)}>${name}</button>`;
     return html`<div class="menu" id="menu" popover role="group" aria-label="More">
       ${item("open", "Open a file")} ${item("paste", "Paste")} ${item("save-job", "Save job")} ${item("share", "Copy a link to this job")}
-      ${item("sheet", "Setup sheet to print")} ${item("lengths", "Tool lengths")} ${this.viewed ? item("viewer", "Moves of the opened program") : nothing}
+      ${item("sheet", "Setup sheet to print")} ${item("presets", "Presets")} ${item("lengths", "Tool lengths")} ${this.viewed ? item("viewer", "Moves of the opened program") : nothing}
       ${item("reset", "Reset")}
       <small>Touchpath ${version()} · <a href="./licences.txt">Licences</a></small>
     </div>`;
   }
 
   private question(): TemplateResult {
-    return html`<dialog id="ask-reset" aria-labelledby="ask-reset-text">
+    return html`<dialog id="presets" aria-label="Presets" aria-describedby="presets-help">
+      <tp-presets .store=${this.store}></tp-presets>
+      <form method="dialog" class="tools"><button>Close</button></form>
+    </dialog>
+    <dialog id="ask-reset" aria-labelledby="ask-reset-text">
       <p id="ask-reset-text">Put the whole form back to the defaults of “${this.store.cycle.title}”? Undo brings back what is there now.</p>
       <form method="dialog" class="tools"><button @click=${() => this.store.reset()}>Put back</button><button>Keep</button></form>
     </dialog>`;
@@ -249,6 +254,7 @@ class App extends LitElement {
       save: () => this.renderRoot.querySelector<ProgramPart>("tp-program")?.save(),
       sheet: () => this.store.withheld === null && this.use("sheet"),
       lengths: () => this.use("lengths"),
+      presets: () => this.renderRoot.querySelector<HTMLDialogElement>("#presets")?.showModal(),
       viewer: () => this.use("viewer"),
       checks: () => {
         this.use("cycles");

@@ -141,7 +141,10 @@ class FormPart extends FieldPart {
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
     if (name === TRIAL) return this.lie(fields);
-    const words = fields.flatMap(({ field, path }) => {
+    // What is at fault first, and the feed that the probe meets the part with.
+    const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : path === "feeds.work" ? 1 : 2);
+    const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
+    const words = sorted.flatMap(({ field, path }) => {
       const value =
         this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
       if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];

@@ -1,0 +1,88 @@
+// Named presets: what belongs to a machine, kept, used, taken along.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { field, held, more, page, program, ready, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+const dialog = () => page.getByRole("dialog", { name: "Presets" });
+const close = () => dialog().getByRole("button", { name: "Close" }).click();
+const told = () => textOf(dialog().getByRole("status"));
+
+test("a preset brings stylus, feeds and control back, in other units and after a reload, and the part stays", async () => {
+  await field("stylus.diameter").fill("3");
+  await field("feeds.work").fill("80");
+  await field("control.post").selectOption("sinumerik");
+  await more("Presets");
+  await dialog().getByLabel("Name of the preset").fill("Mill 2 <b>");
+  await dialog().getByRole("button", { name: "Keep the present values" }).click();
+  assert.match(await told(), /Kept “Mill 2 <b>”/);
+  await close();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.reload();
+  await ready();
+  assert.equal(await held("stylus.diameter"), 6);
+  await field("cycle.width1").fill("66");
+  await field("units").selectOption("inch");
+  await more("Presets");
+  await dialog().getByRole("button", { name: "Use Mill 2 <b>" }).click();
+  await close();
+  assert.deepEqual(
+    [await held("units"), await held("stylus.diameter"), await held("feeds.work"), await held("control.post")],
+    ["inch", 0.11811, 3.149606, "sinumerik"],
+  );
+  assert.match(await program(), /MEAS=1/);
+  await field("units").selectOption("mm");
+  assert.ok(Math.abs(Number(await held("cycle.width1")) - 66) < 1e-4, "the part is the job's");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await held("control.post"), "linuxcnc", "undo brings back what was there");
+});
+
+test("presets are saved as a file and read again; a file that is none changes nothing, what is none in it is left out", async () => {
+  await more("Presets");
+  for (const name of ["one", "two", "one"]) {
+    await dialog().getByLabel("Name of the preset").fill(name);
+    await page.keyboard.press("Enter");
+  }
+  const names = () => dialog().locator("li b").allTextContents();
+  assert.deepEqual(await names(), ["one", "two"]);
+  const download = page.waitForEvent("download");
+  await dialog().getByRole("button", { name: "Save all as a file" }).click();
+  const text = readFileSync(await (await download).path(), "utf8");
+  const give = async (/** @type {string} */ text) => {
+    await dialog()
+      .locator("input[type=file]")
+      .setInputFiles({ name: "p.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    await page.waitForTimeout(100);
+  };
+  await dialog().getByRole("button", { name: "Forget one" }).click();
+  assert.deepEqual(await names(), ["two"]);
+  for (const bad of [
+    "{",
+    "[]",
+    '{"format":"touchpath-presets","version":2,"presets":[]}',
+    '{"format":1,"cycle":{"type":"hole"}}',
+  ]) {
+    await give(bad);
+    assert.match(await told(), /Nothing was changed/, bad);
+    assert.deepEqual(await names(), ["two"]);
+  }
+  await give(text);
+  assert.deepEqual(await names(), ["one", "two"]);
+  const before = await held("feeds");
+  await give(
+    JSON.stringify({
+      format: "touchpath-presets",
+      version: 1,
+      presets: [7, { name: "no sections" }, { name: "wrong", sections: { feeds: { work: [] }, __proto__: 1 } }],
+    }),
+  );
+  assert.deepEqual(await names(), ["one", "two", "wrong"]);
+  await dialog().getByRole("button", { name: "Use wrong" }).click();
+  assert.match(await told(), /Nothing was changed: this preset cannot be used: feeds\.work/);
+  assert.deepEqual(await held("feeds"), before);
+});

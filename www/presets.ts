@@ -1,0 +1,71 @@
+// Named presets: what belongs to a machine and not to a part, kept in this browser and as a file.
+import { isObject } from "./job.js";
+
+/** The sections of a job that a preset holds. */
+export const SECTIONS = ["stylus", "feeds", "control", "tool"] as const;
+
+/** A preset: the sections in its own units. */
+export interface Preset {
+  name: string;
+  units: "mm" | "inch";
+  overtravel?: unknown;
+  sections: Record<string, unknown>;
+}
+
+const KEY = "touchpath.presets.1";
+const FORMAT = "touchpath-presets";
+/** More are not kept, nor longer names. */
+const MOST = 200;
+const LONGEST_NAME = 80;
+
+/** The presets of this browser; none where it keeps nothing, or what it keeps is none. */
+export function presets(): Preset[] {
+  try {
+    return read(localStorage.getItem(KEY) ?? "") ?? [];
+  } catch {
+    return [];
+  }
+}
+
+/** Keeps these, and no others. False where this browser keeps nothing. */
+export function keepPresets(list: Preset[]): boolean {
+  try {
+    localStorage.setItem(KEY, written(list));
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** These as the text of a file. */
+export function written(list: Preset[]): string {
+  return `${JSON.stringify({ format: FORMAT, version: 1, presets: list }, null, 2)}\n`;
+}
+
+/** The presets of a file's text; null where it holds none. What is no preset among them is left out. */
+export function read(text: string): Preset[] | null {
+  let file: unknown;
+  try {
+    file = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  if (!isObject(file) || file.format !== FORMAT || file.version !== 1 || !Array.isArray(file.presets)) return null;
+  return file.presets.slice(0, MOST).flatMap((one: unknown) => {
+    if (!isObject(one) || typeof one.name !== "string" || !isObject(one.sections)) return [];
+    const { name, sections, overtravel } = one;
+    const units = one.units === "inch" ? "inch" : "mm";
+    const held = SECTIONS.filter((section) => isObject(sections[section]));
+    if (held.length === 0) return [];
+    const taken = Object.fromEntries(held.map((section) => [section, sections[section]]));
+    return [{ name: name.slice(0, LONGEST_NAME), units, overtravel, sections: taken } satisfies Preset];
+  });
+}
+
+/** A list with one more; one of the same name gives way. */
+export function added(list: Preset[], one: Preset): Preset[] {
+  const named = { ...one, name: one.name.trim().slice(0, LONGEST_NAME) };
+  return [...list.filter((other) => other.name !== named.name), named]
+    .sort((a, b) => a.name.localeCompare(b.name))
+    .slice(0, MOST);
+}
