@@ -340,8 +340,8 @@ impl Painter {
             }
             // Behind the surface, where the path is not; numbers on the same spot stand side by side.
             let mut place = [contact[0] - touch.inward[0] * 16.0, contact[1] + touch.inward[1] * 16.0];
-            while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 11.0) {
-                place[0] += 14.0;
+            while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 2.0 * DISC) {
+                place[0] += 2.0 * DISC + 1.0;
             }
             written.push(place);
             self.disc(place, DISC, &self.theme.touch);

@@ -4,6 +4,30 @@ import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
 import { Scheme } from "./scheme.js";
 
+/** The groups by what is probed, and the word in a cycle's name that says it; the last takes what no other does. */
+const GROUPS: [string, string][] = [
+  ["Surface", "surface"],
+  ["Round", "round"],
+  ["Rectangle", "rectangle"],
+  ["Web and groove", "web"],
+  ["Corner", "corner"],
+  ["No motion", "still"],
+  ["Others", "others"],
+];
+
+const WORDS: [RegExp, string][] = [
+  [/surface/, "surface"],
+  [/hole|boss|circles/, "round"],
+  [/rectangle/, "rectangle"],
+  [/web|groove/, "web"],
+  [/corner/, "corner"],
+];
+
+function groupOf(cycle: CycleEntry): string {
+  if (cycle.steps.length === 0) return "still";
+  return WORDS.find(([word]) => word.test(cycle.type))?.[1] ?? "others";
+}
+
 /** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
@@ -28,16 +52,19 @@ class GalleryPart extends Part {
           }} />
         <span role="status" class="told">${found.length} of ${this.store.catalog.cycles.length} cycles</span>
       </div>
-      <ul class="cards">
-        ${this.store.catalog.cycles.map(
+      ${GROUPS.map(([name, of]) => {
+        const cycles = this.store.catalog.cycles.filter((cycle) => groupOf(cycle) === of);
+        const shown = cycles.filter((cycle) => found.includes(cycle)).length;
+        return html`<section ?hidden=${shown === 0} aria-label=${name}><h2>${name}</h2>
+        <ul class="cards">${cycles.map(
           (cycle) => html`<li ?hidden=${!found.includes(cycle)}>
           <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
             ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">rows of the table, no motion</span>`}
             <b>${cycle.title}</b>
             <small>${cycle.source}</small>
           </button></li>`,
-        )}
-      </ul>
+        )}</ul></section>`;
+      })}
     `;
   }
 

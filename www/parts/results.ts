@@ -2,10 +2,12 @@ import { html, nothing, type TemplateResult } from "lit";
 import { evaluate, type Finding, type Job, JobError, type ResultRow } from "../core/browser.js";
 import { Part } from "./part.js";
 
-const number = (value: number | null, digits = 4) =>
+/** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
+const places = (unit: string) => (unit === "inch" ? 4 : 3);
+const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-const signed = (value: number | null) =>
-  value !== null && Number(number(value)) > 0 ? `+${number(value)}` : number(value);
+const signed = (value: number | null, digits: number) =>
+  value !== null && Number(number(value, digits)) > 0 ? `+${number(value, digits)}` : number(value, digits);
 
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
 class ResultsPart extends Part {
@@ -19,7 +21,7 @@ class ResultsPart extends Part {
         <summary>Trigger points of the ball centre</summary>
         <table>
           <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
-          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${number(x)}</td>`) : html`<td colspan="3">no contact</td>`}</tr>`)}</tbody>
+          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${number(x, places(units))}</td>`) : html`<td colspan="3">no contact</td>`}</tr>`)}</tbody>
         </table>
       </details>
       <details class="measured" ?open=${this.store.measured !== ""}>
@@ -63,22 +65,25 @@ class ResultsPart extends Part {
     const [thing, axis] = code.split(".");
     return (
       field?.label ??
-      (axis && /^[xyz]$/.test(axis) ? `${thing?.replace(/^./, (c) => c.toUpperCase())} ${axis.toUpperCase()}` : "")
+      (axis && /^[xyz]$/.test(axis)
+        ? `${thing === "center" ? "Centre" : thing?.replace(/^./, (c) => c.toUpperCase())} ${axis.toUpperCase()}`
+        : "")
     );
   }
 
   private row(r: ResultRow, truth: boolean): TemplateResult {
+    const digits = places(r.unit);
     const name = html`<td class="name" title=${r.meaning}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
     const verdict = (text: string) => html`<span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>`;
     if (r.unit === "") {
       return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan=${truth ? 3 : 2}>${verdict(r.verdict ?? "")}</td></tr>`;
     }
     return html`<tr>${name}
-      <td class="n">${number(r.nominal)}</td>
-      <td class="n"><b>${number(r.value)}</b></td>
-      <td class="n">${signed(r.deviation)}${r.verdict ? html` ${verdict(r.verdict)}` : nothing}</td>
-      <td class="n">${number(r.uncertainty, 5)}</td>
-      ${truth ? html`<td class="n">${number(r.truth)}</td>` : nothing}</tr>`;
+      <td class="n">${number(r.nominal, digits)}</td>
+      <td class="n"><b>${number(r.value, digits)}</b></td>
+      <td class="n">${signed(r.deviation, digits)}${r.verdict ? html` ${verdict(r.verdict)}` : nothing}</td>
+      <td class="n">${number(r.uncertainty, digits + 1)}</td>
+      ${truth ? html`<td class="n">${number(r.truth, digits)}</td>` : nothing}</tr>`;
   }
 
   private table(rows: ResultRow[], caption: string, truth: boolean): TemplateResult {
