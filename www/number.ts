@@ -18,6 +18,9 @@ const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   none: [],
 };
 
+/** `1-1/2` is one and a half on a drawing and a half as a sum, `1,000` is a thousand to some: neither is guessed. */
+const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+|^[+-]?\d{1,3}(,000)+(?!\d)/;
+
 /** Longer texts are no sums. */
 const LONGEST = 200;
 
@@ -26,7 +29,7 @@ const LONGEST = 200;
  * text, and the check will say so.
  */
 export function readNumber(text: string, unit: Unit = "none", units: Units = "mm"): number | string {
-  if (text.length > LONGEST) return text;
+  if (text.length > LONGEST || AMBIGUOUS.test(text.trim())) return text;
   let rest = text.trim().replaceAll("−", "-");
   let given: Units | null = null;
   for (const [pattern, of] of SUFFIXES[unit]) {
@@ -61,8 +64,8 @@ function sum(text: string): number | null {
   const take = (...signs: string[]) => (signs.includes(words[next] ?? "") ? words[next++] : undefined);
 
   const factor = (): number => {
-    if (take("-")) return -factor();
-    if (take("+")) return factor();
+    const sign = take("-", "+");
+    if (sign) return /[-+]/.test(words[next] ?? "") ? Number.NaN : sign === "-" ? -factor() : factor();
     if (take("(")) {
       const inner = terms();
       return take(")") ? inner : Number.NaN;

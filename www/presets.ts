@@ -14,16 +14,16 @@ export interface Preset {
 
 const KEY = "touchpath.presets.1";
 const FORMAT = "touchpath-presets";
-/** More are not kept, nor longer names. */
-const MOST = 200;
+/** More are not kept; names are cut to so many characters. */
+export const MOST = 200;
 const LONGEST_NAME = 80;
 
-/** The presets of this browser; none where it keeps nothing, or what it keeps is none. */
-export function presets(): Preset[] {
+/** The presets of this browser; null where it keeps nothing. What it keeps and cannot be read counts as none. */
+export function presets(): Preset[] | null {
   try {
     return read(localStorage.getItem(KEY) ?? "") ?? [];
   } catch {
-    return [];
+    return null;
   }
 }
 
@@ -51,7 +51,7 @@ export function read(text: string): Preset[] | null {
     return null;
   }
   if (!isObject(file) || file.format !== FORMAT || file.version !== 1 || !Array.isArray(file.presets)) return null;
-  return file.presets.slice(0, MOST).flatMap((one: unknown) => {
+  return file.presets.flatMap((one: unknown) => {
     if (!isObject(one) || typeof one.name !== "string" || !isObject(one.sections)) return [];
     const { name, sections, overtravel } = one;
     const units = one.units === "inch" ? "inch" : "mm";
@@ -62,10 +62,8 @@ export function read(text: string): Preset[] | null {
   });
 }
 
-/** A list with one more; one of the same name gives way. */
+/** A list with one more; one of the same name gives way. It may become too long to be kept. */
 export function added(list: Preset[], one: Preset): Preset[] {
   const named = { ...one, name: one.name.trim().slice(0, LONGEST_NAME) };
-  return [...list.filter((other) => other.name !== named.name), named]
-    .sort((a, b) => a.name.localeCompare(b.name))
-    .slice(0, MOST);
+  return [...list.filter((other) => other.name !== named.name), named].sort((a, b) => a.name.localeCompare(b.name));
 }

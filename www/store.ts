@@ -108,8 +108,10 @@ export class Store extends EventTarget {
   }
 
   set measured(text: string) {
-    this.points[this.units] = text;
+    this.mark("measured");
+    this.points = { ...this.points, [this.units]: text };
     this.keep();
+    this.dispatchEvent(new Event("change"));
   }
 
   get cycle(): CycleEntry {
@@ -146,6 +148,8 @@ export class Store extends EventTarget {
       if (support?.length && !support.some((s) => s.form === place.form)) place.form = support[0]?.form;
     }
     place[last] = value;
+    // What was typed inside a value that is another one now.
+    if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
   }
 
@@ -262,7 +266,8 @@ export class Store extends EventTarget {
     };
     const problem = this.unusable(job);
     if (problem) throw new JobError(`Nothing was changed: this preset cannot be used: ${problem}`, []);
-    const taken = (units === held ? job : convertUnits(job, held)) as unknown as Draft;
+    const whole = complete(job, this.catalog);
+    const taken = (units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
     for (const section of [...SECTIONS, "overtravel"])
       if (section in sections || (section === "overtravel" && overtravel !== undefined)) {

@@ -4,7 +4,10 @@ const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (
 /** @type {string[]} */
 const FILES = [];
 const VERSION = "";
-const CACHE = `touchpath-${VERSION}`;
+/** One installation a folder: another one of the same server has its own files. */
+const OWN = `touchpath ${new URL("./", location.href).pathname} `;
+const CACHE = OWN + VERSION;
+const PAGE = new URL("./", location.href).pathname;
 
 worker.addEventListener("install", (event) => {
   // All of them or none: a page of two versions is worse than no page.
@@ -14,7 +17,7 @@ worker.addEventListener("install", (event) => {
 worker.addEventListener("activate", (event) => {
   const others = async () => {
     const names = await caches.keys();
-    const old = names.filter((name) => name.startsWith("touchpath-") && name !== CACHE);
+    const old = names.filter((name) => name.startsWith(OWN) && name !== CACHE);
     await Promise.all(old.map((name) => caches.delete(name)));
   };
   event.waitUntil(others());
@@ -25,7 +28,8 @@ worker.addEventListener("fetch", (event) => {
   if (event.request.method !== "GET" || url.origin !== location.origin) return;
   const answer = async () => {
     const cache = await caches.open(CACHE);
-    return (await cache.match(event.request, { ignoreSearch: true })) ?? fetch(event.request);
+    const asked = url.pathname === `${PAGE}index.html` ? PAGE : event.request;
+    return (await cache.match(asked, { ignoreSearch: true })) ?? fetch(event.request);
   };
   event.respondWith(answer());
 });

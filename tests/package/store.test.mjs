@@ -12,8 +12,8 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 let folder;
 /** @type {any} */
 let Store;
-/** @type {(text: string) => number | string} */
-let parseNumber;
+/** @type {(text: string, unit?: string, units?: string) => number | string} */
+let readNumber;
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-store-"));
@@ -23,7 +23,12 @@ before(async () => {
     root,
     configFile: false,
     logLevel: "silent",
-    build: { ssr: "www/store.ts", outDir: folder, emptyOutDir: true },
+    build: {
+      ssr: true,
+      rolldownOptions: { input: ["www/store.ts", "www/number.ts"] },
+      outDir: folder,
+      emptyOutDir: true,
+    },
     plugins: [
       {
         name: "core",
@@ -32,7 +37,8 @@ before(async () => {
       },
     ],
   });
-  ({ Store, parseNumber } = await import(pathToFileURL(join(folder, "store.js")).href));
+  ({ Store } = await import(pathToFileURL(join(folder, "store.js")).href));
+  ({ readNumber } = await import(pathToFileURL(join(folder, "number.js")).href));
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
 
@@ -117,14 +123,101 @@ test("a program for any control is opened as the job that made it", () => {
   }
 });
 
-test("numbers as they are typed", () => {
-  assert.deepEqual(["1,5", " +2.", "-.5", "1e3", "1,2,3", "x", ""].map(parseNumber), [
-    1.5,
-    2,
-    -0.5,
-    "1e3",
-    "1,2,3",
-    "x",
-    "",
-  ]);
+test("numbers as they are typed: what is worked out is right, what can be read in two ways stays text", () => {
+  /** @type {[string, number | string][]} */
+  const cases = [
+    ["1,5", 1.5],
+    [" +2.", 2],
+    ["-.5", -0.5],
+    ["1e3", 1000],
+    ["1,2,3", "1,2,3"],
+    ["x", "x"],
+    ["", ""],
+    ["80/2+0.5", 40.5],
+    ["2+3*4", 14],
+    ["(2+3)*-4", -20],
+    ["10/4/5", 0.5],
+    ["10-4-3", 3],
+    ["1 1/2", 1.5],
+    ["-1 1/2", -1.5],
+    ["1-1/2", "1-1/2"],
+    ["1,000", "1,000"],
+    ["12,345", 12.345],
+    ["--5", "--5"],
+    ["1.2.3", "1.2.3"],
+    ["5 5", "5 5"],
+    ["2(3)", "2(3)"],
+    ["()", "()"],
+    ["1/0", "1/0"],
+    ["1e999", "1e999"],
+    ["Infinity", "Infinity"],
+    ["0x10", "0x10"],
+    ["(".repeat(150), "(".repeat(150)],
+    ["-(".repeat(2000), "-(".repeat(2000)],
+  ];
+  for (const [text, value] of cases) assert.equal(readNumber(text), value, text.slice(0, 20));
+});
+
+test("a unit behind a number is that unit, in a field that has one", () => {
+  /** @type {[string, string, string, number | string][]} */
+  const cases = [
+    ["80 mm", "length", "mm", 80],
+    ["80mm", "length", "inch", 3.149606],
+    ["1 in", "length", "mm", 25.4],
+    ['1 1/2"', "length", "mm", 38.1],
+    ["2 inch", "length", "inch", 2],
+    ["10 ipm", "feed", "mm", 254],
+    ["150 mm/min", "feed", "mm", 150],
+    ["30°", "angle", "inch", 30],
+    ["30 mm", "angle", "mm", "30 mm"],
+    ["3 mm", "none", "mm", "3 mm"],
+    ["10 in mm", "length", "mm", "10 in mm"],
+    ["mm", "length", "mm", "mm"],
+  ];
+  for (const [text, unit, units, value] of cases) assert.equal(readNumber(text, unit, units), value, text);
+});
+
+test("any run of steps taken back is the state before it, and taken again the state after it", () => {
+  const store = new Store();
+  let seed = 7;
+  const draw = (/** @type {number} */ n) => {
+    seed = (seed * 1103515245 + 12345) % 2147483648;
+    return Math.floor((seed / 2147483648) * n);
+  };
+  const state = () => JSON.stringify([store.draft, [...store.typed], store.measured, store.units]);
+  const cycles = ["hole", "boss", "internal-rectangle-protected", "probing-two-circles"];
+  const steps = [
+    () => store.set("cycle.depth", draw(50), String(draw(50))),
+    () => store.set("part.offset", [draw(3), 0, 0]),
+    () => store.set("stylus.diameter", 1 + draw(5)),
+    () => store.setUnits(draw(2) ? "inch" : "mm"),
+    () => store.choose(cycles[draw(4)]),
+    () => store.reset(),
+    () => store.drop("cycle.rotation"),
+    () => {
+      store.measured = `${draw(9)}, 0, 0`;
+    },
+    () => store.open('{"format":1,"cycle":{"type":"web"}}'),
+    () => store.usePreset({ name: "x", units: "inch", sections: { stylus: { diameter: 0.1 } } }),
+  ];
+  const states = [state()];
+  for (let i = 0; i < 120; i++) {
+    store.settle();
+    const step = steps[draw(steps.length)];
+    step?.();
+    // A step that changes nothing may be none.
+    if (store.past.length === states.length) states.push(state());
+    else assert.equal(state(), states.at(-1));
+  }
+  assert.ok(states.length > 80);
+  for (let i = states.length - 2; i >= 0; i--) {
+    store.undo();
+    assert.equal(state(), states[i], `back to ${i}`);
+  }
+  assert.ok(!store.canUndo);
+  for (let i = 1; i < states.length; i++) {
+    store.redo();
+    assert.equal(state(), states[i], `again to ${i}`);
+  }
+  assert.ok(!store.canRedo);
 });

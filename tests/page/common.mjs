@@ -77,7 +77,10 @@ export const unfold = (tab = page) =>
 /** Chooses in the menu of what is rarely used. */
 export async function more(/** @type {string | RegExp} */ name, tab = page) {
   await tab.getByRole("button", { name: "More" }).click();
-  await tab.locator("#menu").getByRole("button", { name }).click();
+  await tab
+    .locator("#menu")
+    .getByRole("button", { name, exact: name === "Reset" })
+    .click();
 }
 
 /** Puts the whole form back. */
@@ -108,7 +111,7 @@ export const program = async (tab = page) => (await tab.locator("tp-program .tex
 
 /** Chooses a file with this text. */
 export const openText = (/** @type {string} */ text, name = "job.json", tab = page) =>
-  tab.locator("input[type=file]").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  tab.locator("#file").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 
 /** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
 export const pixels = () =>

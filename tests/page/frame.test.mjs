@@ -97,6 +97,59 @@ test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is take
   assert.ok(await redo().isDisabled());
 });
 
+test("after undo and redo every choice showed what was picked last, not what the job holds", async () => {
+  const shown = async () => [
+    await field("control.post").inputValue(),
+    await field("units").inputValue(),
+    await field("cycle.type").inputValue(),
+  ];
+  const holds = async () => [await held("control.post"), await held("units"), await held("cycle.type")];
+  for (const post of ["grbl", "sinumerik", "linuxcnc"]) await field("control.post").selectOption(post);
+  for (const units of ["inch", "mm"]) await field("units").selectOption(units);
+  for (const cycle of ["boss", "hole"]) await field("cycle.type").selectOption(cycle);
+  for (const button of [undo(), redo()]) {
+    for (let i = 0; i < 7; i++) {
+      await button.click();
+      assert.deepEqual(await shown(), await holds(), `step ${i + 1}`);
+    }
+  }
+});
+
+test("undo took measured points away that were entered after the step: they are a step of their own", async () => {
+  await field("cycle.width1").fill("81");
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("Points that a machine measured").click();
+  const box = page.locator("#measured");
+  await box.fill("37.1,0,-10");
+  await undo().click();
+  assert.deepEqual([await box.inputValue(), await held("cycle.width1")], ["", 81]);
+  await redo().click();
+  assert.equal(await box.inputValue(), "37.1,0,-10");
+  await undo().click();
+  await undo().click();
+  assert.equal(await held("cycle.width1"), 80);
+});
+
+test("a field of an optional form showed what was typed into it before it was left out", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  const use = page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it");
+  await use.check();
+  await field("cycle.extrusion.length").fill("7");
+  await use.uncheck();
+  await use.check();
+  assert.equal(await field("cycle.extrusion.length").inputValue(), String(await held("cycle.extrusion.length")));
+});
+
+test("Ctrl+Z in a field that is not the job's, or in another tool, leaves the job alone", async () => {
+  await field("cycle.width1").fill("81");
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  await page.getByLabel("Filter the parameters").press("Control+z");
+  await more("Tool lengths");
+  await page.locator("#l-type").press("Control+z");
+  await page.locator("tp-lentoax").getByRole("button").first().press("Control+z");
+  assert.equal(await held("cycle.width1"), 81);
+});
+
 test("letters typed in one field are one step, in another field another, and the keyboard takes them back", async () => {
   await field("cycle.width1").focus();
   await page.keyboard.type("123");
@@ -129,7 +182,7 @@ test("Reset asked nothing: it asks, and keeps everything where one thinks better
 for (const [text, value, shown] of /** @type {[string, number | string, string][]} */ ([
   ["80/2+0.5", 40.5, "40.5"],
   ["0,1+0,2", 0.3, "0.3"],
-  ["2*(3+4)-−1", 15, "15"],
+  ["2*(3+4)-(−1)", 15, "15"],
   ["1 1/2", 1.5, "1.5"],
   ["80 mm", 80, "80"],
   ["3.15 in", 80.01, "80.01"],
@@ -141,6 +194,17 @@ for (const [text, value, shown] of /** @type {[string, number | string, string][
   ["1.234,5", "1.234,5", "1.234,5"],
   ["((((((80", "((((((80", "((((((80"],
   ["alert(1)", "alert(1)", "alert(1)"],
+  ["1-1/2", "1-1/2", "1-1/2"],
+  ["1-1/2 in", "1-1/2 in", "1-1/2 in"],
+  ["1,000", "1,000", "1,000"],
+  ["12,345", 12.345, "12,345"],
+  ["--5", "--5", "--5"],
+  ["1.2.3", "1.2.3", "1.2.3"],
+  ["5 5", "5 5", "5 5"],
+  ["2(3)", "2(3)", "2(3)"],
+  ["3-", "3-", "3-"],
+  ["10 in mm", "10 in mm", "10 in mm"],
+  ["e5", "e5", "e5"],
 ])) {
   test(`typed as a width, accepted by Enter: ${text}`, async () => {
     await field("cycle.width1").fill(text);
@@ -395,6 +459,39 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
     const pdf = (await page.pdf({ format, preferCSSPageSize: false })).toString("latin1");
     assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
   }
+});
+
+test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {
+  await field("cycle.type").selectOption("hole");
+  await field("cycle.diameter").fill("abc");
+  await field("cycle.type").focus();
+  await field("cycle.diameter").fill("55");
+  await page.getByRole("button", { name: "Setup sheet" }).click();
+  const picture = () =>
+    page.locator("tp-sheet canvas").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
+  const hole = await picture();
+  await field("cycle.type").selectOption("internal-rectangle");
+  await page.waitForTimeout(50);
+  assert.notEqual(await picture(), hole);
+  await undo().click();
+  assert.equal(await picture(), hole);
+  await undo().click();
+  assert.match(await textOf(page.locator("tp-sheet")), /No setup sheet while the form has an error/);
+  assert.equal(await page.locator("tp-sheet :is(article, canvas)").count(), 0);
+  assert.equal(await page.getByRole("button", { name: "Print" }).count(), 0);
+  await redo().click();
+  assert.equal(await picture(), hole);
+});
+
+test("nothing plays that is not seen", async () => {
+  await page.getByRole("button", { name: "Play" }).click();
+  await more("Tool lengths");
+  await page.waitForTimeout(100);
+  const clock = () =>
+    page.evaluate(
+      () => /** @type {any} */ (document.querySelector("touchpath-app")).shadowRoot.querySelector("tp-picture").clock,
+    );
+  assert.equal(await clock(), null);
 });
 
 test("what is narrower than a tablet keeps its order for eye and Tab: picture, form, tabs", async () => {

@@ -22,7 +22,9 @@ const kept = (tab = page) =>
 test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
   assert.equal(await kept(), 1);
   await context.setOffline(true);
-  await page.reload();
+  await page.goto(new URL("index.html?from=home", page.url()).href);
+  await ready();
+  await page.goto(new URL("./", page.url()).href);
   await ready();
   await field("cycle.width1").fill("90");
   assert.match(await program(), /G38\.2 X47 /);
@@ -77,7 +79,7 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await tab.waitForFunction(() => document.title === "Newer Touchpath");
     await ready(tab);
     assert.equal(await field("cycle.width1", tab).inputValue(), "77");
-    assert.deepEqual(await tab.evaluate(() => caches.keys()), ["touchpath-newer"], "nothing of the old one is kept");
+    assert.deepEqual(await tab.evaluate(() => caches.keys()), ["touchpath / newer"], "nothing of the old one is kept");
   } finally {
     await tab.close();
     server.close();

@@ -156,7 +156,7 @@ test("a job is saved and opened again", async () => {
   const path = await (await download).path();
   await reset();
   assert.equal(await field("cycle.width2").inputValue(), "50");
-  await page.locator("input[type=file]").setInputFiles(path);
+  await page.locator("#file").setInputFiles(path);
   await until("cycle.width2", "44");
 });
 
@@ -202,6 +202,7 @@ test("views, zoom by wheel, drag", async () => {
 });
 
 test("the virtual part: its fields, its handle, its results", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
   await field("part.offset[0]").fill("0.5");
   await field("part.rotation").fill("1");
   const row = page.locator("tp-results tr", { hasText: "width1" }).first();
@@ -247,6 +248,7 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   await field("cycle.diameter1").fill("20H7");
   assert.match(await program(), /QS1116="20H7" ;DIAMETER 1 ~/);
   await field("part.sizes.diameter1").fill("0.05");
+  await page.getByRole("tab", { name: "Results" }).click();
   const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
   assert.match((await status.textContent()) ?? "", /2.*scrap: the program continues/);
   await field("cycle.diameter1").fill("20H99");
@@ -269,7 +271,8 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   const length = Number(await field("cycle.angularLength").inputValue());
   assert.ok(angle !== 0 || length !== 360, "the form follows the handle");
   // Extrusion in and out.
-  await page.getByLabel("Use it").check();
+  await unfold();
+  await page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it").check();
   await field("cycle.extrusion.points").fill("3");
   assert.match(await program(), /\n\d+ TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /);
   const download = page.waitForEvent("download");
@@ -278,9 +281,7 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   const text = readFileSync(path, "utf8");
   await reset();
   assert.doesNotMatch(await program(), /1493/);
-  await page
-    .locator("input[type=file]")
-    .setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.locator("#file").setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
   await until("cycle.diameter1", "20H7");
   assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
   assert.match((await page.locator(".note").textContent()) ?? "", /does not say how the part lies/);
@@ -470,9 +471,7 @@ test("SINUMERIK: the probe's length decides, the program comes back", async () =
 
 test("a file that is nothing is refused and the form stays", async () => {
   await field("cycle.width1").fill("71");
-  await page
-    .locator("input[type=file]")
-    .setInputFiles({ name: "x.txt", mimeType: "text/plain", buffer: Buffer.from("G1 X0") });
+  await page.locator("#file").setInputFiles({ name: "x.txt", mimeType: "text/plain", buffer: Buffer.from("G1 X0") });
   assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
   assert.equal(await field("cycle.width1").inputValue(), "71");
 });

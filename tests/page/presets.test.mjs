@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { field, held, more, page, program, ready, setUp, textOf } from "./common.mjs";
+import { field, held, more, openTab, page, program, ready, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -85,4 +85,46 @@ test("presets are saved as a file and read again; a file that is none changes no
   await dialog().getByRole("button", { name: "Use wrong" }).click();
   assert.match(await told(), /Nothing was changed: this preset cannot be used: feeds\.work/);
   assert.deepEqual(await held("feeds"), before);
+});
+
+test("two tabs overwrote each other's presets, and a file pushed the user's own out", async () => {
+  const other = await openTab();
+  const keep = async (/** @type {import("playwright-core").Page} */ tab, /** @type {string} */ name) => {
+    await more("Presets", tab);
+    await tab.getByLabel("Name of the preset").fill(name);
+    await tab.getByRole("button", { name: "Keep the present values" }).click();
+    await tab.getByRole("dialog", { name: "Presets" }).getByRole("button", { name: "Close" }).click();
+  };
+  await keep(page, "Mill A");
+  await keep(other, "Mill B");
+  await keep(page, "Mill C");
+  const names = () => page.locator("tp-presets li b").allTextContents();
+  assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
+  const many = Array.from({ length: 200 }, (_, i) => ({ name: `A${i}`, units: "mm", sections: { stylus: {} } }));
+  await more("Presets");
+  await dialog()
+    .locator("input[type=file]")
+    .setInputFiles({
+      name: "p.json",
+      mimeType: "application/json",
+      buffer: Buffer.from(JSON.stringify({ format: "touchpath-presets", version: 1, presets: many })),
+    });
+  await page.locator("tp-presets [role=status]", { hasText: "at most 200" }).waitFor();
+  assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
+});
+
+test("a preset that leaves something out brings the defaults, not holes", async () => {
+  await field("stylus.diameter").fill("3");
+  await more("Presets");
+  await dialog()
+    .locator("input[type=file]")
+    .setInputFiles({
+      name: "p.json",
+      mimeType: "application/json",
+      buffer: Buffer.from(
+        '{"format":"touchpath-presets","version":1,"presets":[{"name":"bare","sections":{"stylus":{}}}]}',
+      ),
+    });
+  await dialog().getByRole("button", { name: "Use bare" }).click();
+  assert.equal(await held("stylus.diameter"), 6);
 });

@@ -11,6 +11,7 @@ import "./gallery.js";
 import { copy, download } from "./hand.js";
 import "./help.js";
 import "./lentoax.js";
+import { Part } from "./part.js";
 import "./picture.js";
 import "./presets.js";
 import type { ProgramPart } from "./program.js";
@@ -174,6 +175,8 @@ class App extends LitElement {
   }
 
   protected override updated(): void {
+    for (const part of this.renderRoot.querySelectorAll("main:not([hidden]) > section:not([hidden]) > *"))
+      if (part instanceof Part) part.catchUp();
     // One order for eye and Tab: on a narrow page the picture stands above the form.
     const main = this.renderRoot.querySelector("main");
     const [setup, picture] = [".setup", ".picture"].map((name) => this.renderRoot.querySelector(name));
@@ -203,16 +206,24 @@ class App extends LitElement {
     this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
   }
 
-  /** Undo and redo are the page's, in its fields too: only a text of several lines keeps its own. */
+  /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
   private readonly shortcut = (event: KeyboardEvent): void => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const key = event.key.toLowerCase();
-    const inText = event.composedPath()[0] instanceof HTMLTextAreaElement;
-    if (key === "z" && !inText) event.shiftKey ? this.store.redo() : this.store.undo();
-    else if (key === "y" && !inText) this.store.redo();
-    else if (key === "s") this.ask("save");
-    else return;
+    const at = event.composedPath()[0] as Element;
+    if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
+    if (key === "s") {
+      this.ask("save");
+      return;
+    }
+    // A field that is not the job's changes none, and no job is changed that is not seen. Left to the browser, the key would take
+    // back the last letter of any field of the page.
+    const seen = this.tool === "cycles" && !this.renderRoot.querySelector("dialog[open]");
+    const other = at.matches("input[type=text], input[type=search]") && !at.closest("tp-form");
+    if (!seen || other) return;
+    if (key === "y" || event.shiftKey) this.store.redo();
+    else this.store.undo();
   };
 
   /** The help is of the field that has the focus: elsewhere there is none. */

@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { isWorkedOut, readNumber } from "../number.js";
 import { Part } from "./part.js";
@@ -106,8 +107,8 @@ export abstract class FieldPart extends Part {
           take((e.target as HTMLSelectElement).value);
           this.store.settle();
         }}>
-        ${known ? nothing : html`<option value=${String(value)} selected disabled>${String(value)}</option>`}
-        ${choices.map((c) => html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} ?selected=${c.value === value}>${c.label}</option>`)}
+        ${known ? nothing : html`<option value=${String(value)} .selected=${live(true)} disabled>${String(value)}</option>`}
+        ${choices.map((c) => html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} .selected=${live(c.value === value)}>${c.label}</option>`)}
       </select></span>`;
   }
 

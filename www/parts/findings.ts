@@ -17,8 +17,8 @@ class FindingsPart extends Part {
       return n === 0 ? [] : [`${n} ${NAMES[level]}${n === 1 ? "" : "s"}`];
     });
     const worst = LEVELS.flatMap(of)[0];
-    const minutes = Math.floor(plan.time);
-    const seconds = String(Math.round((plan.time - minutes) * 60)).padStart(2, "0");
+    const whole = Math.round(plan.time * 60);
+    const [minutes, seconds] = [Math.floor(whole / 60), String(whole % 60).padStart(2, "0")];
     return html`
       ${
         worst

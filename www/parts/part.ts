@@ -8,9 +8,22 @@ export abstract class Part extends LitElement {
   protected follows: string[] = ["change", "highlight"];
 
   private readonly redraw = () => this.requestUpdate();
+  /** Whether something changed while the part was not seen. */
+  private behind = false;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
+  }
+
+  /** A part that is not seen does nothing until it is. */
+  protected override shouldUpdate(): boolean {
+    this.behind = this.hasUpdated && this.closest("[hidden]") !== null;
+    return !this.behind;
+  }
+
+  /** The part is seen again. */
+  catchUp(): void {
+    if (this.behind) this.requestUpdate();
   }
 
   override connectedCallback(): void {

@@ -38,7 +38,7 @@ class PicturePart extends DrawnPart {
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
-          @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
+          @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.drawing?.key(e))}></canvas>
         ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.trial()}
       </div>
       <ul class="key" aria-label="Lines">
@@ -130,7 +130,8 @@ class PicturePart extends DrawnPart {
 
   private readonly timelineKey = (event: KeyboardEvent): void => {
     const target = event.target as HTMLElement;
-    if (event.key === " " && target.id === "scrub") this.toggle();
+    if (event.key === "Escape") this.store.pin(null);
+    else if (event.key === " " && target.id === "scrub") this.toggle();
     else if (event.ctrlKey && event.key === "ArrowRight")
       this.querySelector<HTMLElement>("[aria-label='Next touch']")?.click();
     else if (event.ctrlKey && event.key === "ArrowLeft")
@@ -149,13 +150,19 @@ class PicturePart extends DrawnPart {
       this.pause();
       return;
     }
-    const { highlight, plan } = this.store;
+    const { highlight, plan, stale } = this.store;
+    if (plan.moves.length === 0 || (stale && this.live)) return;
     const from = highlight === null || highlight >= plan.moves.length - 1 ? 0 : highlight + 1;
     this.clock = this.times.subarray(0, from).reduce((sum, t) => sum + t, 0);
     let before = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const tick = (now: number) => {
       if (this.clock === null) return;
+      // Nothing plays that is not seen.
+      if (this.closest("[hidden]")) {
+        this.pause();
+        return;
+      }
       this.clock += ((now - before) / 1000) * this.speed;
       before = now;
       let left = this.clock;
@@ -194,11 +201,11 @@ class PicturePart extends DrawnPart {
   /** The move that is pointed at, in words. */
   private says(): string {
     const { plan, highlight } = this.store;
+    if (this.store.stale && this.live) return "The run ends in the part";
     const move = highlight === null ? undefined : plan.moves[highlight];
     if (!move || highlight === null) {
-      const minutes = Math.floor(plan.time);
-      const seconds = Math.round((plan.time - minutes) * 60);
-      return `${plan.moves.length} moves, ${plan.length.toFixed(0)} ${this.store.units}, ${minutes} min ${seconds} s`;
+      const seconds = Math.round(plan.time * 60);
+      return `${plan.moves.length} moves, ${plan.length.toFixed(0)} ${this.store.units}, ${Math.floor(seconds / 60)} min ${seconds % 60} s`;
     }
     const kind = { position: "positioning", touch: `touch ${(move.touch ?? 0) + 1}`, back: "back" }[move.kind];
     const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((move.to[i] as number).toFixed(4))}`).join(" ");

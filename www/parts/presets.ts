@@ -1,13 +1,13 @@
 import { html, type TemplateResult } from "lit";
 import { JobError } from "../core/browser.js";
-import { added, keepPresets, type Preset, presets, read, written } from "../presets.js";
+import { added, keepPresets, MOST, type Preset, presets, read, written } from "../presets.js";
 import { download } from "./hand.js";
 import { Part } from "./part.js";
 
 /** Named presets of stylus, feeds and control: kept, used, taken along as a file. */
 class PresetsPart extends Part {
   protected override follows: string[] = [];
-  private list: Preset[] = presets();
+  private list: Preset[] = presets() ?? [];
   private told = "";
 
   override render(): TemplateResult {
@@ -35,7 +35,7 @@ class PresetsPart extends Part {
     const box = this.querySelector<HTMLInputElement>("#preset-name");
     const name = box?.value.trim() ?? "";
     if (name === "") this.tell("A preset needs a name");
-    else if (this.put(added(this.list, this.store.preset(name)))) this.tell(`Kept “${name}”`);
+    else if (this.put((list) => added(list, this.store.preset(name)))) this.tell(`Kept “${name}”`);
   }
 
   private use(preset: Preset): void {
@@ -48,7 +48,7 @@ class PresetsPart extends Part {
   }
 
   private forget(preset: Preset): void {
-    if (this.put(this.list.filter((one) => one !== preset))) this.tell(`Forgot “${preset.name}”`);
+    if (this.put((list) => list.filter((one) => one.name !== preset.name))) this.tell(`Forgot “${preset.name}”`);
   }
 
   /** Those of a file come beside those that are here; of the same name, that of the file counts. */
@@ -60,10 +60,16 @@ class PresetsPart extends Part {
     const text = file.size > this.store.longest ? "" : await file.text().catch(() => "");
     const found = read(text);
     if (!found) this.tell("Nothing was changed: this file holds no presets that can be read here");
-    else if (this.put(found.reduce(added, this.list))) this.tell(`${found.length} presets were read`);
+    else if (this.put((list) => found.reduce(added, list))) this.tell(`${found.length} presets were read`);
   };
 
-  private put(list: Preset[]): boolean {
+  /** Changes the list as it is kept now: another tab may have changed it. */
+  private put(change: (list: Preset[]) => Preset[]): boolean {
+    const list = change(presets() ?? this.list);
+    if (list.length > MOST) {
+      this.tell(`Nothing was changed: at most ${MOST} presets are kept, and these would be ${list.length}`);
+      return false;
+    }
     this.list = list;
     if (keepPresets(list)) return true;
     this.tell("This browser keeps nothing: the presets are there until the page is left");

@@ -27,10 +27,9 @@ class ResultsPart extends Part {
       <details class="measured" ?open=${this.store.measured !== ""}>
         <summary>Points that a machine measured</summary>
         <label for="measured">Ball centres in ${units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log</label>
-        <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured}
+        <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
-            this.requestUpdate();
           }}></textarea>
         <button type="button" @click=${this.fill}>Fill in the points shown</button>
         ${this.measured()}

@@ -7,10 +7,17 @@ import { Part } from "./part.js";
 class SheetPart extends Part {
   protected override follows = ["change"];
   private drawing?: Drawing;
+  /** What was drawn on, and the form that was drawn. */
+  private drawn: { canvas?: HTMLCanvasElement; revision: number } = { revision: -1 };
   /** The hash of the program that is on the sheet. */
   private hash = { of: "", hex: "" };
 
   override render(): TemplateResult {
+    const { withheld } = this.store;
+    const back = html`<button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>Back to the job</button>`;
+    if (withheld !== null) {
+      return html`<div class="tools">${back}</div><p class="problem error"><b>No setup sheet while the form has an error:</b> ${withheld}</p>`;
+    }
     const { plan, units, catalog, shown, cycle } = this.store;
     const { program } = plan;
     const post = catalog.posts.find((p) => p.id === program.post);
@@ -25,7 +32,7 @@ class SheetPart extends Part {
     return html`
       <div class="tools screen">
         <button type="button" class="primary" @click=${() => print()}>Print</button>
-        <button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>Back to the job</button>
+        ${back}
       </div>
       <article aria-label="Setup sheet">
         <h2>${String(shown.name || "PROBE")}: ${cycle.title}</h2>
@@ -38,7 +45,8 @@ class SheetPart extends Part {
               ${cycle.fields
                 .filter((f) => !f.group.startsWith("Postprocessor"))
                 .map((f) => {
-                  const value = this.store.get(`cycle.${f.key}`) ?? this.store.standIn(f);
+                  const held = this.store.get(`cycle.${f.key}`);
+                  const value = held === undefined ? this.store.standIn(f) : (held ?? f.null);
                   return value === null || value === undefined
                     ? nothing
                     : html`<tr><td>${f.label}</td><td class="n">${Array.isArray(value) ? value.join(" ") : String(value)}</td><td><code>${f.code ?? ""}</code></td></tr>`;
@@ -80,8 +88,13 @@ class SheetPart extends Part {
   protected override updated(): void {
     const canvas = this.querySelector("canvas");
     if (!canvas) return;
-    this.drawing ??= new Drawing(canvas, (view) => view.show(this.store.shown));
-    this.drawing.dress();
+    // With an error in the form the canvas goes, and with it what drew on it.
+    if (this.drawn.canvas !== canvas) {
+      this.drawing?.free();
+      this.drawing = new Drawing(canvas, (view) => view.show(this.store.shown));
+    } else if (this.drawn.revision !== this.store.revision) this.drawing?.use((view) => view.show(this.store.shown));
+    this.drawn = { canvas, revision: this.store.revision };
+    this.drawing?.dress();
     const { text } = this.store.plan.program;
     if (this.hash.of !== text) this.sum(text);
   }
