@@ -181,6 +181,7 @@ test("measured points stayed across a change of cycle and units: they belong to 
   assert.equal(await box.inputValue(), points);
   await page.reload();
   await ready();
+  await page.getByRole("tab", { name: "Results" }).click();
   assert.equal(await box.inputValue(), points);
   await openText('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}');
   await page.waitForFunction(() => {

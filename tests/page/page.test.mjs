@@ -251,6 +251,7 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   await page.getByRole("tab", { name: "Results" }).click();
   const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
   assert.match((await status.textContent()) ?? "", /2.*scrap: the program continues/);
+  await page.getByRole("tab", { name: "Program" }).click();
   await field("cycle.diameter1").fill("20H99");
   assert.match((await page.locator(`[id="e-cycle.diameter1"]`).textContent()) ?? "", /ISO 286 has no H99/);
   await field("cycle.diameter1").fill("20H7");
