@@ -12,7 +12,7 @@ pub struct Marks<'a> {
     pub highlight: Option<usize>,
     /// How much of that move is done, 0 to 1.
     pub part: f64,
-    /// Whether the trial part lies other than the nominal one.
+    /// Whether the virtual part lies other than the nominal one.
     pub deviates: bool,
     /// The path of the field that has the focus.
     pub field: Option<&'a str>,

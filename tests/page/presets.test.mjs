@@ -8,6 +8,10 @@ setUp();
 
 const dialog = () => page.getByRole("dialog", { name: "Presets" });
 const close = () => dialog().getByRole("button", { name: "Close" }).click();
+const openFile = (/** @type {string} */ text) =>
+  dialog()
+    .locator("input[type=file]")
+    .setInputFiles({ name: "p.json", mimeType: "application/json", buffer: Buffer.from(text) });
 const told = () => textOf(dialog().getByRole("status"));
 
 test("a preset brings stylus, feeds and control back, in other units and after a reload, and the part stays", async () => {
@@ -54,9 +58,7 @@ test("presets are saved as a file and read again; a file that is none changes no
   await dialog().getByRole("button", { name: "Save all as a file" }).click();
   const text = readFileSync(await (await download).path(), "utf8");
   const give = async (/** @type {string} */ text) => {
-    await dialog()
-      .locator("input[type=file]")
-      .setInputFiles({ name: "p.json", mimeType: "application/json", buffer: Buffer.from(text) });
+    await openFile(text);
     await page.waitForTimeout(100);
   };
   await dialog().getByRole("button", { name: "Forget one" }).click();
@@ -102,13 +104,7 @@ test("two tabs overwrote each other's presets, and a file pushed the user's own 
   assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
   const many = Array.from({ length: 200 }, (_, i) => ({ name: `A${i}`, units: "mm", sections: { stylus: {} } }));
   await more("Presets");
-  await dialog()
-    .locator("input[type=file]")
-    .setInputFiles({
-      name: "p.json",
-      mimeType: "application/json",
-      buffer: Buffer.from(JSON.stringify({ format: "touchpath-presets", version: 1, presets: many })),
-    });
+  await openFile(JSON.stringify({ format: "touchpath-presets", version: 1, presets: many }));
   await page.locator("tp-presets [role=status]", { hasText: "at most 200" }).waitFor();
   assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
 });
@@ -116,15 +112,7 @@ test("two tabs overwrote each other's presets, and a file pushed the user's own 
 test("a preset that leaves something out brings the defaults, not holes", async () => {
   await field("stylus.diameter").fill("3");
   await more("Presets");
-  await dialog()
-    .locator("input[type=file]")
-    .setInputFiles({
-      name: "p.json",
-      mimeType: "application/json",
-      buffer: Buffer.from(
-        '{"format":"touchpath-presets","version":1,"presets":[{"name":"bare","sections":{"stylus":{}}}]}',
-      ),
-    });
+  await openFile('{"format":"touchpath-presets","version":1,"presets":[{"name":"bare","sections":{"stylus":{}}}]}');
   await dialog().getByRole("button", { name: "Use bare" }).click();
   assert.equal(await held("stylus.diameter"), 6);
 });
