@@ -8,6 +8,7 @@ class BarPart extends FieldPart {
     const { store } = this;
     const { withheld } = store;
     const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
+    const file = store.fileName(post?.extension ?? "txt");
     return html`
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), "Cycle")}
       <button type="button" class="gallery" aria-label="Gallery" title="Choose the cycle from pictures" @click=${() => this.ask("gallery")}>▦</button>
@@ -36,7 +37,7 @@ class BarPart extends FieldPart {
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>Setup sheet</button>
       <button type="button" class="icon" aria-label="More" title="More" popovertarget="menu">⋯</button>
       <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}
-        title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">Save </span>${store.fileName(post?.extension ?? "txt")}</button>
+        aria-label=${`Save ${file}`} title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">Save </span><span class="file">${file}</span></button>
       ${withheld === null ? nothing : html`<span class="unseen" id="withheld">Nothing to save or copy while the form has an error: ${withheld}</span>`}
     `;
   }
