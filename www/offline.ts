@@ -1,6 +1,6 @@
 // The page without a network: a service worker that keeps its files, and says when there are newer ones.
 
-/** Keeps the page's files in this browser. `ready` is told when a newer version is there, with what takes it. */
+/** Keeps the page's files in this browser. When a newer version has been loaded, calls `ready` with a function that switches to it. */
 export async function keepOffline(ready: (take: () => void) => void): Promise<void> {
   if (!("serviceWorker" in navigator)) return;
   // A newer version that the user has taken: this page is still of the old one.

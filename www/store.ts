@@ -153,6 +153,13 @@ export class Store extends EventTarget {
     this.changed();
   }
 
+  /** Sets a value by one act of the user, such as a choice: a step of its own. */
+  put(path: string, value: unknown): void {
+    this.settle();
+    this.set(path, value);
+    this.settle();
+  }
+
   /** Takes a key out of the job. */
   drop(path: string): void {
     const keys = steps(path);
@@ -341,6 +348,26 @@ export class Store extends EventTarget {
     return section?.fields.find((f) => f.key === key);
   }
 
+  /** How the virtual part lies other than the drawing says; empty where it does not. */
+  get deviations(): string[] {
+    const part = this.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
+    const shifts = (part?.offset ?? []).flatMap((x, i) => (x === 0 ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
+    const turn = part?.rotation ?? 0;
+    const sizes = this.cycle.fields.flatMap(({ key, label }) => {
+      const value = part?.sizes?.[key] ?? 0;
+      return value === 0 ? [] : [`${label} ${signed(value)}`];
+    });
+    return [...shifts, ...(turn === 0 ? [] : [`turned ${String(turn)}°`]), ...sizes];
+  }
+
+  /** The run of the plan in a line: moves, length, minutes and seconds. */
+  get run(): string {
+    const { moves, length, time } = this.plan;
+    const seconds = Math.round(time * 60);
+    const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
+    return `${moves.length} moves · ${length.toFixed(0)} ${this.units} · ${clock}`;
+  }
+
   /** The name of the program's file. */
   fileName(extension: string): string {
     return `${stem(this.draft.name)}.${extension}`;
@@ -457,6 +484,8 @@ export function sizeField(field: FieldEntry | undefined): FieldEntry | undefined
   const help = `How much the real ${field.label.toLowerCase()} is larger (or, negative, smaller) than it should be.`;
   return { ...field, label, help, default: 0, code: null, usual: null, range: null };
 }
+
+const signed = (x: unknown) => (typeof x === "number" && x > 0 ? `+${x}` : String(x));
 
 function steps(path: string): string[] {
   return path.split(/[.[\]]+/).filter(Boolean);

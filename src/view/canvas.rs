@@ -301,7 +301,7 @@ impl Painter {
     }
 
     fn line(&self, line: &Line, camera: &Camera, highlit: bool, reached: bool) {
-        // The kind is told by the line first, by the colour second.
+        // Line style distinguishes the kinds of moves; colour only repeats it.
         let (colour, width, alpha, dash): (_, _, _, &[f64]) = match line.stroke {
             _ if line.rapid => (&self.theme.position, 1.0, 1.0, &[12.0, 5.0]),
             Stroke::Position => (&self.theme.position, 1.5, 1.0, &[9.0, 4.0, 2.0, 4.0]),

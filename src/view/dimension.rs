@@ -14,7 +14,7 @@ pub struct Dimension {
     pub to: Vec3,
     /// The side on which its line stands, a unit vector square to it.
     pub aside: Vec3,
-    /// How far the part goes on that side, mm.
+    /// How far the part extends on that side, mm.
     pub beyond: f64,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,

@@ -124,7 +124,7 @@ pub struct Drawn {
     pub field: &'static str,
     /// Its ends on the part.
     pub ends: [Spot; 2],
-    /// The side on which its line stands, and how far the part goes there, mm.
+    /// The side on which its line stands, and how far the part extends there, mm.
     pub aside: (Spot, f64),
     /// Its length, mm.
     pub length: f64,

@@ -125,7 +125,7 @@ class App extends LitElement {
       <main ?hidden=${this.tool !== "cycles"}>
         <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}>
           <tp-form .store=${this.store}></tp-form>
-          <tp-help .store=${this.store} aria-live="off"></tp-help>
+          <tp-help .store=${this.store}></tp-help>
         </section>
         <section class="picture" aria-label="Picture"><tp-picture .store=${this.store}></tp-picture></section>
         <div class="tabs" role="tablist" aria-label="Panels">

@@ -12,11 +12,11 @@ class BarPart extends FieldPart {
     return html`
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), "Cycle")}
       <button type="button" class="gallery" aria-label="Gallery" title="Choose the cycle from pictures" @click=${() => this.ask("gallery")}>▦</button>
-      ${this.select("control.post", this.posts(), (id) => store.set("control.post", id), "Control")}
+      ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), "Control")}
       ${this.select(
         "control.workOffset",
         this.offsets(),
-        (n) => store.set("control.workOffset", n === "" ? null : Number(n)),
+        (n) => store.put("control.workOffset", n === "" ? null : Number(n)),
         "Work offset",
       )}
       ${this.select(

@@ -3,12 +3,16 @@ import { type Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
 import { Scheme } from "./scheme.js";
 
-/** A part with a large picture: its views and zoom, and what its canvas needs while it is there. */
-export abstract class DrawnPart extends Part {
+/** A part with a canvas, and what that needs while the part is there. */
+export abstract class CanvasPart extends Part {
   protected drawing?: Drawing;
-  protected look: (typeof VIEWS)[number] = "top";
-  protected readonly observer = new ResizeObserver(() => this.drawing?.dress());
-  protected readonly scheme = new Scheme(this, () => this.drawing?.dress());
+  protected readonly observer = new ResizeObserver(() => this.dress());
+  protected readonly scheme = new Scheme(this, () => this.dress());
+
+  /** The canvas has another size, or the page other colours. */
+  protected dress(): void {
+    this.drawing?.dress();
+  }
 
   override connectedCallback(): void {
     super.connectedCallback();
@@ -22,6 +26,11 @@ export abstract class DrawnPart extends Part {
     this.drawing?.free();
     this.drawing = undefined;
   }
+}
+
+/** A part with a large picture: its views and zoom. */
+export abstract class DrawnPart extends CanvasPart {
+  protected look: (typeof VIEWS)[number] = "top";
 
   protected override firstUpdated(): void {
     this.canvas().addEventListener("wheel", (event) => this.wheel(event), { passive: false });

@@ -102,11 +102,7 @@ export abstract class FieldPart extends Part {
     const known = choices.some((c) => c.value === value);
     return html`<span class=${`choice ${this.level(path)}`}><select id=${`f-${path}`} aria-label=${name ?? nothing} aria-describedby=${`h-${path} e-${path}`}
         aria-invalid=${this.isBad(path) ? "true" : "false"} @focus=${() => this.store.focus(path)}
-        @change=${(e: Event) => {
-          this.store.settle();
-          take((e.target as HTMLSelectElement).value);
-          this.store.settle();
-        }}>
+        @change=${(e: Event) => take((e.target as HTMLSelectElement).value)}>
         ${known ? nothing : html`<option value=${String(value)} .selected=${live(true)} disabled>${String(value)}</option>`}
         ${choices.map((c) => html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} .selected=${live(c.value === value)}>${c.label}</option>`)}
       </select></span>`;

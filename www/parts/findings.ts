@@ -10,15 +10,13 @@ class FindingsPart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult {
-    const { findings, plan, stale, units } = this.store;
+    const { findings, stale, run } = this.store;
     const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;
       return n === 0 ? [] : [`${n} ${NAMES[level]}${n === 1 ? "" : "s"}`];
     });
     const worst = LEVELS.flatMap(of)[0];
-    const whole = Math.round(plan.time * 60);
-    const [minutes, seconds] = [Math.floor(whole / 60), String(whole % 60).padStart(2, "0")];
     return html`
       ${
         worst
@@ -28,7 +26,7 @@ class FindingsPart extends Part {
           : html`<p class="verdict fine" role="status">✓ No problems found</p>`
       }
       <span class="gap"></span>
-      ${stale ? nothing : html`<span class="run">${plan.moves.length} moves · ${plan.length.toFixed(0)} ${units} · ${minutes}:${seconds}</span>`}
+      ${stale ? nothing : html`<span class="run">${run}</span>`}
       <span class="run private">Nothing leaves this browser</span>
     `;
   }

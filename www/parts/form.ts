@@ -23,7 +23,9 @@ const TOUCH: FieldEntry = {
 
 /** What stands in the bar, not in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
-const TRIAL = "Virtual part";
+const VIRTUAL = "Virtual part";
+const PICKED = "Picked touches";
+const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 /** Groups of the cycle that are folded at first, as those around it are. */
 const FOLDED = /^(Postprocessor|After probing)/;
 
@@ -53,6 +55,7 @@ class FormPart extends FieldPart {
   /** Unfolds the group of a path; every group where none is named. */
   unfold(path?: string): Promise<boolean> {
     this.all ||= path === undefined;
+    if (path?.startsWith("cycle.touches")) this.opened.set(PICKED, true);
     for (const [name, fields] of this.groups()) {
       const holds = (placed: Placed) => path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
       if (path !== undefined && fields.some(holds)) this.opened.set(name, true);
@@ -89,26 +92,33 @@ class FormPart extends FieldPart {
       }
     }
     for (const field of this.store.cycle.fields.filter((f) => f.size))
-      add(`part.sizes.${field.key}`, sizeField(field) as FieldEntry, TRIAL);
+      add(`part.sizes.${field.key}`, sizeField(field) as FieldEntry, VIRTUAL);
     // The postprocessor's own fields are rarely touched.
-    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === TRIAL ? 2 : 0);
+    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === VIRTUAL ? 2 : 0);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
   }
 
   private group(name: string, fields: Placed[]): TemplateResult {
     const open = this.isOpen(name);
     const level = ["error", "warning"].find((level) => fields.some(({ path }) => this.levels(path).includes(level)));
-    const id = `group-${name.replaceAll(/\W+/g, "-")}`;
-    return html`<section class="group" id=${id} aria-label=${name}>
+    const body = html`${this.switch(name)}${fields.map((placed) => this.field(placed))}
+            ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
+    return this.folding(name, open, level, open ? "" : this.summary(name, fields), body);
+  }
+
+  /** A group with its heading; folded, the heading says its values. */
+  private folding(
+    name: string,
+    open: boolean,
+    level: string | undefined,
+    summary: string,
+    body: TemplateResult,
+  ): TemplateResult {
+    return html`<section class="group" id=${idOf(name)} aria-label=${name}>
       <h2><button type="button" class=${`fold ${level ?? ""}`} aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name, open)}>
         <span class="sign" aria-hidden="true">${open ? "▾" : "▸"}</span> <b>${name}</b>
-        <span class="summary">${open ? nothing : this.summary(name, fields)}</span></button></h2>
-      ${
-        open
-          ? html`<div class="fields">${this.switch(name)}${fields.map((placed) => this.field(placed))}
-            ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}</div>`
-          : nothing
-      }
+        <span class="summary">${open ? nothing : summary}</span></button></h2>
+      ${open ? html`<div class="fields">${body}</div>` : nothing}
     </section>`;
   }
 
@@ -135,12 +145,12 @@ class FormPart extends FieldPart {
     this.opened.set(name, true);
     this.requestUpdate();
     await this.updateComplete;
-    this.querySelector(`#group-${name.replaceAll(/\W+/g, "-")}`)?.scrollIntoView({ block: "start" });
+    this.querySelector(`#${idOf(name)}`)?.scrollIntoView({ block: "start" });
   }
 
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
-    if (name === TRIAL) return this.lie(fields);
+    if (name === VIRTUAL) return this.store.deviations.join(" · ") || "nominal";
     // What is at fault first, and the feed that the probe meets the part with.
     const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : path === "feeds.work" ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
@@ -156,25 +166,13 @@ class FormPart extends FieldPart {
     return words.join(" · ") || (this.optional.has(name) ? "not used" : "");
   }
 
-  /** How the trial part lies: what deviates, or that nothing does. */
-  private lie(fields: Placed[]): string {
-    const offset = (this.store.get("part.offset") ?? []) as unknown[];
-    const shift = offset.flatMap((x, i) => (x === 0 || x === undefined ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
-    const turn = this.store.get("part.rotation") ?? 0;
-    const sizes = fields.flatMap(({ field, path }) => {
-      const value = path.startsWith("part.sizes.") ? (this.store.get(path) ?? 0) : 0;
-      return value === 0 ? [] : [`${field.label.replace(" differs by", "")} ${signed(value)}`];
-    });
-    return [...shift, ...(turn === 0 ? [] : [`turned ${String(turn)}°`]), ...sizes].join(" · ") || "nominal";
-  }
-
   /** The box that puts a form inside the form in or out. */
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
     const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f) ?? null]));
     return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
-      @change=${(e: Event) => this.store.set(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
+      @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
   }
 
   /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
@@ -182,7 +180,7 @@ class FormPart extends FieldPart {
     const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
     const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
     return html`<div class="row"><p class="help">Frame: ${words || "none"}. Tool lengths, under ⋯, has a button that takes its question
-      into the job.</p>${frame.length ? html`<button type="button" @click=${() => this.store.set("tool.frame", [])}>No frame</button>` : nothing}
+      into the job.</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>No frame</button>` : nothing}
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 
@@ -191,14 +189,17 @@ class FormPart extends FieldPart {
     const picks = this.store.get("cycle.touches") as { point: unknown[]; vector: unknown[] }[] | null | undefined;
     const take = () => {
       const touches = this.store.plan.touches.map(({ point, vector }) => ({ point: [...point], vector: [...vector] }));
-      this.store.settle();
-      this.store.set("cycle.touches", touches);
-      this.store.settle();
+      this.store.put("cycle.touches", touches);
     };
     const point: FieldEntry = { ...TOUCH, unit: "length", label: "Point" };
     const vector: FieldEntry = { ...TOUCH, unit: "none", label: "Vector" };
-    return html`<section class="group" aria-label="Picked touches"><h2>Picked touches</h2>
-      <div class="fields">
+    const open = this.opened.get(PICKED) ?? (this.all || Boolean(picks));
+    return this.folding(
+      PICKED,
+      open,
+      this.levels("cycle.touches")[0],
+      picks ? `${picks.length} touches` : "from the dimensions",
+      html`
         <p class="help">Points on the surface and outward normals, picked in the part. They replace the points that the dimensions give.</p>
         ${
           picks
@@ -214,8 +215,8 @@ class FormPart extends FieldPart {
             )}</div>`;
           const found = this.store.findings.filter((f) => f.path.startsWith(at));
           return html`<li>${row(point, "point")}${row(vector, "vector")}${found.map((f) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)}</li>`;
-        })}</ol>
-      </div></section>`;
+        })}</ol>`,
+    );
   }
 
   private field(placed: Placed): TemplateResult {
@@ -226,15 +227,15 @@ class FormPart extends FieldPart {
       case "flag":
         return html`<div class="row"><label class="check"><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}
           aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
-          @change=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
+          @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
       case "choice":
-        return row(this.select(path, field.choices, (value) => this.store.set(path, value)));
+        return row(this.select(path, field.choices, (value) => this.store.put(path, value)));
       case "code":
         return row(
           this.select(
             path,
             field.choices.map((c) => ({ value: c.value, label: `${c.value}: ${c.label}` })),
-            (value) => this.store.set(path, Number(value)),
+            (value) => this.store.put(path, Number(value)),
           ),
         );
       case "text":
@@ -262,10 +263,7 @@ class FormPart extends FieldPart {
     const off = this.store.get(path) === null;
     return html`<span class="line">${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
       <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
-        @change=${(e: Event) => {
-          this.store.settle();
-          this.store.set(path, (e.target as HTMLInputElement).checked ? null : this.rate(field));
-        }} /> ${field.null}</label></span>`;
+        @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label></span>`;
   }
 
   /** A rate to start from where one was not wanted before. */
@@ -274,13 +272,11 @@ class FormPart extends FieldPart {
     return typeof stand === "number" ? stand : this.store.units === "inch" ? 80 : 2000;
   }
 
-  /** Enter goes on to the next number. */
+  /** Enter continues with the next number. */
   private next(box: HTMLElement): void {
     const boxes = [...this.querySelectorAll<HTMLElement>("input[type=text]:not(:disabled)")];
     boxes[boxes.indexOf(box) + 1]?.focus();
   }
 }
-
-const signed = (x: unknown) => (typeof x === "number" && x > 0 ? `+${x}` : String(x));
 
 customElements.define("tp-form", FormPart);

@@ -28,7 +28,7 @@ class HelpPart extends Part {
           : html`<p class="help">${help}${usually}${
               other
                 ? html` Default ${String(standing)} <button type="button" class="quiet" aria-label=${`${label}: back to its default, ${standing}`}
-                    @click=${() => this.back(focused, standing)}>↺</button>`
+                    @click=${() => this.store.put(focused, standing)}>↺</button>`
                 : nothing
             }</p>`
       }
@@ -39,12 +39,6 @@ class HelpPart extends Part {
     if (typeof x !== "number") return "∞";
     const inch = (unit === "length" || unit === "feed") && this.store.units === "inch";
     return String(inch ? Number((x / 25.4).toFixed(4)) : x);
-  }
-
-  private back(path: string, value: unknown): void {
-    this.store.settle();
-    this.store.set(path, value);
-    this.store.settle();
   }
 }
 

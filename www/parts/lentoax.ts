@@ -1,10 +1,9 @@
-import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
 import { readNumber } from "../number.js";
-import type { Store } from "../store.js";
 import { Drawing } from "./drawing.js";
+import { CanvasPart } from "./drawn.js";
 import { copy } from "./hand.js";
-import { Scheme } from "./scheme.js";
 
 const GROUPS: [string, number][] = [
   ["Milling tools (100 to 199)", 120],
@@ -25,8 +24,8 @@ const AXES = ["X", "Y", "Z"] as const;
 type Step = NonNullable<LentoaxQuery["frame"]>[number];
 
 /** The second tool: which tool length acts on which axis. */
-class LentoaxPart extends LitElement {
-  store?: Store;
+class LentoaxPart extends CanvasPart {
+  protected override follows: string[] = [];
   private query: Required<LentoaxQuery> = {
     plane: "G17",
     toolType: 710,
@@ -38,29 +37,10 @@ class LentoaxPart extends LitElement {
     sd42950: 0,
   };
   private typed = new Map<string, string>();
-  private drawing?: Drawing;
   private told = "";
-  private readonly observer = new ResizeObserver(() => this.draw());
-  protected readonly scheme = new Scheme(this, () => this.draw());
-
-  protected override createRenderRoot(): HTMLElement {
-    return this;
-  }
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.requestUpdate();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.observer.disconnect();
-    this.drawing?.free();
-    this.drawing = undefined;
-  }
 
   protected override updated(): void {
-    this.draw();
+    this.dress();
   }
 
   override render(): TemplateResult {
@@ -247,8 +227,8 @@ class LentoaxPart extends LitElement {
   /** The job's probe is this tool, in this plane and frame: what a SINUMERIK makes of it is checked there. */
   private take(): void {
     const { plane, toolType, frame, sd42900, sd42940, sd42950 } = this.query;
-    this.store?.set("plane", plane);
-    this.store?.set("tool", { type: toolType, frame: structuredClone(frame), sd42900, sd42940, sd42950 });
+    this.store.put("plane", plane);
+    this.store.put("tool", { type: toolType, frame: structuredClone(frame), sd42900, sd42940, sd42950 });
     this.dispatchEvent(new CustomEvent("taken", { bubbles: true }));
   }
 
@@ -258,7 +238,7 @@ class LentoaxPart extends LitElement {
     this.requestUpdate();
   }
 
-  private draw(): void {
+  protected override dress(): void {
     const canvas = this.querySelector("canvas");
     if (!canvas || !this.isConnected) return;
     if (!this.drawing) {

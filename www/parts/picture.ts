@@ -39,7 +39,7 @@ class PicturePart extends DrawnPart {
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.drawing?.key(e))}></canvas>
-        ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.trial()}
+        ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.deviates()}
       </div>
       <ul class="key" aria-label="Lines">
         <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>
@@ -106,20 +106,9 @@ class PicturePart extends DrawnPart {
   }
 
   /** What lies other than the drawing says is seen without opening anything. */
-  private trial(): TemplateResult | typeof nothing {
-    const part = this.store.get("part") as
-      | { offset?: number[]; rotation?: number; sizes?: Record<string, number> }
-      | undefined;
-    const turned = Number(part?.rotation ?? 0);
-    const shifted = (part?.offset ?? []).some((x) => x !== 0);
-    const sized = Object.values(part?.sizes ?? {}).some((x) => x !== 0);
-    if (!turned && !shifted && !sized) return nothing;
-    const words = [
-      turned ? `turned ${turned}°` : "",
-      shifted ? `shifted ${part?.offset?.join(", ")} ${this.store.units}` : "",
-      sized ? "of other sizes" : "",
-    ];
-    return html`<p class="trial">Virtual part: ${words.filter(Boolean).join(", ")}</p>`;
+  private deviates(): TemplateResult | typeof nothing {
+    const { deviations } = this.store;
+    return deviations.length === 0 ? nothing : html`<p class="trial">Virtual part: ${deviations.join(", ")}</p>`;
   }
 
   /** To a move, counted from 1; 0 is none. */
@@ -174,7 +163,7 @@ class PicturePart extends DrawnPart {
         return;
       }
       this.store.pin(move);
-      // Where motion is not wanted the ball goes from end to end.
+      // Where motion is not wanted the ball is shown at the ends of the moves only.
       this.drawing?.use((view) => view.play(move, still ? 1 : left / (this.times[move] as number)));
       this.frameAsked = requestAnimationFrame(tick);
     };
@@ -203,10 +192,7 @@ class PicturePart extends DrawnPart {
     const { plan, highlight } = this.store;
     if (this.store.stale && this.live) return "The run ends in the part";
     const move = highlight === null ? undefined : plan.moves[highlight];
-    if (!move || highlight === null) {
-      const seconds = Math.round(plan.time * 60);
-      return `${plan.moves.length} moves, ${plan.length.toFixed(0)} ${this.store.units}, ${Math.floor(seconds / 60)} min ${seconds % 60} s`;
-    }
+    if (!move || highlight === null) return this.store.run;
     const kind = { position: "positioning", touch: `touch ${(move.touch ?? 0) + 1}`, back: "back" }[move.kind];
     const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((move.to[i] as number).toFixed(4))}`).join(" ");
     return `${highlight + 1} of ${plan.moves.length}: step ${move.step}, ${kind}, ${move.feed === "longLink" ? "long link" : move.feed}, to ${place}`;

@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
+import type { FieldEntry } from "../core/browser.js";
 import { checked } from "./checks.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
@@ -42,17 +43,15 @@ class SheetPart extends Part {
           <table>
             <caption>Dimensions and probe</caption>
             <tbody>
-              ${cycle.fields
-                .filter((f) => !f.group.startsWith("Postprocessor"))
-                .map((f) => {
-                  const held = this.store.get(`cycle.${f.key}`);
-                  const value = held === undefined ? this.store.standIn(f) : (held ?? f.null);
-                  return value === null || value === undefined
-                    ? nothing
-                    : html`<tr><td>${f.label}</td><td class="n">${Array.isArray(value) ? value.join(" ") : String(value)}</td><td><code>${f.code ?? ""}</code></td></tr>`;
-                })}
+              ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
+              ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
               <tr><td>Ball diameter</td><td class="n">${String(stylus.diameter)}</td><td></td></tr>
-              ${cycle.ownFeeds ? nothing : html`<tr><td>Touch feed</td><td class="n">${feeds.work}</td><td></td></tr>`}
+              ${
+                cycle.ownFeeds
+                  ? nothing
+                  : html`<tr><td>Overtravel</td><td class="n">${String(shown.overtravel)}</td><td></td></tr>
+                <tr><td>Touch feed</td><td class="n">${feeds.work}</td><td></td></tr>`
+              }
             </tbody>
           </table>
         </div>
@@ -77,6 +76,14 @@ class SheetPart extends Part {
         <p class="sign">Machine <span></span> Date <span></span> Name <span></span></p>
       </article>
     `;
+  }
+
+  /** What a field says; the postprocessor's own are no part of a set-up. */
+  private row(path: string, field: FieldEntry): TemplateResult | typeof nothing {
+    const held = this.store.get(path);
+    const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
+    if (value === null || value === undefined || field.group.startsWith("Postprocessor")) return nothing;
+    return html`<tr><td>${field.label}</td><td class="n">${Array.isArray(value) ? value.join(" ") : String(value)}</td><td><code>${field.code ?? ""}</code></td></tr>`;
   }
 
   override disconnectedCallback(): void {
