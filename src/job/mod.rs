@@ -10,6 +10,7 @@
 mod defaults;
 mod examine;
 mod lentoax;
+mod picture;
 mod plan;
 mod rows;
 mod sections;
@@ -18,6 +19,7 @@ mod units;
 pub use defaults::{default_job, default_job_in, resolved};
 pub use examine::{examine, proves, stages};
 pub use lentoax::lentoax_query;
+pub use picture::{Picture, svg};
 pub use plan::{Planned, minutes};
 pub use rows::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
 pub use sections::{FORMAT, Job, SECTIONS, Units};
@@ -71,19 +73,9 @@ pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     Ok((planned, plan))
 }
 
-/// The path of a job and what happens on the actual part; none for a job whose form has errors.
+/// The path of a job and what happens on the actual part, in mm; none for a job whose form has errors.
 pub fn planned(value: &Value) -> Option<Planned> {
     Job::read(&mut Checker::default(), value).map(Planned::of)
-}
-
-/// What is needed to draw a job: the checked job, its path, the surfaces of the actual part, and what happens there. None for a job with
-/// errors. Lengths in mm.
-pub fn scene_parts(value: &Value) -> Option<(Job, crate::path::Path, Vec<crate::path::Surface>, crate::part::Run)> {
-    let job = Job::read(&mut Checker::default(), value)?;
-    let path = job.cycle.plan(&job.setup);
-    let surfaces = plan::actual_surfaces(&job, &path);
-    let run = crate::part::run(&path, &surfaces, &job.setup);
-    Some((job, path, surfaces, run))
 }
 
 /// The results from ball centres that a machine really measured, one a touch, in the job's units. See

@@ -1,6 +1,6 @@
 //! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
-use crate::view::scene::Spot;
+use crate::view::scene::{Drawn, Scene, Spot};
 
 /// A window on the picture plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +19,9 @@ pub const MARGIN: f64 = 36.0;
 pub const DIMENSION_MARGIN: f64 = 84.0;
 /// The same in a small picture.
 pub const SMALL_MARGIN: f64 = 8.0;
+
+/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
+const STANDS_OFF: [f64; 2] = [46.0, 16.0];
 
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
@@ -42,6 +45,19 @@ impl Camera {
             self.middle[0] + (pixel[0] - self.size[0] / 2.0) / self.scale,
             self.middle[1] - (pixel[1] - self.size[1] / 2.0) / self.scale,
         ]
+    }
+
+    /// The dimensions that are drawn while a field has the focus, or none: each with its ends on the part and the ends of its line, pixels.
+    pub fn dimensions<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Vec<(&'a Drawn, [Spot; 4])> {
+        let shown = scene.dimensions.iter().filter(|d| !d.on_demand || focus == Some(d.field));
+        shown
+            .map(|d| {
+                let [from, to] = d.ends.map(|spot| self.pixel(spot));
+                let far = d.aside.1 * self.scale + STANDS_OFF[usize::from(d.on_demand)];
+                let line = [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
+                (d, [from, to, line[0], line[1]])
+            })
+            .collect()
     }
 
     /// Closer by `factor`; the spot at `pixel` stays there.

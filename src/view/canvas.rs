@@ -3,7 +3,7 @@
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::Camera;
-use crate::view::scene::{Arrow, Drawn, Line, Scene, Spot, Stroke, WallShape};
+use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -79,9 +79,6 @@ impl Theme {
 /// Pixels between the strokes of a hatching, and their length.
 const HATCH: f64 = 7.0;
 
-/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
-const STANDS_OFF: [f64; 2] = [46.0, 16.0];
-
 /// Pixels of a touch's disc.
 const DISC: f64 = 9.0;
 
@@ -101,19 +98,6 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
         [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
     };
     Some([at(start, 18.0), at(start + sweep, 32.0)])
-}
-
-/// The dimensions that are drawn now, each with its ends on the part and the ends of its line, pixels.
-pub fn placed<'a>(scene: &'a Scene, camera: &Camera, focus: Option<&str>) -> Vec<(&'a Drawn, [Spot; 4])> {
-    let shown = scene.dimensions.iter().filter(|d| !d.on_demand || focus == Some(d.field));
-    shown
-        .map(|d| {
-            let [from, to] = d.ends.map(|spot| camera.pixel(spot));
-            let far = d.aside.1 * camera.scale + STANDS_OFF[usize::from(d.on_demand)];
-            let line = [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
-            (d, [from, to, line[0], line[1]])
-        })
-        .collect()
 }
 
 /// A canvas and what is drawn on it.
@@ -196,7 +180,7 @@ impl Painter {
         if let Some((origin, direction)) = scene.handle {
             self.handle(camera.pixel(origin), direction);
         }
-        for (drawn, line) in placed(scene, camera, marks.field) {
+        for (drawn, line) in camera.dimensions(scene, marks.field) {
             let name = marks.names.iter().find(|(field, _)| *field == drawn.field).map_or("", |(_, name)| name);
             self.dimension(line, name, marks.field == Some(drawn.field));
         }

@@ -5,7 +5,7 @@ pub mod dimension;
 pub mod scene;
 mod svg;
 
-pub use svg::svg;
+pub use svg::{Legend, svg};
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod canvas;

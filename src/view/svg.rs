@@ -1,8 +1,9 @@
-//! A scene as an SVG: for the manual, and for whatever prints.
+//! A scene as an SVG: for the manual, for what prints, and to keep.
 
 use std::fmt::Write;
 
 use crate::num::decimal;
+use crate::view::camera::{Camera, DIMENSION_MARGIN};
 use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
@@ -10,19 +11,40 @@ const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 28.0;
 /// It is no higher than this, and the margins.
 const HIGHEST: f64 = 360.0;
+/// Between the strokes of a hatching, and their length.
+const HATCH: f64 = 7.0;
 
-/// Draws a scene. The title is for whom hears it; it may hold anything.
-pub fn svg(scene: &Scene, title: &str) -> String {
-    let canvas = Canvas::of(scene);
+/// What is said in the picture of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Legend<'a> {
+    /// What the picture is, for whom hears it; it may hold anything.
+    pub title: &'a str,
+    /// What a dimension is called, by its field's path; one without a name is not drawn.
+    pub names: &'a [(&'static str, String)],
+    /// Whether the virtual part is drawn beside the nominal one.
+    pub deviates: bool,
+}
+
+/// Draws a scene.
+pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
+    let drawing = Drawing::of(scene, legend);
+    let [width, height] = drawing.camera.size;
     let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {0}\" width=\"{WIDTH}\" height=\"{0}\" font-family=\"sans-serif\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {0}\" width=\"{width}\" height=\"{0}\" font-family=\"sans-serif\" \
          font-size=\"13\" font-weight=\"600\">\n<title>{1}</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#fff\"/>\n",
-        decimal(canvas.height, 0),
-        escaped(title)
+        decimal(height, 0),
+        escaped(legend.title)
     );
-    scene.walls.iter().for_each(|wall| canvas.wall(wall, &mut text));
-    scene.lines.iter().for_each(|line| canvas.line(line, &mut text));
-    scene.touches.iter().enumerate().for_each(|(k, touch)| canvas.touch(k, touch, scene.radius, &mut text));
+    let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
+    walls.for_each(|wall| drawing.wall(wall, &mut text));
+    scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
+    let touches = scene.touches.iter().enumerate();
+    touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
+    for (dimension, ends) in drawing.camera.dimensions(scene, None) {
+        if let Some((_, name)) = legend.names.iter().find(|(field, _)| *field == dimension.field) {
+            drawing.dimension(ends, name, &mut text);
+        }
+    }
     text.push_str("</svg>\n");
     text
 }
@@ -34,7 +56,8 @@ fn escaped(text: &str) -> String {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
-            c if c.is_control() => out.push(' '),
+            // What XML 1.0 has no place for.
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
             c => out.push(c),
         }
     }
@@ -42,68 +65,127 @@ fn escaped(text: &str) -> String {
 }
 
 /// Where the scene lies in the picture.
-struct Canvas {
-    low: Spot,
-    scale: f64,
-    left: f64,
-    height: f64,
+struct Drawing {
+    camera: Camera,
 }
 
-impl Canvas {
-    fn of(scene: &Scene) -> Self {
+impl Drawing {
+    fn of(scene: &Scene, legend: &Legend<'_>) -> Self {
         let [low, high] = scene.bounds();
-        let scale = ((WIDTH - 2.0 * MARGIN) / (high[0] - low[0])).min(HIGHEST / (high[1] - low[1]));
-        let height = (high[1] - low[1]) * scale + 2.0 * MARGIN;
-        Canvas { low, scale, left: (WIDTH - (high[0] - low[0]) * scale) / 2.0, height }
+        let margin = if legend.names.is_empty() { MARGIN } else { DIMENSION_MARGIN };
+        let room = WIDTH - 2.0 * margin;
+        let scale = (room / (high[0] - low[0])).min(HIGHEST / (high[1] - low[1]));
+        let size = [WIDTH, (high[1] - low[1]) * scale + 2.0 * margin];
+        Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
     }
 
-    /// `x,y` in the picture, whose second axis points down.
+    /// `x,y` in the picture.
     fn at(&self, spot: Spot) -> String {
-        let x = self.left + (spot[0] - self.low[0]) * self.scale;
-        let y = self.height - MARGIN - (spot[1] - self.low[1]) * self.scale;
-        format!("{},{}", decimal(x, 1), decimal(y, 1))
+        pair(self.camera.pixel(spot))
     }
 
     fn wall(&self, wall: &WallShape, text: &mut String) {
+        let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
+        if let Some(([from, to], material)) = wall.edge {
+            let (a, b) = (self.camera.pixel(from), self.camera.pixel(to));
+            let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+            let length = dx.hypot(dy).max(1e-9);
+            let (ux, uy) = (dx / length, dy / length);
+            let mut strokes = String::new();
+            for i in 0..=((length / HATCH) as usize).min(500) {
+                let start = [a[0] + ux * HATCH * i as f64, a[1] + uy * HATCH * i as f64];
+                let end = [start[0] + (material[0] - ux) * HATCH, start[1] + (-material[1] - uy) * HATCH];
+                let _ = write!(strokes, "M{}L{}", pair(start), pair(end));
+            }
+            let _ = writeln!(text, "<path d=\"{strokes}\" stroke=\"{colour}\" stroke-opacity=\".6\"/>");
+            let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"{colour}\" stroke-width=\"2\"/>", pair(a), pair(b));
+            return;
+        }
         let corners: Vec<String> = wall.corners.map(|corner| self.at(corner)).to_vec();
-        let stroke = if wall.strip { "none" } else { "#8a94a3" };
+        let stroke = if wall.strip { "none" } else { colour };
         let points = corners.join(" ");
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
-        let fill = if wall.faces { "#d9dde2" } else { "#334\" fill-opacity=\".05" };
+        let fill = match (wall.faces, wall.actual) {
+            (true, false) => "#d9dde2",
+            (true, true) => "#b45309\" fill-opacity=\".2",
+            (false, _) => "#334\" fill-opacity=\".05",
+        };
         let _ = writeln!(text, "<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
         for edge in corners.chunks(2).filter(|_| wall.strip) {
-            let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"#8a94a3\"/>", edge.join(" "));
+            let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"{colour}\"/>", edge.join(" "));
         }
     }
 
     fn line(&self, line: &Line, text: &mut String) {
-        let (colour, width) = match line.stroke {
-            Stroke::Position => ("#15803d", 2.5),
-            Stroke::Link => ("#6b7280", 1.8),
-            Stroke::Touch => ("#cf2a20", 2.0),
-            Stroke::Overtravel => ("#cf2a20", 0.7),
+        let (colour, width, dash) = match line.stroke {
+            _ if line.rapid => ("#15803d", 1.5, "12 5"),
+            Stroke::Position => ("#15803d", 2.0, "9 4 2 4"),
+            Stroke::Link => ("#6b7280", 1.6, "6 4"),
+            Stroke::Touch => ("#cf2a20", 2.0, ""),
+            Stroke::Overtravel => ("#cf2a20", 0.9, "1.5 3.5"),
         };
         let (from, to) = (self.at(line.from), self.at(line.to));
-        if from != to {
-            let _ = writeln!(
-                text,
-                "<polyline points=\"{from} {to}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
-            );
+        if from == to {
+            return;
         }
+        let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
+        let _ = writeln!(
+            text,
+            "<polyline points=\"{from} {to}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"{dash}/>"
+        );
     }
 
     /// The ball at its contact, the contact, and the number of the touch beside it.
-    fn touch(&self, k: usize, touch: &TouchShape, radius: f64, text: &mut String) {
-        let ball = self.at(touch.ball).replacen(',', "\" cy=\"", 1);
-        let contact = self.at(touch.contact).replacen(',', "\" cy=\"", 1);
-        let off = 14.0 / self.scale;
-        let name = self.at([touch.contact[0] - touch.inward[0] * off, touch.contact[1] - touch.inward[1] * off]);
-        let name = name.replacen(',', "\" y=\"", 1);
-        let radius = decimal(radius * self.scale, 1);
-        let _ = writeln!(text, "<circle cx=\"{ball}\" r=\"{radius}\" fill=\"none\" stroke=\"#2563eb\"/>");
-        let _ = writeln!(text, "<circle cx=\"{contact}\" r=\"3\" fill=\"#cf2a20\"/>");
-        let _ = writeln!(text, "<text x=\"{name}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1);
+    fn touch(&self, k: usize, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
+        let circle = |at: Spot, radius: f64, paint: &str, text: &mut String| {
+            let [x, y] = self.camera.pixel(at).map(|v| decimal(v, 1));
+            let _ = writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {paint}/>", decimal(radius, 1));
+        };
+        let radius = radius * self.camera.scale;
+        circle(touch.ball, radius, "fill=\"none\" stroke=\"#2563eb\"", text);
+        if let Some(trigger) = touch.trigger.filter(|_| deviates) {
+            circle(trigger, radius, "fill=\"none\" stroke=\"#b45309\"", text);
+        }
+        circle(touch.contact, 3.0, "fill=\"#cf2a20\"", text);
+        let off = 14.0 / self.camera.scale;
+        let spot = [touch.contact[0] - touch.inward[0] * off, touch.contact[1] - touch.inward[1] * off];
+        let [x, y] = self.camera.pixel(spot).map(|v| decimal(v, 1));
+        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1);
     }
+
+    /// A dimension: extension lines, its line with arrow heads, and what it says.
+    fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, text: &mut String) {
+        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
+        let length = dx.hypot(dy).max(1e-9);
+        let (ux, uy) = (dx / length, dy / length);
+        let mut lines = String::new();
+        for [a, b] in [[from, start], [to, end], [start, end]] {
+            let _ = write!(lines, "M{}L{}", pair(a), pair(b));
+        }
+        let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
+        if length > 22.0 {
+            for (tip, way) in [(start, -1.0), (end, 1.0)] {
+                let back = [tip[0] - way * ux * 8.0, tip[1] - way * uy * 8.0];
+                let sides = [-3.4, 3.4].map(|half| pair([back[0] - uy * half, back[1] + ux * half]));
+                let _ = writeln!(text, "<path d=\"M{}L{}L{}Z\" fill=\"#2563eb\"/>", pair(tip), sides[0], sides[1]);
+            }
+        }
+        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0].map(|v| decimal(v, 1));
+        // An upright dimension is written upright, as on a drawing.
+        let turned =
+            if dy.abs() > dx.abs() { format!(" transform=\"rotate(-90 {} {})\"", middle[0], middle[1]) } else { String::new() };
+        let _ = writeln!(
+            text,
+            "<text x=\"{}\" y=\"{}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}>{}</text>",
+            middle[0],
+            middle[1],
+            escaped(name)
+        );
+    }
+}
+
+fn pair(at: Spot) -> String {
+    format!("{},{}", decimal(at[0], 1), decimal(at[1], 1))
 }
 
 #[cfg(test)]

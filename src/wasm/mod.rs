@@ -24,6 +24,7 @@ use crate::form::{Finding, Level, Value};
 use crate::import::{self, toolpath};
 use crate::job::{self, JobError, Planned};
 use crate::tool_length;
+use crate::view::scene::Projection;
 use crate::wasm::input::decoded;
 
 /// Everything a form needs.
@@ -118,6 +119,18 @@ pub fn evaluate(codes: &[f64], text: &str, measured: &[f64], measured_text: &str
 pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {
     let plan = job::plan(&decoded(codes, text)).map_err(refused)?;
     describe::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
+}
+
+/// The picture of a job as an SVG, looked at from `top`, `front`, `side` or `isometric`.
+#[wasm_bindgen]
+pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue> {
+    let name = input::text_of(view, 100).unwrap_or_default();
+    let Some(projection) = Projection::named(&name) else {
+        let message = "A picture is looked at from top, front, side or isometric";
+        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)], message));
+    };
+    let value = decoded(codes, text);
+    job::svg(&value, projection).map_err(refused)
 }
 
 /// JSON Schema (2020-12) of a job.

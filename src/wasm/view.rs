@@ -8,8 +8,8 @@ use wasm_bindgen::prelude::*;
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
-use crate::view::canvas::{ARM, Marks, Painter, Theme, placed, spread_handles};
-use crate::view::scene::{self, Actual, Moves, Projection, Scene, Spot};
+use crate::view::canvas::{ARM, Marks, Painter, Theme, spread_handles};
+use crate::view::scene::{self, Moves, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
 
@@ -253,7 +253,7 @@ impl View {
             let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
             ((a[0] + b[0]) / 2.0 - x).abs() <= wide && ((a[1] + b[1]) / 2.0 - y).abs() <= high
         };
-        let found = placed(scene, &self.camera, self.field.as_deref()).into_iter().find(|(_, line)| near(*line));
+        let found = self.camera.dimensions(scene, self.field.as_deref()).into_iter().find(|(_, line)| near(*line));
         found.map(|(drawn, _)| drawn.field.to_owned())
     }
 
@@ -366,25 +366,17 @@ impl View {
     }
 
     fn build(&self, last: Rc<Last>) -> Shown {
-        let Planned { job, path, surfaces, run } = &last.planned;
-        let actual = Actual {
-            surfaces,
-            run,
-            origin: job.lie.rigid.point(path.frame.origin),
-            direction: job.lie.rigid.direction(path.frame.u),
-            line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| job.lie.rigid.point(p))),
-        };
-        let feeds = path.feeds.unwrap_or(job.feeds);
-        let scene = scene::build(path, &job.setup, &feeds, &actual, self.projection);
+        let job::Picture { scene, names, offset, deviates } = last.planned.picture(self.projection);
+        let Planned { job, path, .. } = &last.planned;
         let held = Held {
-            deviates: !job.lie.nominal,
+            deviates,
             scale: job.scale,
             plane: job.setup.plane,
             offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
             turn: job.lie.turn,
             origin: path.frame.origin,
-            names: scene.dimensions.iter().map(|d| (d.field, dimension_name(job, d.field, d.length))).collect(),
-            offset_name: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
+            names,
+            offset_name: offset,
             last,
         };
         Shown { scene, what: What::Job(Box::new(held)) }
@@ -418,11 +410,4 @@ impl View {
             self.painter.draw(&shown.scene, &self.camera, &marks);
         }
     }
-}
-
-/// What is written on a dimension: the field's name as the form has it, and its value in the job's units.
-fn dimension_name(job: &job::Job, path: &str, length: f64) -> String {
-    let key = path.strip_prefix("cycle.").unwrap_or(path);
-    let label = job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
-    format!("{label} {}", crate::num::decimal(length / job.scale, 4))
 }

@@ -516,7 +516,7 @@ fn uncertainties_agree_with_draws() {
     job = with(&job, "cycle.startingAngle", number(25.0));
     job = with(&job, "part.rotation", number(0.3));
     let plan = planned(&job);
-    let (_, path, _, _) = touchpath::job::scene_parts(&job).unwrap();
+    let path = touchpath::job::planned(&job).unwrap().path;
     let mut state = 0x9e37_79b9_7f4a_7c15u64;
     let mut uniform = move || {
         state ^= state >> 12;
@@ -581,7 +581,7 @@ fn linuxcnc_runs_the_cycle() {
         let ends: Vec<[f64; 3]> = ran.moves.iter().filter(|m| m.kind == "probe").map(|m| m.to).collect();
         let repeats = ends.len() / (2 * number_at(&job, "cycle.probePoints", 4.0) as usize);
         // Evaluated by the crate: the points the probe ended at, straight from the interpreter.
-        let (checked, path, _, _) = touchpath::job::scene_parts(&job).unwrap();
+        let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
         let scale = checked.scale;
         let triggers: Vec<_> = ends.iter().map(|p| Some(touchpath::geom::Vec3::from_array(*p) * scale)).collect();
         let rows = touchpath::part::evaluate(&path, &triggers, 0.001);

@@ -10,10 +10,10 @@ use std::path::Path;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind};
-use touchpath::job::{default_job, plan, scene_parts};
+use touchpath::job::{default_job, plan, planned};
 use touchpath::num::decimal;
-use touchpath::view::scene::{self, Actual, Projection};
-use touchpath::view::svg;
+use touchpath::view::scene::Projection;
+use touchpath::view::{Legend, svg};
 
 fn keep(path: &str, text: &str) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
@@ -57,14 +57,13 @@ fn range(field: &Field) -> String {
 
 /// The default job, seen isometrically: the same scene as on the page, with numbers on the touches.
 fn picture(def: &CycleDef) -> Option<String> {
-    let (job, path, _, run) = scene_parts(&default_job(def.key).unwrap()).unwrap();
-    if path.moves.is_empty() {
+    let planned = planned(&default_job(def.key).unwrap()).unwrap();
+    if planned.path.moves.is_empty() {
         return None;
     }
-    let actual = Actual { surfaces: &[], run: &run, origin: path.frame.origin, direction: path.frame.u, line: None };
-    let feeds = path.feeds.unwrap_or(job.feeds);
-    let scene = scene::build(&path, &job.setup, &feeds, &actual, Projection::Isometric);
-    Some(svg(&scene, &format!("{}: the path of the default job", def.title)))
+    let title = format!("{}: the path of the default job", def.title);
+    let legend = Legend { title: &title, names: &[], deviates: false };
+    Some(svg(&planned.picture(Projection::Isometric).scene, &legend))
 }
 
 fn manual(def: &CycleDef) -> String {

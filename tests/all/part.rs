@@ -193,7 +193,7 @@ fn uncertainties_agree_with_a_hundred_thousand_draws() {
     for (text, seed) in [(acute, 0x1234_5678_9abc_def1), (turned, 0x0fed_cba9_8765_4321)] {
         let job = job(text);
         let plan = planned(&job);
-        let (checked, path, _, _) = touchpath::job::scene_parts(&job).unwrap();
+        let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
         let mut draws = Draws(seed);
         let count = 100_000;
         let mut sums = vec![(0.0, 0.0); plan.results.len()];

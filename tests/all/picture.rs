@@ -1,20 +1,16 @@
 //! The picture: what its dimensions say, which walls are seen, how long its moves take.
 
-use touchpath::geom::Vec3;
 use touchpath::job;
 use touchpath::path::Path;
 use touchpath::view::dimension::dimensions;
-use touchpath::view::scene::{self, Actual, Projection, Scene};
+use touchpath::view::scene::{Projection, Scene};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
 
 fn built(job: &Value, view: Projection) -> (Scene, Path) {
     let planned = job::planned(job).expect("the job is sound");
-    let touchpath::job::Planned { job, path, surfaces, run } = planned;
-    let actual = Actual { surfaces: &surfaces, run: &run, origin: Vec3::ZERO, direction: path.frame.u, line: None };
-    let feeds = path.feeds.unwrap_or(job.feeds);
-    (scene::build(&path, &job.setup, &feeds, &actual, view), path)
+    (planned.picture(view).scene, planned.path)
 }
 
 /// A cycle at its defaults.
@@ -125,4 +121,45 @@ fn a_ball_on_its_way_is_on_its_line() {
             assert!((0..2).all(|i| (ball[i] - wanted[i]).abs() < 1e-9), "move {index} at {part}: {ball:?}, {wanted:?}");
         }
     }
+}
+
+/// The numbers of an attribute, in order.
+fn attributes(svg: &str, tag: &str, name: &str) -> Vec<f64> {
+    let of = |element: &str| element.split(&format!(" {name}=\"")).nth(1)?.split('"').next()?.parse().ok();
+    svg.lines().filter(|line| line.starts_with(tag)).filter_map(of).collect()
+}
+
+/// The picture that is kept is to scale: its contacts stand apart as the form says, by the scale that the ball gives.
+#[test]
+fn an_svg_is_to_scale_and_says_its_dimensions() {
+    let job = of("internal-rectangle-protected");
+    let svg = job::svg(&job, Projection::Top).expect("the job has a plan");
+    for label in ["Width 1 80", "Width 2 50"] {
+        assert!(svg.contains(&format!(">{label}</text>")), "{label}: {svg}");
+    }
+    let contacts = |name| attributes(&svg, "<circle", name).into_iter().skip(1).step_by(2).collect::<Vec<_>>();
+    let (x, y, radii) = (contacts("cx"), contacts("cy"), attributes(&svg, "<circle", "r"));
+    let scale = radii[0] / 3.0;
+    assert_eq!(x.len(), 4, "{svg}");
+    assert!((x[0] - x[1] - 80.0 * scale).abs() < 0.06 * 80.0 / 3.0, "{x:?} at {scale}");
+    assert!((y[3] - y[2] - 50.0 * scale).abs() < 0.06 * 80.0 / 3.0, "{y:?} at {scale}");
+    assert!(!svg.contains("b45309"), "a nominal part is drawn once");
+    let shifted = with(&job, "part.rotation", crate::common::number(2.0));
+    assert!(job::svg(&shifted, Projection::Top).expect("the job has a plan").contains("b45309"), "and the virtual part");
+}
+
+#[test]
+fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
+    let hostile = with(&of("hole"), "name", Value::Text("A<script>alert(1)</script>&".to_owned()));
+    let svg = job::svg(&hostile, Projection::Front).expect("a name may hold anything");
+    assert!(!svg.contains("<script") && svg.contains("A&lt;script&gt;"), "{svg}");
+    for (name, job) in jobs() {
+        let svg = job::svg(&job, Projection::Front).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let opened = svg.matches("<svg").count() + svg.matches("<text").count() + svg.matches("<title").count();
+        assert_eq!(opened, svg.matches("</").count(), "{name}");
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}: {svg}");
+    }
+    let wrong = with(&of("hole"), "cycle.diameter", crate::common::number(-1.0));
+    let error = job::svg(&wrong, Projection::Top).expect_err("no picture of a job with errors");
+    assert_eq!(error.findings[0].path, "cycle.diameter");
 }

@@ -53,6 +53,7 @@ export interface Raw {
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;
+  svg(codes: Float64Array, text: string, view: unknown): unknown;
   convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
   lentoax(codes: Float64Array, text: string): unknown;
   lentoaxWords(codes: Float64Array, text: string): unknown;
@@ -91,6 +92,8 @@ export interface Api {
   jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
+  /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true length, dimensions. Throws `JobError`. */
+  svg(job: Job, view?: "top" | "front" | "side" | "isometric"): string;
   /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). What is neither a number nor such a text stays as it is. */
   convertUnits(job: unknown, units: "mm" | "inch"): Job;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
@@ -223,6 +226,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
       return { ...moves, kinds: ["rapid", "feed", "probe"] };
     },
+    svg: (job, view = "isometric") => on(job, (codes, text) => raw.svg(codes, text, view)),
     jobSchema: () => instance.call(() => raw.jobSchema()),
     exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),
     convertUnits: (job, units) => on(job, (codes, text) => raw.convertUnits(codes, text, units)),

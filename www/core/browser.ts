@@ -76,6 +76,7 @@ export const {
   readProgram,
   jobSchema,
   exportTable,
+  svg,
   convertUnits,
   lentoax,
   lentoaxWords,

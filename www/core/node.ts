@@ -19,6 +19,7 @@ export const {
   readProgram,
   jobSchema,
   exportTable,
+  svg,
   convertUnits,
   lentoax,
   lentoaxWords,

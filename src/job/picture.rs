@@ -1,0 +1,57 @@
+//! What is drawn of a planned job: its scene, and what is written in it.
+
+use crate::form::Value;
+use crate::job::{Job, JobError, Planned, plan_with_path};
+use crate::num::decimal;
+use crate::view::scene::{self, Actual, Projection, Scene};
+use crate::view::{self, Legend};
+
+/// A scene of a job, with the words in it.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The walls, the path, the touches, the dimensions.
+    pub scene: Scene,
+    /// What each dimension is called, by its field's path: the form's label, and the value in the job's units.
+    pub names: Vec<(&'static str, String)>,
+    /// The name of the work offset; empty where none is written.
+    pub offset: String,
+    /// Whether the virtual part lies other than the drawing says: else its walls are the nominal ones.
+    pub deviates: bool,
+}
+
+impl Planned {
+    /// The job, its path and what happens on the virtual part, looked at from one side.
+    pub fn picture(&self, view: Projection) -> Picture {
+        let Planned { job, path, surfaces, run } = self;
+        let rigid = &job.lie.rigid;
+        let actual = Actual {
+            surfaces,
+            run,
+            origin: rigid.point(path.frame.origin),
+            direction: rigid.direction(path.frame.u),
+            line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| rigid.point(p))),
+        };
+        let scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
+        Picture {
+            names: scene.dimensions.iter().map(|d| (d.field, name(job, d.field, d.length))).collect(),
+            offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
+            deviates: !job.lie.nominal,
+            scene,
+        }
+    }
+}
+
+/// The picture of a job as an SVG. A job that has no plan has no picture to hand out.
+pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
+    let (planned, _) = plan_with_path(value)?;
+    let picture = planned.picture(view);
+    let (name, cycle) = (&planned.job.name, planned.job.def.title);
+    let legend = Legend { title: &format!("{name}: {cycle}"), names: &picture.names, deviates: picture.deviates };
+    Ok(view::svg(&picture.scene, &legend))
+}
+
+fn name(job: &Job, path: &str, length: f64) -> String {
+    let key = path.strip_prefix("cycle.").unwrap_or(path);
+    let label = job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
+    format!("{label} {}", decimal(length / job.scale, 4))
+}
