@@ -1,8 +1,19 @@
 // Builds the package into dist/ and the page into dist/page/.
 import { createHash } from "node:crypto";
-import { appendFileSync, cpSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import {
+  appendFileSync,
+  cpSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
@@ -32,6 +43,27 @@ function buildPackage() {
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
+  buildElement();
+}
+
+/** The element, its types among them: of these only what is its own, the rest is the core's. */
+function buildElement() {
+  run("npx", ["--no-install", "vite", "build", "--config", "vite.element.config.mjs", "--logLevel", "warn"]);
+  const types = mkdtempSync(join(tmpdir(), "touchpath-"));
+  run("npx", ["--no-install", "tsc", "-p", "tsconfig.element.json", "--outDir", types]);
+  const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll("./core/types.js", "../types.js");
+  rmSync(types, { recursive: true });
+  writeFileSync(at("dist", "element", "element.d.ts"), own);
+  const bundled = at("dist", "element", "licences.txt");
+  appendFileSync(at("dist", "licences.txt"), `\n${readFileSync(bundled, "utf8")}`);
+  rmSync(bundled);
+  run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
+}
+
+/** The JSON Schema of a job, as a file. */
+async function writeSchema() {
+  const { jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
+  writeFileSync(at("dist", "schema.json"), `${JSON.stringify(jobSchema(), null, 2)}\n`);
 }
 
 /** The service worker with the names of all files of the page, and a version that is theirs. */
@@ -53,7 +85,7 @@ function writeWorker() {
 /** Vite writes the licences of the JavaScript that it bundles; the module's are put beneath them. */
 function buildPage() {
   run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]);
-  appendFileSync(at("dist", "page", "licences.txt"), `\n${readFileSync(at("dist", "licences.txt"), "utf8")}`);
+  appendFileSync(at("dist", "page", "licences.txt"), `\n${crateLicences()}`);
   writeWorker();
 }
 
@@ -64,7 +96,10 @@ export async function build() {
     ensureTarget();
     buildWasm();
   });
-  await stage("Package", buildPackage);
+  await stage("Package", async () => {
+    buildPackage();
+    await writeSchema();
+  });
   await stage("Page", buildPage);
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
   const kB = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1)} kB`;

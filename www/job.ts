@@ -77,6 +77,13 @@ function over(base: unknown, given: unknown): Draft {
   return { ...(base as Draft), ...(isObject(given) ? given : {}) };
 }
 
+/** Whether two jobs say the same, in whatever order. */
+export function alike(a: unknown, b: unknown): boolean {
+  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return Object.is(a, b);
+  const [one, two] = [Object.entries(a), new Map(Object.entries(b))];
+  return one.length === two.size && one.every(([key, value]) => two.has(key) && alike(value, two.get(key)));
+}
+
 /** A cycle's own form in other units. */
 export function cycleIn(units: "mm" | "inch", cycle: Draft, from: "mm" | "inch"): Draft {
   const job = { format: 1, units: from, cycle } as unknown as Job;

@@ -36,3 +36,22 @@ function places(): [() => Storage, string][] {
     [() => localStorage, START],
   ];
 }
+
+const THEME = "touchpath.theme.1";
+
+/** The colours that were chosen in this browser; null where none were. */
+export function keptTheme(): string | null {
+  try {
+    return localStorage.getItem(THEME);
+  } catch {
+    return null;
+  }
+}
+
+export function keepTheme(theme: string): void {
+  try {
+    localStorage.setItem(THEME, theme);
+  } catch {
+    // Without storage the choice lasts as long as the page.
+  }
+}

@@ -1,6 +1,6 @@
-import "./parts/app.js";
+import "./element.js";
 import { keepOffline } from "./offline.js";
 
 keepOffline((take) =>
-  document.querySelector("touchpath-app")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
+  document.querySelector("touch-path")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
 );

@@ -15,7 +15,7 @@ import {
   type Plan,
   plan,
 } from "./core/browser.js";
-import { complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
+import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
 import { stem } from "./names.js";
 import { type Preset, SECTIONS } from "./presets.js";
@@ -83,13 +83,91 @@ export class Store extends EventTarget {
   /** What the last change was of: further changes of the same belong to the same step. */
   private changing: string | null = null;
 
-  constructor() {
+  /** Whether the user can change the job. What is put in from outside is taken all the same. */
+  private shut = false;
+  /** Whether what changes now is changed by the user. */
+  byUser = true;
+  private readonly local: boolean;
+
+  /** `local`: the state is kept in this browser. */
+  constructor({ local = false } = {}) {
     super();
+    this.local = local;
     const first = this.catalog.cycles[0];
     if (!first) throw new Error("the catalog has a cycle");
     this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
     this.compute();
-    this.restore();
+    if (local) this.restore();
+  }
+
+  /** Whether the job can only be looked at. */
+  get readonly(): boolean {
+    return this.shut;
+  }
+
+  set readonly(shut: boolean) {
+    if (shut === this.shut) return;
+    this.shut = shut;
+    this.byUser = false;
+    this.dispatchEvent(new Event("change"));
+    this.byUser = true;
+  }
+
+  /** Takes a job, a cycle, a control or units from outside. What cannot be taken changes nothing: why, as a finding. */
+  input(input: "job" | "cycle" | "post" | "units", value: unknown): Finding | null {
+    const refused = (code: string, message: string): Finding => {
+      const path = { job: "", cycle: "cycle.type", post: "control.post", units: "units" }[input];
+      return { level: "error", code, path, message };
+    };
+    this.byUser = false;
+    try {
+      if (input === "job") return this.inputJob(value, refused);
+      const known = {
+        cycle: this.catalog.cycles.map((c) => c.type as string),
+        post: this.catalog.posts.map((p) => p.id),
+        units: ["mm", "inch"],
+      }[input];
+      if (!known.includes(value as string))
+        return refused("unknown-value", `Nothing was changed: ${input} must be one of ${known.join(", ")}`);
+      if (input === "cycle") this.choose(value as Cycle["type"]);
+      else if (input === "units") this.setUnits(value as Units);
+      else if (value !== this.get("control.post")) this.put("control.post", value);
+      return null;
+    } catch {
+      return refused("unreadable", `Nothing was changed: this ${input} cannot be read`);
+    } finally {
+      this.byUser = true;
+    }
+  }
+
+  private inputJob(value: unknown, refused: (code: string, message: string) => Finding): Finding | null {
+    let job = value;
+    if (typeof value === "string") {
+      if (value.length > this.longest) return refused("too-long", this.tooLong(value.length));
+      try {
+        job = JSON.parse(value);
+      } catch {
+        return refused("not-json", "Nothing was changed: the job is not JSON");
+      }
+    }
+    const problem = this.unusable(job);
+    if (problem) return refused("unusable", `Nothing was changed: the job cannot be used: ${problem}`);
+    const whole = complete(job as Draft, this.catalog);
+    // A host that hands back what it was given changes nothing.
+    if (!alike(whole, this.draft)) this.load(whole);
+    return null;
+  }
+
+  /** Forgets the steps that could be taken back. */
+  clear(): void {
+    this.past = [];
+    this.future = [];
+    this.changing = null;
+  }
+
+  /** Whether a change is the user's and the job is not to be changed. */
+  private get refuses(): boolean {
+    return this.shut && this.byUser;
   }
 
   /** The longest text that is read, in characters. */
@@ -130,6 +208,7 @@ export class Store extends EventTarget {
 
   /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
+    if (this.refuses) return;
     this.mark(path);
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
@@ -162,6 +241,7 @@ export class Store extends EventTarget {
 
   /** Takes a key out of the job. */
   drop(path: string): void {
+    if (this.refuses) return;
     const keys = steps(path);
     const last = keys.pop() as string;
     const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
@@ -173,6 +253,7 @@ export class Store extends EventTarget {
 
   /** Another cycle; the rest of the job stays, and what was left is kept. */
   choose(type: Cycle["type"]): void {
+    if (this.refuses) return;
     const old = this.draft.cycle as Draft;
     if (type === old.type) return;
     this.mark(null);
@@ -206,6 +287,7 @@ export class Store extends EventTarget {
 
   /** Other units: the values shown are converted, the geometry stays. */
   setUnits(units: Units): void {
+    if (this.refuses) return;
     if (units === this.draft.units) return;
     this.mark(null);
     // Numbers in units that are none cannot be converted: they stay, and now have units.
@@ -217,6 +299,7 @@ export class Store extends EventTarget {
 
   /** Takes a whole job, one that fits the form. */
   load(job: Draft, measured = ""): void {
+    if (this.refuses) return;
     this.mark(null);
     this.draft = complete(job, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
@@ -236,6 +319,7 @@ export class Store extends EventTarget {
 
   /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
   open(text: string): Finding[] {
+    if (this.refuses) throw new JobError("Nothing was changed: this job can only be looked at", []);
     if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
     const { job, findings, trace } = importJob(text);
     const problem = trace ? "this program says no job" : this.unusable(job);
@@ -264,6 +348,7 @@ export class Store extends EventTarget {
 
   /** Takes what belongs to the machine from a preset, in this job's units. Throws `JobError`, and changes nothing, where it does not fit. */
   usePreset({ units, overtravel, sections }: Preset): void {
+    if (this.refuses) return;
     const held = this.units;
     const job = {
       ...structuredClone(this.draft),
@@ -290,11 +375,11 @@ export class Store extends EventTarget {
   }
 
   get canUndo(): boolean {
-    return this.past.length > 0;
+    return !this.shut && this.past.length > 0;
   }
 
   get canRedo(): boolean {
-    return this.future.length > 0;
+    return !this.shut && this.future.length > 0;
   }
 
   /** Takes the last step back, whatever it was: a field, a drag, a file, a reset. */
@@ -398,6 +483,7 @@ export class Store extends EventTarget {
   }
 
   private keep(): void {
+    if (!this.local) return;
     const state: State = { draft: this.draft, typed: [...this.typed], points: this.points };
     keep(state);
   }
@@ -459,6 +545,7 @@ export class Store extends EventTarget {
   }
 
   private turn(from: Moment[], to: Moment[]): void {
+    if (this.refuses) return;
     const moment = from.pop();
     if (!moment) return;
     to.push(this.moment());

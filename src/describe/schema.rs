@@ -6,6 +6,7 @@
 use crate::cycle::{CYCLES, CycleDef};
 use crate::form::{Field, Kind, Value};
 use crate::job::{FORMAT, SECTIONS};
+use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
 
 /// JSON Schema (2020-12) of a job.
@@ -28,6 +29,7 @@ pub fn job_schema() -> Value {
     let Value::Map(job) = object(properties, &["format", "cycle"]) else { unreachable!("an object is a map") };
     let head = [
         ("$schema".to_owned(), text("https://json-schema.org/draft/2020-12/schema")),
+        ("$id".to_owned(), text(&format!("urn:touchpath:job:{}", decimal(FORMAT, 0)))),
         ("title".to_owned(), text("A probing job")),
     ];
     Value::Map(head.into_iter().chain(job).collect())

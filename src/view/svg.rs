@@ -28,11 +28,11 @@ pub struct Legend<'a> {
 /// Draws a scene.
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);
-    let [width, height] = drawing.camera.size;
+    // A number that the library writes by itself would bring all of its printing into the module.
+    let [width, height] = drawing.camera.size.map(|pixels| decimal(pixels, 0));
     let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {0}\" width=\"{width}\" height=\"{0}\" font-family=\"sans-serif\" \
-         font-size=\"13\" font-weight=\"600\">\n<title>{1}</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#fff\"/>\n",
-        decimal(height, 0),
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
+         font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#fff\"/>\n",
         escaped(legend.title)
     );
     let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
@@ -118,11 +118,11 @@ impl Drawing {
 
     fn line(&self, line: &Line, text: &mut String) {
         let (colour, width, dash) = match line.stroke {
-            _ if line.rapid => ("#15803d", 1.5, "12 5"),
-            Stroke::Position => ("#15803d", 2.0, "9 4 2 4"),
-            Stroke::Link => ("#6b7280", 1.6, "6 4"),
-            Stroke::Touch => ("#cf2a20", 2.0, ""),
-            Stroke::Overtravel => ("#cf2a20", 0.9, "1.5 3.5"),
+            _ if line.rapid => ("#15803d", "1.5", "12 5"),
+            Stroke::Position => ("#15803d", "2", "9 4 2 4"),
+            Stroke::Link => ("#6b7280", "1.6", "6 4"),
+            Stroke::Touch => ("#cf2a20", "2", ""),
+            Stroke::Overtravel => ("#cf2a20", ".9", "1.5 3.5"),
         };
         let (from, to) = (self.at(line.from), self.at(line.to));
         if from == to {

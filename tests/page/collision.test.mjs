@@ -23,7 +23,7 @@ test("a collision is drawn where it happens, in the picture of the form as it st
   assert.ok(place);
   const red = await page.evaluate(
     ([x, y]) => {
-      const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
       const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
       const picture = /** @type {any} */ (root.querySelector("tp-picture"));
       // The part's origin lies 60 mm beside the work origin: two handles give the picture's scale.

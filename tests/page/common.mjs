@@ -25,11 +25,14 @@ export let page;
 /** Exceptions and errors on the console, those of the Content-Security-Policy among them. @type {string[]} */
 export let problems = [];
 
+/** Chromium, without a window. */
+export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
+
 /** A page of its own for every test of a file; a problem on it fails the test. */
 export function setUp(viewport = { width: 1280, height: 800 }) {
   before(async () => {
     server = await serve(0);
-    browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
+    browser = await launch();
   });
   beforeEach(() => open({ viewport }));
   afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
@@ -70,7 +73,7 @@ export async function ready(tab = page) {
 /** Opens every group of the form. */
 export const unfold = (tab = page) =>
   tab.evaluate(() => {
-    const root = document.querySelector("touchpath-app")?.shadowRoot;
+    const root = document.querySelector("touch-path")?.shadowRoot;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
   });
 
@@ -92,7 +95,7 @@ export async function reset() {
 /** Sets a value of the job, as a file or another program would: also one that the page does not offer. */
 export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>
   page.evaluate(
-    ([path, value]) => /** @type {any} */ (document.querySelector("touchpath-app")).store.set(path, value),
+    ([path, value]) => /** @type {any} */ (document.querySelector("touch-path")).store.set(path, value),
     /** @type {[string, unknown]} */ ([path, value]),
   );
 
@@ -141,13 +144,13 @@ export async function boxOf(/** @type {import("playwright-core").Locator} */ loc
 
 /** The id of what has the focus. */
 export const focusedId = () =>
-  page.evaluate(() => document.querySelector("touchpath-app")?.shadowRoot?.activeElement?.id ?? "");
+  page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id ?? "");
 
 /** Until a field holds a text. */
 export const until = (/** @type {string} */ path, /** @type {string} */ text) =>
   page.waitForFunction(
     ([id, text]) => {
-      const input = document.querySelector("touchpath-app")?.shadowRoot?.getElementById(id ?? "");
+      const input = document.querySelector("touch-path")?.shadowRoot?.getElementById(id ?? "");
       return /** @type {HTMLInputElement | null | undefined} */ (input)?.value === text;
     },
     [`f-${path}`, text],
@@ -155,4 +158,4 @@ export const until = (/** @type {string} */ path, /** @type {string} */ text) =>
 
 /** The value at a path of the job as the page holds it. */
 export const held = (/** @type {string} */ path, tab = page) =>
-  tab.evaluate((path) => /** @type {any} */ (document.querySelector("touchpath-app")).store.get(path), path);
+  tab.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).store.get(path), path);

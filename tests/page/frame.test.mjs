@@ -33,7 +33,7 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
   await page.reload();
   await page.locator("tp-picture canvas").waitFor();
   const over = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const form = /** @type {Element} */ (root.querySelector("tp-form"));
     return [form.scrollHeight - form.clientHeight, (document.scrollingElement?.scrollHeight ?? 0) - innerHeight];
   });
@@ -74,7 +74,7 @@ test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is take
     ["a reset", reset],
   ];
   const whole = () =>
-    page.evaluate(() => structuredClone(/** @type {any} */ (document.querySelector("touchpath-app")).store.draft));
+    page.evaluate(() => structuredClone(/** @type {any} */ (document.querySelector("touch-path")).store.draft));
   const states = [await whole()];
   for (const [, step] of steps) {
     await step();
@@ -318,7 +318,7 @@ test("a link holds the whole job, and no server hears of it", async () => {
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(link, /\/#job1=[\w-]+$/);
   const wanted = await page.evaluate(
-    () => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.program.text,
+    () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text,
   );
   const tab = await context.newPage();
   /** @type {string[]} */
@@ -329,7 +329,7 @@ test("a link holds the whole job, and no server hears of it", async () => {
   await tab.locator(".note", { hasText: "job of the link" }).waitFor();
   assert.equal(await field("cycle.width1", tab).inputValue(), "66.5");
   assert.equal(
-    await tab.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.program.text),
+    await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text),
     wanted,
   );
   assert.ok(asked.every((url) => !url.includes("job1=")));
@@ -401,7 +401,7 @@ test("the timeline: play, pause, touch by touch, and the move in words with its 
 
 test("the times of the moves are the plan's time", async () => {
   const [sum, time] = await page.evaluate(() => {
-    const app = /** @type {any} */ (document.querySelector("touchpath-app"));
+    const app = /** @type {any} */ (document.querySelector("touch-path"));
     const times = app.shadowRoot.querySelector("tp-picture").times;
     return [times.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0), app.store.plan.time];
   });
@@ -410,7 +410,7 @@ test("the times of the moves are the plan's time", async () => {
 
 test("a click on a dimension goes to its field, and a focused depth turns the picture to where it is seen", async () => {
   const at = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
     const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
     return picture.drawing.use((/** @type {any} */ view) => {
@@ -423,7 +423,7 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
   assert.ok(at, "width 1 stands below or above the middle");
   await page.mouse.click(at.x, at.y);
   await page.waitForFunction(
-    () => document.querySelector("touchpath-app")?.shadowRoot?.activeElement?.id === "f-cycle.width1",
+    () => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id === "f-cycle.width1",
   );
   const looks = () => page.locator(".picture .tools [aria-pressed=true]").textContent();
   assert.equal(await looks(), "top");
@@ -495,7 +495,7 @@ test("nothing plays that is not seen", async () => {
   await page.waitForTimeout(100);
   const clock = () =>
     page.evaluate(
-      () => /** @type {any} */ (document.querySelector("touchpath-app")).shadowRoot.querySelector("tp-picture").clock,
+      () => /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector("tp-picture").clock,
     );
   assert.equal(await clock(), null);
 });

@@ -25,7 +25,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
     }
     // What is cut off by a pane of its own does not widen the page: every part must end inside the window.
     const beyond = await page.evaluate(() => {
-      const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
       const all = root.querySelectorAll(
         "tp-bar > *, main > section:not([hidden]), main > .tabs, tp-picture, .picture .tools > *, .scrub > *, footer",
       );
@@ -35,7 +35,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
     });
     assert.deepEqual(beyond, []);
     for (const tool of ["gallery", "lengths", "sheet"]) {
-      await page.evaluate((tool) => /** @type {any} */ (document.querySelector("touchpath-app")).ask(tool), tool);
+      await page.evaluate((tool) => /** @type {any} */ (document.querySelector("touch-path")).app.ask(tool), tool);
       assert.ok((await over()) <= 0, tool);
     }
   });
@@ -54,7 +54,7 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
     const fields = await page.locator("tp-form :is(input, select, button):visible:not(:disabled)").count();
     const look = () =>
       page.evaluate(() => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
         const node = root.activeElement;
         if (!node?.closest("tp-form")) return null;
         const box = node.getBoundingClientRect();

@@ -77,7 +77,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
     }),
   );
   await page.waitForFunction(() =>
-    document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
+    document.querySelector("touch-path")?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
   );
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.diameter").inputValue(), "true");
@@ -110,7 +110,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
 test("the page could not leave a job that says only its cycle", async () => {
   await openText('{"format":1,"cycle":{"type":"hole"}}');
   await page.waitForFunction(() =>
-    document.querySelector("touchpath-app")?.shadowRoot?.querySelector("[id='f-cycle.diameter']"),
+    document.querySelector("touch-path")?.shadowRoot?.querySelector("[id='f-cycle.diameter']"),
   );
   assert.match(await program(), /type 3:/);
   await field("cycle.type").selectOption("boss");
@@ -130,11 +130,11 @@ test("what a job leaves out is at the catalog's default in the job's own units, 
     const { part, tool, ...sound } = job;
     await openText(JSON.stringify(job));
     await page.waitForFunction(
-      (type) => /** @type {any} */ (document.querySelector("touchpath-app")).store.get("cycle.type") === type,
+      (type) => /** @type {any} */ (document.querySelector("touch-path")).store.get("cycle.type") === type,
       job.cycle.type,
     );
     const wanted = plan(part === null ? sound : job);
-    const shown = await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan);
+    const shown = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.plan);
     assert.equal(shown.program.post, wanted.program.post);
     assert.equal(shown.moves.length, wanted.moves.length);
     // Converted defaults are rounded to a millionth.
@@ -185,13 +185,13 @@ test("measured points stayed across a change of cycle and units: they belong to 
   assert.equal(await box.inputValue(), points);
   await openText('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}');
   await page.waitForFunction(() => {
-    const box = document.querySelector("touchpath-app")?.shadowRoot?.querySelector("#measured");
+    const box = document.querySelector("touch-path")?.shadowRoot?.querySelector("#measured");
     return /** @type {HTMLTextAreaElement} */ (box).value === "";
   });
 });
 
 test("ten megabytes that are pasted, dropped or opened froze the tab: they are refused with a sentence", async () => {
-  const most = await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.longest);
+  const most = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.longest);
   for (const kind of ["paste", "drop"]) {
     await more("Paste");
     const taken = await page.locator("#paste").evaluate(
@@ -236,7 +236,7 @@ test("texts with tolerances stayed as they were when the units changed: ten mill
   await field("cycle.diameter1").fill("10H7");
   await field("cycle.diameter2").fill("20+0.05-0.02");
   const places = async () =>
-    (await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).store.plan.touches)).map(
+    (await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.plan.touches)).map(
       (/** @type {any} */ t) => t.point,
     );
   const before = await places();

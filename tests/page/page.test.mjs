@@ -334,6 +334,7 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
 test("the gallery: small pictures, search by name or number, a cycle chosen", async () => {
   await page.getByRole("button", { name: "Gallery" }).click();
   const cards = page.locator("tp-gallery li:visible");
+  await cards.first().waitFor();
   assert.equal(await cards.count(), 18);
   const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
     all.map((node) => {
@@ -515,7 +516,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await page.locator("#menu").getByRole("button", { name: "Setup sheet" }).click();
       assert.deepEqual(await violations(), []);
       await page.getByRole("button", { name: "Cycles", exact: true }).click();
-      await page.evaluate(() => /** @type {any} */ (document.querySelector("touchpath-app")).ask("gallery"));
+      await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("gallery"));
       assert.deepEqual(await violations(), []);
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,

@@ -8,7 +8,7 @@ setUp();
 /** The picture's View and the middle of a handle in the window, with the pixels of one unit. */
 const handle = (/** @type {string} */ name) =>
   page.evaluate((name) => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
     const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
     return picture.drawing.use((/** @type {any} */ view) => {
@@ -93,7 +93,7 @@ test("every hover planned again: only another job is planned and shown", async (
       return now;
     });
   await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const counts = { show: 0, highlight: 0 };
     Object.assign(window, { counts });
     const { drawing } = /** @type {any} */ (root.querySelector("tp-picture"));
@@ -120,9 +120,8 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   await session.send("Performance.enable");
   const ask = (/** @type {string} */ tool) =>
     page.evaluate((tool) => {
-      const app = /** @type {any} */ (document.querySelector("touchpath-app"));
-      app.ask(tool);
-      return app.updateComplete;
+      const { app } = /** @type {any} */ (document.querySelector("touch-path"));
+      return app.ask(tool).then(() => app.updateComplete);
     }, tool);
   const cycles = page.getByRole("button", { name: "Cycles", exact: true });
   const measure = async () => {
@@ -150,7 +149,7 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
   // A canvas whose 2D context throws: the exception goes through the module and breaks its instance.
   const before = await pixels();
   await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touchpath-app")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
     const drawn = /** @type {any} */ (canvas.getContext("2d"));
     drawn.fillRect = () => {

@@ -20,7 +20,7 @@ M2
 /** How many pixels of the viewer's canvas have each of the page's colours, by name. */
 const painted = () =>
   page.evaluate(() => {
-    const app = document.querySelector("touchpath-app");
+    const app = document.querySelector("touch-path");
     const canvas = /** @type {HTMLCanvasElement} */ (app?.shadowRoot?.querySelector("tp-viewer canvas"));
     const pixels = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
     const seen = new Set();
@@ -77,7 +77,7 @@ test("a shorter program after a longer one left the picture of the first: what w
   assert.match(await told(), /^Line \d\d:/, "a move that the next program has not");
   await openText("G21 G90\nG0 X0 Y0 Z0\nG38.2 X5 F50\nM2\n", "short.ngc");
   await page.waitForFunction(() => {
-    const app = document.querySelector("touchpath-app");
+    const app = document.querySelector("touch-path");
     return app?.shadowRoot
       ?.querySelector("tp-viewer p[role=status]")
       ?.textContent?.startsWith("2 moves, 1 of them probing");

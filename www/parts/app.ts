@@ -1,25 +1,31 @@
-import { css, html, LitElement, nothing, type TemplateResult, unsafeCSS } from "lit";
-import { JobError, type ProgramMoves, readProgram, version } from "../core/browser.js";
-import { fromFragment, isFragment, toFragment } from "../share.js";
+import { html, LitElement, nothing, type TemplateResult } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import { type Job, svg, version } from "../core/browser.js";
+import type { PanelName, TouchPath } from "../element.js";
+import { keepTheme, keptTheme } from "../keep.js";
+import { toFragment } from "../share.js";
 import { Store } from "../store.js";
-import styles from "../style.css?inline";
+import css from "../style.css?inline";
 import "./bar.js";
 import "./checks.js";
 import "./findings.js";
 import "./form.js";
-import "./gallery.js";
 import { copy, download } from "./hand.js";
 import "./help.js";
-import "./lentoax.js";
+import { Intake, type Viewed } from "./intake.js";
 import { Part } from "./part.js";
+import type { PicturePart } from "./picture.js";
 import "./picture.js";
-import "./presets.js";
 import type { ProgramPart } from "./program.js";
 import "./program.js";
 import "./results.js";
-import "./sheet.js";
 import "./table.js";
-import "./viewer.js";
+
+export { Store };
+
+/** The styles of everything inside the element. */
+export const styles = new CSSStyleSheet();
+styles.replaceSync(css);
 
 const PANELS = {
   setup: "Setup",
@@ -29,6 +35,13 @@ const PANELS = {
   checks: "Checks",
 } as const;
 type Panel = keyof typeof PANELS;
+const NAME_OF: Record<Panel, PanelName> = {
+  setup: "form",
+  program: "program",
+  table: "table",
+  results: "results",
+  checks: "checks",
+};
 
 /** From this width on the form has a column of its own; the style sheet knows the same width. */
 const WIDE = 1080;
@@ -38,70 +51,149 @@ const NARROW = 600;
 /** What takes the place of the job's picture and panels: pictures to choose from, LENTOAX, a program that says no job, a page to print. */
 type Tool = "gallery" | "cycles" | "lengths" | "viewer" | "sheet";
 
-/** The whole page as one element. What fits beside the picture has a place of its own; the rest is behind tabs. */
-class App extends LitElement {
-  static override styles = css`${unsafeCSS(styles)}`;
-  private readonly store = new Store();
+/** What is loaded when the job is on the screen, or when it is asked for before. */
+const LATER: Record<string, () => Promise<unknown>> = {
+  gallery: () => import("./gallery.js"),
+  lengths: () => import("./lentoax.js"),
+  viewer: () => import("./viewer.js"),
+  sheet: () => import("./sheet.js"),
+  presets: () => import("./presets.js"),
+};
+
+const THEMES = ["auto", "light", "dark"] as const;
+type Theme = (typeof THEMES)[number];
+const system = matchMedia("(prefers-color-scheme: dark)");
+
+/** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
+const KEYS: [string, string][] = [
+  ["Ctrl+Z, Ctrl+Y", "undo, redo: fields, choices, drags, files, Reset"],
+  ["Ctrl+S", "save the program"],
+  ["↑ ↓ in a number", "one step more or less; with Shift a tenth of it"],
+  ["Enter in a number", "work out a sum, and to the next field"],
+  ["Escape in a number", "back to what the field held"],
+  ["← → in the timeline", "move before, next move"],
+  ["Ctrl+← Ctrl+→ there", "touch before, next touch"],
+  ["Space there", "play, pause"],
+  ["↑ ↓ in the program", "line by line through the moves"],
+  ["Arrows, +, −, 0 on the picture", "shift, zoom, fit"],
+  ["Escape on picture, program, timeline", "no move is lit"],
+];
+
+/** What the element is in. */
+interface Around {
+  host: TouchPath;
+  /** Whether presets and theme are kept in this browser. */
+  local: boolean;
+  /** Whether links are followed and handed out. */
+  links: boolean;
+}
+
+/** The whole page. What fits beside the picture has a place of its own; the rest is behind tabs. */
+export class App extends LitElement {
   private panel: Panel | null = null;
   private tool: Tool = "cycles";
-  private viewed: { text: string; moves: ProgramMoves } | null = null;
+  private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  private told = this.store.notice;
+  private told: string;
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
+  private wanted: PanelName[] = [];
+  private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
+  private readonly intake: Intake;
 
-  /** The kinds of files that may hold a job. */
-  private get readable(): string {
-    const programs = this.store.catalog.posts.flatMap(({ extension }) => [
-      `.${extension}`,
-      `.${extension.toUpperCase()}`,
-    ]);
-    return [...new Set([".json", ".txt", ".csv", ".i", ...programs, "application/json", "text/plain"])].join(",");
+  constructor(
+    private readonly store: Store,
+    private readonly around: Around,
+  ) {
+    super();
+    this.told = store.notice;
+    this.intake = new Intake(store, {
+      tell: (text) => this.tell(text),
+      showJob: () => this.use("cycles"),
+      showMoves: (viewed) => {
+        this.viewed = viewed;
+        this.use("viewer");
+      },
+    });
+    const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
+    if (theme) around.host.setAttribute("theme", theme);
+  }
+
+  /** The parts share the styles of the element around. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  /** What is shown, and in which colours. */
+  dress(theme: Theme, panels: PanelName[]): void {
+    this.theme = theme;
+    this.wanted = panels;
+    this.recolour();
+    this.requestUpdate();
+  }
+
+  /** To the first field, or else to the picture. */
+  focusFirst(options?: FocusOptions): void {
+    const first = this.querySelector<HTMLElement>("tp-form input, tp-bar select, canvas[tabindex], .code");
+    first?.focus(options);
   }
 
   private get panels(): Panel[] {
-    return (Object.keys(PANELS) as Panel[]).filter((panel) => panel !== "setup" || this.width < WIDE);
+    const fits = (panel: Panel) =>
+      this.wanted.includes(NAME_OF[panel]) && (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
+    return (Object.keys(PANELS) as Panel[]).filter(fits);
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.measure();
     this.observer.observe(this);
-    this.addEventListener("paste", this.refuse);
-    this.addEventListener("drop", this.refuse);
-    this.addEventListener("dragover", this.welcome);
+    const { intake } = this;
+    this.addEventListener("paste", intake.refuse);
+    this.addEventListener("drop", intake.refuse);
+    this.addEventListener("dragover", intake.welcome);
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
-    this.addEventListener("update-ready", this.offer);
-    addEventListener("hashchange", this.follow);
-    this.follow();
+    this.around.host.addEventListener("update-ready", this.offer);
+    this.store.addEventListener("change", this.redraw);
+    system.addEventListener("change", this.recolour);
+    if (!this.around.links) return;
+    addEventListener("hashchange", intake.link);
+    intake.link();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
-    this.removeEventListener("paste", this.refuse);
-    this.removeEventListener("drop", this.refuse);
-    this.removeEventListener("dragover", this.welcome);
+    const { intake } = this;
+    this.removeEventListener("paste", intake.refuse);
+    this.removeEventListener("drop", intake.refuse);
+    this.removeEventListener("dragover", intake.welcome);
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
-    this.removeEventListener("update-ready", this.offer);
-    removeEventListener("hashchange", this.follow);
+    this.around.host.removeEventListener("update-ready", this.offer);
+    this.store.removeEventListener("change", this.redraw);
+    system.removeEventListener("change", this.recolour);
+    removeEventListener("hashchange", intake.link);
   }
 
   override render(): TemplateResult {
+    const { store, wanted } = this;
     const panels = this.panels;
-    const active = this.panel && panels.includes(this.panel) ? this.panel : (panels[0] as Panel);
+    const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
+    const shows = (name: PanelName) => wanted.includes(name);
+    const none = (name: string, is: boolean) => (is ? name : "");
+    const shape = [none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
-      <header>
-        <h1>Touchpath</h1>
-        <tp-bar .store=${this.store}></tp-bar>
-        <input id="file" class="unseen" type="file" tabindex="-1" aria-label="Open a file" accept=${this.readable} @change=${this.openJob} />
+      <header part="bar">
+        <slot name="header"><h1>Touchpath</h1></slot>
+        <tp-bar .store=${store} .links=${this.around.links}></tp-bar>
+        <input id="file" class="unseen" type="file" tabindex="-1" aria-label="Open a file" accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${this.menu()}
       </header>
       <div class="notes">
@@ -122,13 +214,20 @@ class App extends LitElement {
           : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>Cycles</button> ${this.tool === "sheet" ? nothing : "back to the job"}</p>`
       }
       </div>
-      <main ?hidden=${this.tool !== "cycles"}>
-        <section class="setup" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}>
-          <tp-form .store=${this.store}></tp-form>
-          <tp-help .store=${this.store}></tp-help>
-        </section>
-        <section class="picture" aria-label="Picture"><tp-picture .store=${this.store}></tp-picture></section>
-        <div class="tabs" role="tablist" aria-label="Panels">
+      <main class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
+        ${repeat(
+          // One order for eye and Tab: on a narrow page the picture stands above the form.
+          (this.width < NARROW ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
+          (name) => name,
+          (name) =>
+            name === "stage"
+              ? html`<section class="picture" part="stage" aria-label="Picture"><tp-picture .store=${store}></tp-picture></section>`
+              : html`<section class="setup" part="form" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}>
+          <tp-form .store=${store}></tp-form>
+          <tp-help .store=${store}></tp-help>
+        </section>`,
+        )}
+        <div class="tabs" part="tabs" role="tablist" aria-label="Panels" ?hidden=${panels.length < 2}>
           ${panels.map(
             (
               panel,
@@ -136,37 +235,45 @@ class App extends LitElement {
             aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${PANELS[panel]}</button>`,
           )}
         </div>
-        <section class="panel" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${this.store}></tp-program></section>
-        <section class="panel" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${this.store}></tp-table></section>
-        <section class="panel scrolls" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${this.store}></tp-results></section>
-        <section class="panel scrolls" id="panel-checks" aria-label="Checks" ?hidden=${hidden("checks")}><tp-checks .store=${this.store}></tp-checks></section>
+        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
+        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
+        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
+        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" aria-label="Checks" ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
       </main>
-      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${this.store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
-      ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${this.store} .viewed=${this.viewed}></tp-viewer>` : nothing}
-      ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${this.store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
-      ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${this.store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
-      <footer aria-label="State of the job"><tp-findings .store=${this.store}></tp-findings></footer>
-      ${this.question()}
+      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
+      ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
+      ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
+      ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
+      <footer part="footer" aria-label="State of the job"><tp-findings .store=${store}></tp-findings><slot name="footer"></slot></footer>
+      ${this.dialogs()}
       </div>
     `;
   }
 
   /** What is rarely used. */
   private menu(): TemplateResult {
-    const item = (what: string, name: string) =>
-      html`<button type="button" @click=${() => this.choose(what)}>${name}</button>`;
+    const { readonly } = this.store;
+    const item = (what: string, name: string, offered = true) =>
+      offered ? html`<button type="button" @click=${() => this.choose(what)}>${name}</button>` : nothing;
     return html`<div class="menu" id="menu" popover role="group" aria-label="More">
-      ${item("open", "Open a file")} ${item("paste", "Paste")} ${item("save-job", "Save job")} ${item("share", "Copy a link to this job")}
-      ${item("sheet", "Setup sheet to print")} ${item("presets", "Presets")} ${item("lengths", "Tool lengths")} ${this.viewed ? item("viewer", "Moves of the opened program") : nothing}
-      ${item("reset", "Reset")}
-      <small>Touchpath ${version()} · <a href="./licences.txt">Licences</a></small>
+      ${item("open", "Open a file", !readonly)} ${item("paste", "Paste", !readonly)} ${item("save-job", "Save job")} ${item("save-picture", "Save the picture (SVG)")}
+      ${item("share", "Copy a link to this job", this.around.links)} ${item("sheet", "Setup sheet to print")} ${item("presets", "Presets", this.around.local && !readonly)}
+      ${item("lengths", "Tool lengths")} ${item("viewer", "Moves of the opened program", this.viewed !== null)} ${item("keys", "Keys")} ${item("reset", "Reset", !readonly)}
+      <label>Colours <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${theme === "auto" ? "as the system" : theme}</option>`)}</select></label>
+      <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>Licences</a></small>
     </div>`;
   }
 
-  private question(): TemplateResult {
+  private dialogs(): TemplateResult {
+    const close = html`<form method="dialog" class="tools"><button>Close</button></form>`;
     return html`<dialog id="presets" aria-label="Presets" aria-describedby="presets-help">
       <tp-presets .store=${this.store}></tp-presets>
-      <form method="dialog" class="tools"><button>Close</button></form>
+      ${close}
+    </dialog>
+    <dialog id="keys" aria-labelledby="keys-title">
+      <h2 id="keys-title">Keys</h2>
+      <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${keys}</dt><dd>${what}</dd>`)}</dl>
+      ${close}
     </dialog>
     <dialog id="ask-reset" aria-labelledby="ask-reset-text">
       <p id="ask-reset-text">Put the whole form back to the defaults of “${this.store.cycle.title}”? Undo brings back what is there now.</p>
@@ -174,16 +281,15 @@ class App extends LitElement {
     </dialog>`;
   }
 
+  protected override firstUpdated(): void {
+    setTimeout(() => {
+      if (this.isConnected) for (const load of Object.values(LATER)) load().catch(() => undefined);
+    }, 500);
+  }
+
   protected override updated(): void {
     for (const part of this.renderRoot.querySelectorAll("main:not([hidden]) > section:not([hidden]) > *"))
       if (part instanceof Part) part.catchUp();
-    // One order for eye and Tab: on a narrow page the picture stands above the form.
-    const main = this.renderRoot.querySelector("main");
-    const [setup, picture] = [".setup", ".picture"].map((name) => this.renderRoot.querySelector(name));
-    if (!main || !setup || !picture) return;
-    const above = picture.compareDocumentPosition(setup) & Node.DOCUMENT_POSITION_FOLLOWING;
-    const wanted = this.width < NARROW;
-    if (wanted !== Boolean(above)) main.insertBefore(picture, wanted ? setup : setup.nextSibling);
   }
 
   private measure(): void {
@@ -234,7 +340,7 @@ class App extends LitElement {
 
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {
-    this.use("cycles");
+    await this.use("cycles");
     if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
     await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);
@@ -244,9 +350,22 @@ class App extends LitElement {
     field?.focus();
   }
 
-  private use(tool: Tool): void {
-    this.tool = tool;
-    this.requestUpdate();
+  private async use(tool: Tool): Promise<void> {
+    if (await this.loads(tool)) {
+      this.tool = tool;
+      this.requestUpdate();
+    }
+  }
+
+  /** Loads what was not needed until now; false where it cannot be had. */
+  private async loads(what: string): Promise<boolean> {
+    try {
+      await LATER[what]?.();
+      return true;
+    } catch {
+      this.tell("This part of the page could not be loaded: is there a network?");
+      return false;
+    }
   }
 
   private choose(what: string): void {
@@ -255,26 +374,40 @@ class App extends LitElement {
   }
 
   /** Does what a button of the bar or the menu asks for. */
-  private ask(what: string): void {
-    const dialog = this.renderRoot.querySelector<HTMLDialogElement>("#ask-reset");
-    const actions: Record<string, () => void> = {
+  async ask(what: string): Promise<void> {
+    const { store } = this;
+    const open = (id: string) => this.renderRoot.querySelector<HTMLDialogElement>(`#${id}`)?.showModal();
+    const actions: Record<string, () => unknown> = {
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
       open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => this.paste(!this.pasting),
-      reset: () => dialog?.showModal(),
-      save: () => this.renderRoot.querySelector<ProgramPart>("tp-program")?.save(),
-      sheet: () => this.store.withheld === null && this.use("sheet"),
+      reset: () => open("ask-reset"),
+      save: () => this.save(),
+      sheet: () => store.withheld === null && this.use("sheet"),
       lengths: () => this.use("lengths"),
-      presets: () => this.renderRoot.querySelector<HTMLDialogElement>("#presets")?.showModal(),
+      presets: () => this.loads("presets").then((there) => there && open("presets")),
+      keys: () => open("keys"),
       viewer: () => this.use("viewer"),
-      checks: () => {
-        this.use("cycles");
+      checks: async () => {
+        await this.use("cycles");
         this.show("checks");
       },
       share: () => this.share(),
       "save-job": () => this.saveJob(),
+      "save-picture": () => this.savePicture(),
     };
-    actions[what]?.();
+    await actions[what]?.();
+  }
+
+  /** Saves the program; only ever that of the form as it stands. The page around may want to do it itself. */
+  private save(): void {
+    const { store } = this;
+    if (store.stale) return;
+    const { text, post, extension } = store.plan.program;
+    const name = store.fileName(extension);
+    if (!this.around.host.tell("program-save", { name, text, post, extension })) return;
+    download(text, name, "text/plain");
+    this.renderRoot.querySelector<ProgramPart>("tp-program")?.tell(`Saved ${name}`);
   }
 
   /** The form as it stands, also with errors: it is the user's work. */
@@ -282,7 +415,19 @@ class App extends LitElement {
     download(`${JSON.stringify(this.store.draft, null, 2)}\n`, this.store.otherName(".json"), "application/json");
   }
 
+  /** The picture as it is looked at, of the form as it stands. */
+  private savePicture(): void {
+    const { store } = this;
+    if (store.withheld !== null) {
+      this.tell(`No picture to save while the form has an error: ${store.withheld}`);
+      return;
+    }
+    const from = this.renderRoot.querySelector<PicturePart>("tp-picture")?.from ?? "top";
+    download(svg(store.shown as unknown as Job, from), store.otherName(`-${from}.svg`), "image/svg+xml");
+  }
+
   private async share(): Promise<void> {
+    if (!this.around.links) return;
     const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
     if (fragment === null) {
       this.tell("This job is too long for a link: save it as a file instead");
@@ -295,64 +440,24 @@ class App extends LitElement {
     );
   }
 
+  private readonly redraw = () => this.requestUpdate();
+
+  /** Light or dark: what the page around wants, or the system. */
+  private readonly recolour = (): void => {
+    const dark = this.theme === "dark" || (this.theme === "auto" && system.matches);
+    this.classList.toggle("dark", dark);
+    this.store.dispatchEvent(new Event("recolour"));
+  };
+
+  private readonly chooseTheme = (event: Event): void => {
+    const theme = (event.target as HTMLSelectElement).value as Theme;
+    this.around.host.theme = theme;
+    if (this.around.local) keepTheme(theme);
+  };
+
   private readonly offer = (event: Event): void => {
     this.newer = (event as CustomEvent<() => void>).detail;
     this.requestUpdate();
-  };
-
-  /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
-  private readonly follow = async (): Promise<void> => {
-    const { hash } = location;
-    if (!isFragment(hash)) return;
-    history.replaceState(null, "", location.pathname + location.search);
-    const state = await fromFragment(hash, this.store.longest);
-    try {
-      if (!state) throw new JobError("Nothing was changed: this link holds no job that can be read here", []);
-      this.store.take(state.job, state.measured);
-      this.use("cycles");
-      this.tell("This is the job of the link that was opened. Undo brings back the one before.");
-    } catch (thrown) {
-      this.tell(thrown instanceof JobError ? thrown.message : "This link cannot be read");
-    }
-  };
-
-  private async openJob(event: Event): Promise<void> {
-    const input = event.target as HTMLInputElement;
-    const file = input.files?.[0];
-    if (file) await this.takeFile(file);
-    input.value = "";
-  }
-
-  /** A file too large for a job is not even read. */
-  private async takeFile(file: File): Promise<void> {
-    if (file.size > this.store.longest) this.tell(this.store.tooLong(file.size, "file"));
-    else {
-      // A folder can be dropped, too.
-      const text = await file.text().catch(() => null);
-      if (text === null) this.tell("This file cannot be read");
-      else this.take(text);
-    }
-  }
-
-  /** A file may be dropped anywhere: a job, a dump, a program. */
-  private readonly welcome = (event: DragEvent): void => {
-    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
-  };
-
-  /** A text of many megabytes in a field would hold up the browser: it never gets there. */
-  private readonly refuse = (event: ClipboardEvent | DragEvent): void => {
-    const data = event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
-    const field = event.composedPath()[0];
-    if (event instanceof DragEvent && data?.files[0]) {
-      event.preventDefault();
-      this.takeFile(data.files[0]);
-      return;
-    }
-    const there = field instanceof HTMLTextAreaElement ? field.value.length : 0;
-    const length = there + (data?.getData("text/plain").length ?? 0);
-    if (length <= this.store.longest) return;
-    event.preventDefault();
-    this.tell(this.store.tooLong(length));
   };
 
   private paste(open: boolean): void {
@@ -364,35 +469,7 @@ class App extends LitElement {
   /** What was pasted stays where it is until it could be read. */
   private readPasted(): void {
     const text = this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
-    if (this.take(text)) this.paste(false);
-  }
-
-  private take(text: string): boolean {
-    try {
-      const notes = this.store.open(text).filter((f) => f.level !== "error");
-      this.use("cycles");
-      this.tell(notes.map((f) => f.message).join(" "));
-      return true;
-    } catch (thrown) {
-      if (!(thrown instanceof JobError)) this.tell("This text cannot be read");
-      else if (this.view(text, thrown)) return true;
-      else this.tell(thrown.message);
-      return false;
-    }
-  }
-
-  /** Shows the moves of a program that no job can be made of; false where it is none. The job that is there stays. */
-  private view(text: string, why: JobError): boolean {
-    const program = why.findings.some((f) =>
-      ["no-job-in-program", "not-understood", "nothing-to-import"].includes(f.code),
-    );
-    const moves = program ? readProgram(text) : null;
-    // One move from nowhere is nothing to see.
-    if (!moves || moves.kind.length < 2) return false;
-    this.viewed = { text, moves };
-    this.use("viewer");
-    this.tell(`${why.message}. Its moves are drawn`);
-    return true;
+    if (this.intake.text(text)) this.paste(false);
   }
 
   private tell(text: string): void {
@@ -401,4 +478,4 @@ class App extends LitElement {
   }
 }
 
-customElements.define("touchpath-app", App);
+customElements.define("tp-app", App);

@@ -4,12 +4,16 @@ import { FieldPart } from "./field.js";
 
 /** The head of the page: the job in one sentence, and what is handed out. */
 class BarPart extends FieldPart {
+  /** Whether links to the job are handed out. */
+  links = false;
+
   override render(): TemplateResult {
     const { store } = this;
     const { withheld } = store;
     const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
     const file = store.fileName(post?.extension ?? "txt");
     return html`
+      <fieldset aria-label="Job" ?disabled=${store.readonly}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), "Cycle")}
       <button type="button" class="gallery" aria-label="Gallery" title="Choose the cycle from pictures" @click=${() => this.ask("gallery")}>▦</button>
       ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), "Control")}
@@ -29,11 +33,12 @@ class BarPart extends FieldPart {
         "Units",
       )}
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
+      </fieldset>
       <span class="gap"></span>
       <button type="button" class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
       <button type="button" class="icon" aria-label="Redo" title="Redo (Ctrl+Y)" ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
-      <button type="button" class="wide" @click=${() => this.ask("open")}>Open</button>
-      <button type="button" class="wide" @click=${() => this.ask("share")}>Share</button>
+      <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>Open</button>
+      ${this.links ? html`<button type="button" class="wide" @click=${() => this.ask("share")}>Share</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>Setup sheet</button>
       <button type="button" class="icon" aria-label="More" title="More" popovertarget="menu">⋯</button>
       <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}

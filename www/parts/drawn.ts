@@ -1,21 +1,20 @@
 import { html, type TemplateResult } from "lit";
 import { type Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
-import { Scheme } from "./scheme.js";
 
 /** A part with a canvas, and what that needs while the part is there. */
 export abstract class CanvasPart extends Part {
   protected drawing?: Drawing;
   protected readonly observer = new ResizeObserver(() => this.dress());
-  protected readonly scheme = new Scheme(this, () => this.dress());
 
   /** The canvas has another size, or the page other colours. */
-  protected dress(): void {
+  protected dress = (): void => {
     this.drawing?.dress();
-  }
+  };
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.store.addEventListener("recolour", this.dress);
     // Moved to another place of the page, it has lost its drawing.
     this.requestUpdate();
   }
@@ -23,6 +22,7 @@ export abstract class CanvasPart extends Part {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
+    this.store.removeEventListener("recolour", this.dress);
     this.drawing?.free();
     this.drawing = undefined;
   }

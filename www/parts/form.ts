@@ -118,7 +118,7 @@ class FormPart extends FieldPart {
       <h2><button type="button" class=${`fold ${level ?? ""}`} aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name, open)}>
         <span class="sign" aria-hidden="true">${open ? "▾" : "▸"}</span> <b>${name}</b>
         <span class="summary">${open ? nothing : summary}</span></button></h2>
-      ${open ? html`<div class="fields">${body}</div>` : nothing}
+      ${open ? html`<fieldset class="fields" aria-label=${name} ?disabled=${this.store.readonly}>${body}</fieldset>` : nothing}
     </section>`;
   }
 

@@ -2,7 +2,6 @@ import { html, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob } from "../core/browser.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
-import { Scheme } from "./scheme.js";
 
 /** The groups by what is probed, and the word in a cycle's name that says it; the last takes what no other does. */
 const GROUPS: [string, string][] = [
@@ -33,10 +32,15 @@ class GalleryPart extends Part {
   protected override follows = ["change"];
   private query = "";
   private readonly drawings = new Map<string, Drawing>();
-  protected readonly scheme = new Scheme(this, () => this.paint());
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.store.addEventListener("recolour", this.paint);
+  }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.store.removeEventListener("recolour", this.paint);
     for (const drawing of this.drawings.values()) drawing.free();
     this.drawings.clear();
   }
@@ -85,7 +89,7 @@ class GalleryPart extends Part {
     this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
   }
 
-  private paint(): void {
+  private readonly paint = (): void => {
     for (const button of this.querySelectorAll<HTMLElement>("button[data-type]")) {
       const type = button.dataset.type as CycleEntry["type"];
       const canvas = button.querySelector("canvas");
@@ -94,7 +98,7 @@ class GalleryPart extends Part {
       this.drawings.set(type, drawing);
       drawing.dress();
     }
-  }
+  };
 }
 
 customElements.define("tp-gallery", GalleryPart);

@@ -238,7 +238,7 @@ class LentoaxPart extends CanvasPart {
     this.requestUpdate();
   }
 
-  protected override dress(): void {
+  protected override dress = (): void => {
     const canvas = this.querySelector("canvas");
     if (!canvas || !this.isConnected) return;
     if (!this.drawing) {
@@ -248,7 +248,7 @@ class LentoaxPart extends CanvasPart {
     if (canvas.clientWidth === 0) return;
     this.drawing.dress();
     this.drawing.use((view) => view.showLentoax(this.query));
-  }
+  };
 
   private async copy(text: string): Promise<void> {
     this.told = await copy(text);

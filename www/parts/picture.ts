@@ -22,6 +22,11 @@ class PicturePart extends DrawnPart {
   private speed: (typeof SPEEDS)[number] = 4;
   private frameAsked = 0;
 
+  /** Where it is looked at from. */
+  get from(): (typeof VIEWS)[number] {
+    return this.look;
+  }
+
   override render(): TemplateResult {
     const { plan, highlight, stale } = this.store;
     const count = stale && this.live ? 0 : plan.moves.length;
@@ -214,7 +219,7 @@ class PicturePart extends DrawnPart {
       return;
     }
     this.drawing?.use((view) => {
-      const handle = view.handleAt(at.x, at.y);
+      const handle = this.store.readonly ? undefined : view.handleAt(at.x, at.y);
       const [x, y] = (handle && view.handleSpot(handle)) || [];
       if (!handle || x === undefined || y === undefined) return;
       this.grip = { handle, x: at.x - x, y: at.y - y };
@@ -302,5 +307,7 @@ class PicturePart extends DrawnPart {
     else super.wheel(event);
   }
 }
+
+export type { PicturePart };
 
 customElements.define("tp-picture", PicturePart);

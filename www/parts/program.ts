@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { copy, download, withheld } from "./hand.js";
+import { copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
 /** A run of lines under one heading. */
@@ -76,15 +76,6 @@ class ProgramPart extends Part {
     }
   }
 
-  /** Saves the program; only ever that of the form as it stands. */
-  save(): void {
-    if (this.store.stale) return;
-    const { text, extension } = this.store.plan.program;
-    const name = this.store.fileName(extension);
-    download(text, name, "text/plain");
-    this.tell(`Saved ${name}`);
-  }
-
   private readonly fold = () => {
     this.unfolded = !this.unfolded;
     this.requestUpdate();
@@ -104,7 +95,8 @@ class ProgramPart extends Part {
     if (!this.store.stale) this.tell(await copy(this.store.plan.program.text));
   }
 
-  private tell(text: string): void {
+  /** Says something of this very program. */
+  tell(text: string): void {
     this.told = text;
     this.toldOf = this.store.plan.program.text;
     this.requestUpdate();

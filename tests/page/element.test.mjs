@@ -1,0 +1,422 @@
+// <touch-path> in a page of somebody else's: the package's files in a folder, and nothing between them and the browser.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, test } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "./common.mjs";
+
+/** @import {} from "../../www/element.ts" */
+
+/** @type {string} */
+let folder;
+/** @type {import("node:http").Server} */
+let server;
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("playwright-core").Page} */
+let page;
+/** What went wrong unseen. @type {string[]} */
+let problems = [];
+/** The modules that were loaded. @type {string[]} */
+let modules = [];
+
+const POLICY =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types lit-html";
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "touchpath-element-"));
+  cpSync(at("dist"), join(folder, "touchpath"), {
+    recursive: true,
+    filter: (source) => !source.startsWith(at("dist", "page")),
+  });
+  server = await serve(0, folder);
+  browser = await launch();
+});
+afterEach(async () => {
+  await page?.close();
+  assert.deepEqual(problems, [], "nothing is complained about on the console");
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Opens a page with this body; every element of it is loaded. */
+async function open(/** @type {string} */ body, script = "") {
+  writeFileSync(join(folder, "page.css"), "html, body { height: 100%; margin: 0 } touch-path { height: 650px }");
+  writeFileSync(join(folder, "page.js"), script);
+  writeFileSync(
+    join(folder, "page.html"),
+    `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${POLICY}"><title>Host</title>
+<link rel="stylesheet" href="page.css"><script src="page.js"></script><script type="module" src="touchpath/element/element.js"></script>${body}</html>`,
+  );
+  problems = [];
+  modules = [];
+  page = await browser.newPage({ viewport: { width: 1300, height: 900 } });
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url()));
+  await page.goto(`${addressOf(server)}page.html`);
+  await loaded();
+}
+
+const loaded = () =>
+  page.evaluate(async () => {
+    await customElements.whenDefined("touch-path");
+    await Promise.all([...document.querySelectorAll("touch-path")].map((one) => one.ready));
+  });
+
+/**
+ * Works with the first element of the page.
+ * @param {(element: any, arg?: any) => unknown} work
+ * @param {unknown} arg
+ * @returns {Promise<any>}
+ */
+const on = (work, arg = null) =>
+  page.evaluate(`(${work})(document.querySelector("touch-path"), ${JSON.stringify(arg)})`);
+/** Sets a property of it. */
+const set = (/** @type {string} */ name, /** @type {unknown} */ value) =>
+  page.evaluate(
+    ([name, value]) =>
+      void Object.assign(/** @type {object} */ (document.querySelector("touch-path")), { [String(name)]: value }),
+    [name, value],
+  );
+
+/** Keeps the events of the first element, by name. */
+const LISTEN = `
+  window.heard = [];
+  const own = ["job-change", "plan-change", "program-save", "finding"];
+  for (const name of own) document.addEventListener(name, (event) => heard.push([name, structuredClone(event.detail)]));
+`;
+/** @returns {Promise<[string, any][]>} */
+const heard = () => page.evaluate(() => /** @type {any} */ (window).heard.splice(0));
+const field = (/** @type {string} */ path, n = 0) => page.locator("touch-path").nth(n).locator(`[id="f-${path}"]`);
+
+test("three elements on a page are independent, and one module serves them", async () => {
+  await open(`<touch-path cycle="hole"></touch-path><touch-path cycle="groove" post="fanuc" units="inch"></touch-path>
+    <touch-path job='{"format":1,"name":"THIRD","cycle":{"type":"internal-rectangle-protected","width1":77}}'></touch-path>`);
+  const state = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll("touch-path")].map(({ cycle, post, units, job, plan }) => ({
+        cycle,
+        post,
+        units,
+        name: job?.name,
+        text: plan?.program.text,
+      })),
+    );
+  const before = await state();
+  assert.deepEqual(
+    before.map(({ cycle, post, units }) => [cycle, post, units]),
+    [
+      ["hole", "linuxcnc", "mm"],
+      ["groove", "fanuc", "inch"],
+      ["internal-rectangle-protected", "linuxcnc", "mm"],
+    ],
+  );
+  assert.equal(before[2]?.name, "THIRD");
+  assert.equal(await field("cycle.width1", 2).inputValue(), "77");
+  assert.equal(new Set(before.map((one) => one.text)).size, 3);
+  assert.equal(modules.length, 1, modules.join());
+  await field("cycle.diameter").fill("41");
+  const now = await state();
+  assert.notEqual(now[0]?.text, before[0]?.text);
+  assert.deepEqual(now.slice(1), before.slice(1));
+  assert.equal(await page.evaluate(() => localStorage.length + sessionStorage.length), 0, "nothing is kept");
+});
+
+test("a job comes in as an object or as JSON, and what cannot be used changes nothing", async () => {
+  await open("<touch-path></touch-path>", LISTEN);
+  const [first] = await heard();
+  assert.equal(first?.[0], "plan-change", "the first plan is told");
+  const job = { format: 1, units: "mm", cycle: { type: "boss", diameter: 33 } };
+  await set("job", job);
+  assert.equal(await field("cycle.diameter").inputValue(), "33");
+  const said = await heard();
+  assert.ok(said.some(([name, { plan }]) => name === "plan-change" && plan.touches.length === 4));
+  assert.ok(!said.some(([name]) => name === "job-change"), "what the page did itself is not told back");
+  // The same again, as a framework does with every rendering.
+  await set("job", await on((element) => element.job));
+  assert.deepEqual(await heard(), []);
+  await on((element) =>
+    element.setAttribute("job", JSON.stringify({ ...element.job, cycle: { ...element.job.cycle, depth: 7 } })),
+  );
+  assert.equal(await field("cycle.depth").inputValue(), "7");
+  await heard();
+  const kept = await on((element) => element.job);
+  const bad = ["{", "[]", '"x"', "7", '{"format":9,"cycle":{"type":"hole"}}', '{"format":1,"cycle":{"type":"holes"}}'];
+  for (const value of [...bad, '{"format":1,"cycle":{"type":"hole","touches":"abc"}}', "x".repeat(2_100_000)]) {
+    await on((element, value) => element.setAttribute("job", value), value);
+    const [[name, detail], ...rest] = /** @type {any} */ (await heard());
+    assert.deepEqual(
+      [name, detail.refused, detail.findings.length, rest],
+      ["finding", true, 1, []],
+      value.slice(0, 80),
+    );
+    assert.match(detail.findings[0].message, /^Nothing was (changed|read)/);
+  }
+  for (const [input = "", value] of [
+    ["cycle", "holes"],
+    ["post", "mazak"],
+    ["units", "cm"],
+  ]) {
+    await set(input, value);
+    const [[name, detail]] = /** @type {any} */ (await heard());
+    assert.deepEqual([name, detail.refused, detail.findings[0].code], ["finding", true, "unknown-value"]);
+  }
+  await page.evaluate(() => {
+    const element = /** @type {any} */ (document.querySelector("touch-path"));
+    element.job = {
+      format: 1,
+      get cycle() {
+        throw new Error("no");
+      },
+    };
+    element.job = { format: 1, cycle: { type: "hole" }, part: { sizes: () => 7 } };
+    element.job = null;
+    element.job = undefined;
+  });
+  assert.deepEqual(
+    (await heard()).map(([name, { refused }]) => [name, refused]),
+    [
+      ["finding", true],
+      ["finding", true],
+    ],
+  );
+  assert.deepEqual(await on((element) => element.job), kept, "nothing was lost");
+});
+
+test("a property that was set before the class was known is taken up", async () => {
+  await open(
+    "<touch-path></touch-path>",
+    `addEventListener("DOMContentLoaded", () => {}); 
+     document.addEventListener("readystatechange", () => { const e = document.querySelector("touch-path"); if (e && !e.constructor.formAssociated) e.job = { format: 1, name: "EARLY", cycle: { type: "web" } }; });`,
+  );
+  assert.equal(await on((element) => element.job.name), "EARLY");
+});
+
+test("what the user does is told, and a program is saved by the page where it wants to", async () => {
+  await open("<touch-path cycle=hole></touch-path>", LISTEN);
+  await heard();
+  await field("cycle.diameter").fill("45");
+  const said = await heard();
+  assert.deepEqual(
+    said.map(([name]) => name),
+    ["job-change", "plan-change"],
+  );
+  assert.equal(said[0]?.[1].job.cycle.diameter, 45);
+  await field("cycle.diameter").fill("-3");
+  const wrong = await heard();
+  assert.deepEqual(
+    wrong.map(([name]) => name),
+    ["job-change", "finding"],
+  );
+  assert.equal(wrong[1]?.[1].findings[0].path, "cycle.diameter");
+  assert.equal(await on((element) => element.plan), null, "a job with an error has no plan");
+  await field("cycle.diameter").fill("45");
+  await heard();
+  const save = page.getByRole("button", { name: /^Save / });
+  const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
+  assert.equal(download.suggestedFilename(), "PROBE.ngc");
+  const text = await on((element) => element.plan.program.text);
+  assert.deepEqual(await heard(), [["program-save", { name: "PROBE.ngc", text, post: "linuxcnc", extension: "ngc" }]]);
+  let saved = 0;
+  page.on("download", () => saved++);
+  await page.evaluate(() => document.addEventListener("program-save", (event) => event.preventDefault()));
+  await save.click();
+  await page.keyboard.press("Control+s");
+  assert.equal((await heard()).filter(([name]) => name === "program-save").length, 2);
+  await page.waitForTimeout(200);
+  assert.equal(saved, 0);
+});
+
+test("readonly: nothing changes the job but the page around, and the program can be saved", async () => {
+  await open("<touch-path readonly cycle=hole></touch-path>", LISTEN);
+  await heard();
+  assert.ok(await field("cycle.diameter").isDisabled());
+  assert.ok(await field("cycle.type").isDisabled());
+  const kept = await on((element) => element.job);
+  await page.locator("tp-picture canvas").focus();
+  await page.keyboard.press("Control+z");
+  const canvas = await page.locator("tp-picture canvas").boundingBox();
+  assert.ok(canvas);
+  // The virtual part's handle stands at the feature's own origin.
+  const spot = await page.evaluate(() => {
+    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture"));
+    return [...picture.drawing.use((/** @type {any} */ view) => view.handleSpot("shift"))];
+  });
+  await page.mouse.move(canvas.x + spot[0], canvas.y + spot[1]);
+  await page.mouse.down();
+  await page.mouse.move(canvas.x + spot[0] + 30, canvas.y + spot[1] + 30);
+  await page.mouse.up();
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(['{"format":1,"cycle":{"type":"boss"}}'], "job.json"));
+    const target = document.querySelector("touch-path")?.shadowRoot?.querySelector("main");
+    target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await page.getByText("this job can only be looked at").waitFor();
+  assert.deepEqual(await on((element) => element.job), kept);
+  assert.ok(await page.getByRole("button", { name: /^Save / }).isEnabled());
+  await set("cycle", "boss");
+  assert.equal(await on((element) => element.job.cycle.type), "boss", "the page around may");
+  await set("readonly", false);
+  await field("cycle.diameter").fill("22");
+  assert.equal(await on((element) => element.job.cycle.diameter), 22);
+  assert.deepEqual((await heard()).filter(([name]) => name === "job-change").length, 1);
+});
+
+test("panels, theme, slots, parts and custom properties", async () => {
+  await open(
+    `<touch-path panels="stage program" theme="dark"><p>later</p><b slot="header">Our portal</b><i slot="footer">by us</i></touch-path>`,
+  );
+  const shown = (/** @type {string} */ what) => page.locator(what).isVisible();
+  assert.ok((await shown("tp-picture")) && (await shown("tp-program")));
+  for (const gone of ["tp-form", "tp-table", "tp-results", "tp-checks", ".tabs", "h1"])
+    assert.ok(!(await shown(gone)), gone);
+  assert.ok((await page.getByText("Our portal").isVisible()) && (await page.getByText("by us").isVisible()));
+  assert.ok(!(await page.getByText("later").isVisible()), "what stood there until now is gone");
+  const background = () => page.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor);
+  assert.equal(await background(), "rgb(18, 23, 29)");
+  await set("theme", "light");
+  assert.equal(await background(), "rgb(255, 255, 255)");
+  await set("theme", "auto");
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.equal(await background(), "rgb(18, 23, 29)");
+  await page.addStyleTag({ url: `${addressOf(server)}own.css` }).catch(() => undefined);
+  problems = [];
+  await on((element) => element.style.setProperty("--touchpath-background", "rgb(1, 2, 3)"));
+  assert.equal(await background(), "rgb(1, 2, 3)");
+  await page.evaluate(() => {
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync("touch-path::part(bar) { background: rgb(9, 9, 9) }");
+    document.adoptedStyleSheets = [sheet];
+  });
+  const bar = await page.locator("header").evaluate((node) => getComputedStyle(node).backgroundColor);
+  assert.equal(bar, "rgb(9, 9, 9)");
+  // Every choice of panels fills the element, at every width.
+  for (const width of [1300, 800, 390]) {
+    await page.setViewportSize({ width, height: 700 });
+    for (const panels of [
+      "form",
+      "stage",
+      "program",
+      "results checks",
+      "form stage",
+      "form program table",
+      "stage table",
+    ]) {
+      await set("panels", panels);
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      const sizes = await page
+        .locator("main > :not([hidden])")
+        .evaluateAll((all) => all.map((one) => [one.className, one.clientWidth, one.clientHeight]));
+      assert.ok(sizes.length > 0, panels);
+      for (const [name, wide, high] of sizes)
+        assert.ok(Number(wide) > 200 && Number(high) > 25, `${panels} at ${width}: ${name} is ${wide} × ${high}`);
+      const empty = await page.locator("main").evaluate((main) => {
+        const feet = [...main.children].map((one) => one.getBoundingClientRect().bottom);
+        return main.getBoundingClientRect().bottom - Math.max(...feet);
+      });
+      assert.ok(empty < 6, `${panels} at ${width}: ${empty} px are empty at the foot`);
+    }
+  }
+});
+
+test("a form gets the job and its validity, and puts it back", async () => {
+  await open(
+    `<form><touch-path name="probing" cycle="hole"></touch-path><fieldset disabled><touch-path name="off"></touch-path></fieldset></form>`,
+  );
+  const sent = () =>
+    page.evaluate(() => {
+      const form = /** @type {HTMLFormElement} */ (document.querySelector("form"));
+      return { valid: form.checkValidity(), data: Object.fromEntries(new FormData(form)) };
+    });
+  const before = await sent();
+  assert.deepEqual([before.valid, Object.keys(before.data)], [true, ["probing"]]);
+  assert.equal(JSON.parse(String(before.data.probing)).cycle.type, "hole");
+  await field("cycle.diameter").fill("0");
+  assert.equal((await sent()).valid, false);
+  assert.match(String(await on((element) => element.validationMessage)), /\S/);
+  assert.ok(await field("cycle.type", 1).isDisabled(), "the form's own switch is heard");
+  await page.evaluate(() => document.querySelector("form")?.reset());
+  const after = await sent();
+  assert.deepEqual(JSON.parse(String(after.data.probing)), JSON.parse(String(before.data.probing)));
+  assert.ok(after.valid);
+});
+
+test("200 times into the page and out of it leave nothing behind", async () => {
+  await open("<touch-path cycle=hole></touch-path>");
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  const measure = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    const of = (/** @type {string} */ name) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
+    const memory = await page.evaluate(async () => {
+      const { default: init } = await import(/* @vite-ignore */ `${location.origin}/touchpath/wasm/touchpath.js`);
+      return (await init()).memory.buffer.byteLength;
+    });
+    return { listeners: of("JSEventListeners"), nodes: of("Nodes"), heap: of("JSHeapUsedSize"), memory };
+  };
+  const rounds = (/** @type {number} */ count, fresh = true) =>
+    page.evaluate(
+      async ({ count, fresh }) => {
+        const kept = document.createElement("touch-path");
+        for (let i = 0; i < count; i++) {
+          const element = fresh ? document.createElement("touch-path") : kept;
+          document.body.append(element);
+          await element.ready;
+          await new Promise((done) => requestAnimationFrame(done));
+          element.remove();
+        }
+      },
+      { count, fresh },
+    );
+  await rounds(20);
+  const before = await measure();
+  await rounds(150);
+  await rounds(50, false);
+  const now = await measure();
+  assert.ok(now.listeners <= before.listeners + 10, `listeners ${before.listeners}, ${now.listeners}`);
+  assert.ok(now.nodes <= before.nodes + 200, `nodes ${before.nodes}, ${now.nodes}`);
+  assert.ok(now.heap <= before.heap + 3_000_000, `heap ${before.heap}, ${now.heap}`);
+  assert.equal(now.memory, before.memory, "the module's memory has not grown");
+});
+
+test("moved in the page, an element keeps its job and its steps back", async () => {
+  await open("<div><touch-path cycle=hole></touch-path></div><section></section>");
+  await field("cycle.diameter").fill("47");
+  await page.evaluate(() =>
+    document.querySelector("section")?.append(/** @type {Node} */ (document.querySelector("touch-path"))),
+  );
+  assert.equal(await field("cycle.diameter").inputValue(), "47");
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await field("cycle.diameter").inputValue(), "40");
+});
+
+test("an element that cannot be loaded says so, and its promise fails", async () => {
+  rmSync(join(folder, "broken"), { recursive: true, force: true });
+  cpSync(join(folder, "touchpath"), join(folder, "broken"), { recursive: true });
+  rmSync(join(folder, "broken", "wasm", "touchpath_bg.wasm"));
+  writeFileSync(
+    join(folder, "broken.html"),
+    `<!doctype html><title>x</title><script type="module" src="broken/element/element.js"></script><touch-path></touch-path>`,
+  );
+  page = await browser.newPage();
+  await page.goto(`${addressOf(server)}broken.html`);
+  await page.getByRole("alert").getByText("Touchpath could not be loaded").waitFor();
+  const failed = await page.evaluate(async () => {
+    try {
+      await document.querySelector("touch-path")?.ready;
+      return "";
+    } catch (thrown) {
+      return String(thrown);
+    }
+  });
+  assert.match(failed, /\S/);
+});

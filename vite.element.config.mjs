@@ -1,0 +1,24 @@
+// The element for the package: one small entry and what it loads, around the package's own core.
+import { defineConfig } from "vite";
+
+export default defineConfig({
+  root: "www",
+  publicDir: false,
+  plugins: [
+    {
+      name: "core",
+      enforce: "pre",
+      resolveId: (id) => (id.endsWith("core/browser.js") ? { id: "../browser.js", external: true } : null),
+    },
+  ],
+  build: {
+    outDir: "../dist/element",
+    emptyOutDir: true,
+    target: "es2022",
+    minify: true,
+    assetsInlineLimit: 0,
+    license: { fileName: "licences.txt" },
+    lib: { entry: "element.ts", formats: ["es"], fileName: () => "element.js" },
+    rolldownOptions: { output: { chunkFileNames: "[name].js" } },
+  },
+});

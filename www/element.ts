@@ -1,0 +1,342 @@
+// <touch-path>: the whole of Touchpath as one element. This file is small and loads the rest, with the WebAssembly module beside it, when the
+// first element is put into a document.
+import type { Cycle, Finding, Job, Plan } from "./core/types.js";
+import type { App } from "./parts/app.js";
+import type { Store } from "./store.js";
+
+type Units = "mm" | "inch";
+
+/** What can be shown: the form, the picture with its timeline (`stage`), and the panels beside it. */
+export type PanelName = "form" | "stage" | "program" | "table" | "results" | "checks";
+
+const PANEL_NAMES: PanelName[] = ["form", "stage", "program", "table", "results", "checks"];
+
+/** What the events of the element carry, by name. */
+export interface TouchPathEvents {
+  "job-change": CustomEvent<{ job: Job }>;
+  "plan-change": CustomEvent<{ plan: Plan }>;
+  "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
+  finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+}
+
+/** The attributes that are inputs, in the order in which they take effect. */
+const INPUTS = ["job", "cycle", "post", "units"] as const;
+type Input = (typeof INPUTS)[number];
+
+// The class is named where there is no DOM, too: a server that imports this file renders the bare tag.
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+
+/**
+ * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box, which needs a height.
+ *
+ * @tag touch-path
+ * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
+ * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
+ * @attr {string} post - The control, by the `id` of a post in the catalog.
+ * @attr {"mm" | "inch"} units - The units; the values are converted.
+ * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
+ * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
+ * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default.
+ * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. One element of an origin should.
+ * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
+ * @attr {string} name - The name under which a form gets the job's JSON.
+ * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
+ * @fires {CustomEvent<{ plan: Plan }>} plan-change - There is another plan, whoever changed the job. While the job has errors there is none.
+ * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
+ * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - What is found about the job has changed; or (`refused`) what was put in could not be used, and nothing was changed.
+ * @slot - Shown until the element is loaded.
+ * @slot header - In the place of the name, at the left of the bar.
+ * @slot footer - At the right of the line at the foot.
+ * @csspart bar - The line at the head.
+ * @csspart form - The form.
+ * @csspart stage - The picture, with its tools and its timeline.
+ * @csspart tabs - The tabs over the panels.
+ * @csspart panel - Every panel; each also by its own name: `program`, `table`, `results`, `checks`.
+ * @csspart footer - The line at the foot.
+ * @cssprop --touchpath-background - The background.
+ * @cssprop --touchpath-panel - The background of buttons and bars.
+ * @cssprop --touchpath-text - The text.
+ * @cssprop --touchpath-accent - What is chosen, what has the focus, the main button.
+ * @cssprop --touchpath-on-accent - The text on it.
+ * @cssprop --touchpath-font - The font, as in the `font` shorthand.
+ */
+export class TouchPath extends Base {
+  static readonly formAssociated = true;
+  static readonly observedAttributes = [...INPUTS, "theme", "readonly", "panels"];
+
+  /** The page's state, once it is loaded. Not part of what is promised. @internal */
+  store?: Store;
+  /** What is shown. Not part of what is promised. @internal */
+  app?: App;
+  private readonly inside: ElementInternals;
+  /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. */
+  readonly ready: Promise<void>;
+  private loaded!: () => void;
+  private failed!: (why: unknown) => void;
+  private loading = false;
+  /** What was put in before there was anything to put it into. */
+  private readonly waiting = new Map<Input, unknown>();
+  /** What a form puts back. */
+  private first: unknown;
+
+  constructor() {
+    super();
+    this.inside = this.attachInternals();
+    // What the page around has put inside is seen until there is more.
+    this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
+    this.ready = new Promise((done, fail) => {
+      this.loaded = done;
+      this.failed = fail;
+    });
+  }
+
+  connectedCallback(): void {
+    // What was set before this class was known hides the class's own properties.
+    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "storage"] as const) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      delete (this as Record<string, unknown>)[name];
+      (this as Record<string, unknown>)[name] = value;
+    }
+    if (this.app) this.shadow.append(this.app);
+    if (!this.loading) this.load().then(this.loaded, this.failed);
+    this.loading = true;
+  }
+
+  disconnectedCallback(): void {
+    this.app?.remove();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+    if (value === before) return;
+    if ((INPUTS as readonly string[]).includes(name)) {
+      this.put(name as Input, value);
+    } else this.dress();
+  }
+
+  /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
+  get job(): Job | undefined {
+    return this.store && (structuredClone(this.store.draft) as unknown as Job);
+  }
+
+  set job(value: Job | string | null | undefined) {
+    this.put("job", value);
+  }
+
+  /** The type of the cycle. */
+  get cycle(): Cycle["type"] | undefined {
+    return this.store?.cycle.type;
+  }
+
+  set cycle(value: Cycle["type"] | undefined) {
+    this.put("cycle", value);
+  }
+
+  /** The control, by the id of a post in the catalog. */
+  get post(): string | undefined {
+    return this.store?.get("control.post") as string | undefined;
+  }
+
+  set post(value: string | undefined) {
+    this.put("post", value);
+  }
+
+  /** The units of the job. Set, they convert its values. */
+  get units(): Units | undefined {
+    return this.store?.units;
+  }
+
+  set units(value: Units | undefined) {
+    this.put("units", value);
+  }
+
+  /** The plan of the job; null while the job has errors, or nothing is loaded. */
+  get plan(): Plan | null {
+    return this.store && !this.store.stale ? this.store.plan : null;
+  }
+
+  /** Everything that is wrong, unusual or worth knowing about the job. */
+  get findings(): Finding[] {
+    return this.store?.findings ?? [];
+  }
+
+  /** Colours; `auto` follows the system. */
+  get theme(): "light" | "dark" | "auto" {
+    const theme = this.getAttribute("theme");
+    return theme === "light" || theme === "dark" ? theme : "auto";
+  }
+
+  set theme(value: "light" | "dark" | "auto") {
+    this.setAttribute("theme", value);
+  }
+
+  /** Whether the job can only be looked at. */
+  get readonly(): boolean {
+    return this.hasAttribute("readonly");
+  }
+
+  set readonly(value: boolean) {
+    this.toggleAttribute("readonly", Boolean(value));
+  }
+
+  /** What is shown, as words with spaces between. */
+  get panels(): string {
+    return this.getAttribute("panels") ?? PANEL_NAMES.join(" ");
+  }
+
+  set panels(value: string) {
+    this.setAttribute("panels", value);
+  }
+
+  /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
+  get storage(): "none" | "local" {
+    return this.getAttribute("storage") === "local" ? "local" : "none";
+  }
+
+  set storage(value: "none" | "local") {
+    this.setAttribute("storage", value);
+  }
+
+  /** The name under which a form gets the job. */
+  get name(): string {
+    return this.getAttribute("name") ?? "";
+  }
+
+  set name(value: string) {
+    this.setAttribute("name", value);
+  }
+
+  /** The form around the element. */
+  get form(): HTMLFormElement | null {
+    return this.inside.form;
+  }
+
+  /** Why a form must not be sent; empty where it may. */
+  get validationMessage(): string {
+    return this.inside.validationMessage;
+  }
+
+  /** Whether the job has no error. */
+  checkValidity(): boolean {
+    return this.inside.checkValidity();
+  }
+
+  /** The same, and the browser says why not. */
+  reportValidity(): boolean {
+    return this.inside.reportValidity();
+  }
+
+  /** To the first field of the form. */
+  override focus(options?: FocusOptions): void {
+    if (this.app) this.app.focusFirst(options);
+    else super.focus(options);
+  }
+
+  /** The form around the element is put back: so is the job that was there first. */
+  formResetCallback(): void {
+    if (this.store) this.put("job", this.first);
+  }
+
+  formDisabledCallback(): void {
+    this.dress();
+  }
+
+  /** The browser puts back what a form held before the page was left. */
+  formStateRestoreCallback(state: unknown): void {
+    if (typeof state === "string") this.put("job", state);
+  }
+
+  private get shadow(): ShadowRoot {
+    return this.shadowRoot as ShadowRoot;
+  }
+
+  private async load(): Promise<void> {
+    try {
+      // One module for every element of the page, and with it one WebAssembly module.
+      const { App, Store, styles } = await import("./parts/app.js");
+      const local = this.storage === "local";
+      const store = new Store({ local });
+      this.store = store;
+      for (const input of INPUTS) if (this.waiting.has(input)) this.use(input, this.waiting.get(input));
+      this.waiting.clear();
+      store.clear();
+      this.first = structuredClone(store.draft);
+      this.shadow.adoptedStyleSheets = [styles];
+      const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
+      this.app = app;
+      this.dress();
+      this.follow(store);
+      this.shadow.replaceChildren(app);
+      await app.updateComplete;
+    } catch (thrown) {
+      // What an element shows that could not be loaded: nothing else can say it.
+      const note = document.createElement("p");
+      note.setAttribute("role", "alert");
+      note.textContent = `Touchpath could not be loaded: ${thrown instanceof Error ? thrown.message : String(thrown)}`;
+      this.shadow.replaceChildren(note);
+      throw thrown;
+    }
+  }
+
+  /** Tells the page around what becomes of the job. */
+  private follow(store: Store): void {
+    let findings: Finding[] | null = null;
+    let plan: Plan | null = null;
+    const changed = (byUser: boolean) => {
+      const { draft, stale } = store;
+      this.inside.setFormValue(JSON.stringify(draft));
+      if (store.withheld === null) this.inside.setValidity({});
+      else this.inside.setValidity({ customError: true }, store.withheld);
+      if (byUser) this.tell("job-change", { job: structuredClone(draft) as unknown as Job });
+      if (!stale && store.plan !== plan) {
+        plan = store.plan;
+        this.tell("plan-change", { plan });
+      }
+      if (JSON.stringify(findings) !== JSON.stringify(store.findings)) {
+        findings = store.findings;
+        this.tell("finding", { findings, refused: false });
+      }
+    };
+    store.addEventListener("change", () => changed(store.byUser));
+    changed(false);
+  }
+
+  /** Tells the page around; false where it wants to do itself what is told. @internal */
+  tell<K extends keyof TouchPathEvents>(name: K, detail: TouchPathEvents[K]["detail"]): boolean {
+    return this.dispatchEvent(
+      new CustomEvent(name, { detail, bubbles: true, composed: true, cancelable: name === "program-save" }),
+    );
+  }
+
+  private put(input: Input, value: unknown): void {
+    if (value === undefined || value === null) return;
+    if (this.store) this.use(input, value);
+    else this.waiting.set(input, value);
+  }
+
+  /** Takes an input, or says why it cannot be taken. */
+  private use(input: Input, value: unknown): void {
+    const refused = this.store?.input(input, value);
+    if (refused) this.tell("finding", { findings: [refused], refused: true });
+  }
+
+  /** What is shown, and how. */
+  private dress(): void {
+    const { app, store } = this;
+    if (!app || !store) return;
+    store.readonly = this.readonly || this.matches(":disabled");
+    const words = this.panels.split(/\s+/);
+    const wanted = PANEL_NAMES.filter((name) => words.includes(name));
+    app.dress(this.theme, wanted.length ? wanted : PANEL_NAMES);
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "touch-path": TouchPath;
+  }
+  interface HTMLElementEventMap extends TouchPathEvents {}
+}
+
+// Where another version of this file was first, its element stays.
+if (globalThis.customElements && !customElements.get("touch-path")) customElements.define("touch-path", TouchPath);

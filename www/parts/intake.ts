@@ -1,0 +1,120 @@
+import { JobError, type ProgramMoves, readProgram } from "../core/browser.js";
+import { fromFragment, isFragment } from "../share.js";
+import type { Store } from "../store.js";
+
+/** What the page does with what comes in. */
+interface Page {
+  /** Says something to the user; nothing is said with an empty text. */
+  tell(text: string): void;
+  /** Shows the job again, whatever is shown now. */
+  showJob(): void;
+  /** Shows the moves of a program that says no job. */
+  showMoves(viewed: Viewed): void;
+}
+
+/** A program that is looked at without a job. */
+export interface Viewed {
+  text: string;
+  moves: ProgramMoves;
+}
+
+/** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
+export class Intake {
+  constructor(
+    private readonly store: Store,
+    private readonly page: Page,
+  ) {}
+
+  /** The kinds of files that may hold a job. */
+  get readable(): string {
+    const programs = this.store.catalog.posts.flatMap(({ extension }) => [
+      `.${extension}`,
+      `.${extension.toUpperCase()}`,
+    ]);
+    return [...new Set([".json", ".txt", ".csv", ".i", ...programs, "application/json", "text/plain"])].join(",");
+  }
+
+  /** A file too large for a job is not even read. */
+  async file(file: File): Promise<void> {
+    if (file.size > this.store.longest) this.page.tell(this.store.tooLong(file.size, "file"));
+    else {
+      // A folder can be dropped, too.
+      const text = await file.text().catch(() => null);
+      if (text === null) this.page.tell("This file cannot be read");
+      else this.text(text);
+    }
+  }
+
+  /** The files that a user chose. */
+  readonly chosen = async (event: Event): Promise<void> => {
+    const input = event.target as HTMLInputElement;
+    const file = input.files?.[0];
+    if (file) await this.file(file);
+    input.value = "";
+  };
+
+  /** A file may be dropped anywhere: a job, a dump, a program. */
+  readonly welcome = (event: DragEvent): void => {
+    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+  };
+
+  /** A text of many megabytes in a field would hold up the browser: it never gets there. */
+  readonly refuse = (event: ClipboardEvent | DragEvent): void => {
+    const data = event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
+    const field = event.composedPath()[0];
+    if (event instanceof DragEvent && data?.files[0]) {
+      event.preventDefault();
+      this.file(data.files[0]);
+      return;
+    }
+    const there = field instanceof HTMLTextAreaElement ? field.value.length : 0;
+    const length = there + (data?.getData("text/plain").length ?? 0);
+    if (length <= this.store.longest) return;
+    event.preventDefault();
+    this.page.tell(this.store.tooLong(length));
+  };
+
+  /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
+  readonly link = async (): Promise<void> => {
+    const { hash } = location;
+    if (!isFragment(hash)) return;
+    history.replaceState(null, "", location.pathname + location.search);
+    const state = await fromFragment(hash, this.store.longest);
+    try {
+      if (!state) throw new JobError("Nothing was changed: this link holds no job that can be read here", []);
+      this.store.take(state.job, state.measured);
+      this.page.showJob();
+      this.page.tell("This is the job of the link that was opened. Undo brings back the one before.");
+    } catch (thrown) {
+      this.page.tell(thrown instanceof JobError ? thrown.message : "This link cannot be read");
+    }
+  };
+
+  /** Takes a text; false where nothing could be made of it. */
+  text(text: string): boolean {
+    try {
+      const notes = this.store.open(text).filter((f) => f.level !== "error");
+      this.page.showJob();
+      this.page.tell(notes.map((f) => f.message).join(" "));
+      return true;
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) this.page.tell("This text cannot be read");
+      else if (this.moves(text, thrown)) return true;
+      else this.page.tell(thrown.message);
+      return false;
+    }
+  }
+
+  /** Shows the moves of a program that no job can be made of; false where it is none. The job that is there stays. */
+  private moves(text: string, why: JobError): boolean {
+    const program = why.findings.some((f) =>
+      ["no-job-in-program", "not-understood", "nothing-to-import"].includes(f.code),
+    );
+    const moves = program ? readProgram(text) : null;
+    // One move from nowhere is nothing to see.
+    if (!moves || moves.kind.length < 2) return false;
+    this.page.showMoves({ text, moves });
+    this.page.tell(`${why.message}. Its moves are drawn`);
+    return true;
+  }
+}
