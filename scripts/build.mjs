@@ -43,20 +43,25 @@ function buildPackage() {
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
-  buildElement();
+  for (const name of ["embed.html", "frame.schema.json"]) cpSync(at("www", name), at("dist", name));
+  cpSync(at("www", "page.css"), at("dist", "embed.css"));
+  buildBundles();
 }
 
-/** The element, its types among them: of these only what is its own, the rest is the core's. */
-function buildElement() {
+/** What is bundled: the element, with its types (only its own: the rest is the core's) and its manifest, and the command. */
+function buildBundles() {
   run("npx", ["--no-install", "vite", "build", "--config", "vite.element.config.mjs", "--logLevel", "warn"]);
+  run("npx", ["--no-install", "vite", "build", "--config", "vite.cli.config.mjs", "--logLevel", "warn"]);
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.element.json", "--outDir", types]);
   const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll("./core/types.js", "../types.js");
   rmSync(types, { recursive: true });
   writeFileSync(at("dist", "element", "element.d.ts"), own);
-  const bundled = at("dist", "element", "licences.txt");
-  appendFileSync(at("dist", "licences.txt"), `\n${readFileSync(bundled, "utf8")}`);
-  rmSync(bundled);
+  for (const folder of ["element", "cli"]) {
+    const bundled = at("dist", folder, "licences.txt");
+    appendFileSync(at("dist", "licences.txt"), `\n${readFileSync(bundled, "utf8")}`);
+    rmSync(bundled);
+  }
   run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
 }
 

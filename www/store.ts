@@ -15,9 +15,9 @@ import {
   type Plan,
   plan,
 } from "./core/browser.js";
+import { stem } from "./core/names.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
-import { stem } from "./names.js";
 import { type Preset, SECTIONS } from "./presets.js";
 
 export type { Draft } from "./job.js";

@@ -13,15 +13,41 @@ test("the package had no licence text", () => {
     execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }),
   );
   const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path).sort();
-  const modules = ["api", "browser", "coded", "job-types", "node", "plan", "plan-types", "types"].flatMap((name) => [
-    `dist/${name}.d.ts`,
-    `dist/${name}.js`,
-  ]);
+  const core = [
+    "api",
+    "browser",
+    "coded",
+    "embed",
+    "frame",
+    "job-types",
+    "node",
+    "plan",
+    "plan-types",
+    "protocol",
+    "types",
+  ];
+  const modules = core.flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
+  // What the element loads is cut into pieces as the bundler likes: their number may change, their kind may not.
+  const pieces = names.filter((/** @type {string} */ name) => name.startsWith("dist/element/"));
+  assert.ok(pieces.includes("dist/element/element.js") && pieces.includes("dist/element/element.d.ts"), pieces.join());
+  assert.ok(
+    pieces.length < 20 && pieces.every((/** @type {string} */ name) => /\/[a-z]+(\.d\.ts|\.js)$/.test(name)),
+    pieces.join(),
+  );
   const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
     (f) => `dist/wasm/${f}`,
   );
   const wanted = [
     ...modules,
+    ...pieces,
+    "dist/cli/tasks.js",
+    "dist/cli/touchpath.js",
+    "dist/cli/worker.js",
+    "dist/custom-elements.json",
+    "dist/embed.css",
+    "dist/embed.html",
+    "dist/frame.schema.json",
+    "dist/schema.json",
     ...wasm,
     "dist/licences.txt",
     "LICENSE-APACHE",
@@ -31,6 +57,8 @@ test("the package had no licence text", () => {
   ];
   assert.deepEqual(names, wanted.sort());
   const notices = readFileSync(join(cwd, "dist", "licences.txt"), "utf8");
+  assert.match(notices, /lit[\s\S]*Google/, "what the element bundles");
+  assert.match(notices, /tinyglobby[\s\S]*Permission/, "what the command bundles");
   for (const crate of ["glam", "js-sys", "serde", "serde-wasm-bindgen", "wasm-bindgen", "web-sys"]) {
     const own = notices.split(/^## /m).find((part) => part.startsWith(`${crate} - `)) ?? "";
     assert.match(own, /Permission is hereby granted|Apache License/, crate);

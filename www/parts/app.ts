@@ -103,6 +103,8 @@ export class App extends LitElement {
   private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
   private readonly intake: Intake;
+  /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
+  private readonly there = new Set<string>();
 
   constructor(
     private readonly store: Store,
@@ -267,7 +269,7 @@ export class App extends LitElement {
   private dialogs(): TemplateResult {
     const close = html`<form method="dialog" class="tools"><button>Close</button></form>`;
     return html`<dialog id="presets" aria-label="Presets" aria-describedby="presets-help">
-      <tp-presets .store=${this.store}></tp-presets>
+      ${this.there.has("presets") ? html`<tp-presets .store=${this.store}></tp-presets>` : nothing}
       ${close}
     </dialog>
     <dialog id="keys" aria-labelledby="keys-title">
@@ -361,6 +363,9 @@ export class App extends LitElement {
   private async loads(what: string): Promise<boolean> {
     try {
       await LATER[what]?.();
+      this.there.add(what);
+      this.requestUpdate();
+      await this.updateComplete;
       return true;
     } catch {
       this.tell("This part of the page could not be loaded: is there a network?");

@@ -1,0 +1,266 @@
+// The command `touchpath`, as a shell runs it: what it writes, where, and how it ends.
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+
+/** @type {string} */
+let folder;
+/** @type {typeof import("../../www/core/node.ts")} */
+let touchpath;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "touchpath-command-"));
+  touchpath = /** @type {any} */ (await import("touchpath"));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+const command = at("dist", "cli", "touchpath.js");
+/** Runs the command in the folder. */
+const run = (/** @type {string[]} */ args, input = "") => {
+  const { status, stdout, stderr } = spawnSync("node", [command, ...args], {
+    cwd: folder,
+    input,
+    encoding: "utf8",
+    maxBuffer: 1e9,
+  });
+  return { status, stdout, stderr };
+};
+/** Writes a file into the folder; gives its name. */
+const file = (/** @type {string} */ name, /** @type {unknown} */ content) => {
+  writeFileSync(join(folder, name), typeof content === "string" ? content : JSON.stringify(content));
+  return name;
+};
+/** A job of a type under a name. */
+const job = (/** @type {any} */ type, name = "PROBE") => ({ ...touchpath.defaultJob(type), name });
+const wrong = () => ({ format: 1, name: "WRONG", cycle: { type: "hole", diameter: -1 } });
+
+test("one job: its program, its table, its picture, byte for byte those of the package", () => {
+  const own = /** @type {any} */ (job("groove"));
+  const name = file("groove.json", own);
+  assert.deepEqual(run(["plan", name]), { status: 0, stdout: touchpath.program(own).text, stderr: "" });
+  assert.equal(run(["plan", "-"], JSON.stringify(own)).stdout, touchpath.program(own).text);
+  const fanuc = { ...own, control: { ...own.control, post: "fanuc" } };
+  assert.equal(run(["plan", name, "--post", "fanuc"]).stdout, touchpath.program(fanuc).text);
+  for (const format of /** @type {const} */ (["text", "csv", "json"]))
+    assert.equal(run(["table", name, "--format", format]).stdout, touchpath.exportTable(own, format));
+  assert.equal(run(["svg", name, "--view", "top"]).stdout, touchpath.svg(own, "top"));
+  assert.deepEqual(JSON.parse(run(["schema"]).stdout), touchpath.jobSchema());
+  assert.deepEqual(JSON.parse(run(["catalog"]).stdout), touchpath.catalog());
+  assert.equal(run(["--version"]).stdout, `${touchpath.version()}\n`);
+  assert.match(run(["--help"]).stdout, /touchpath plan JOB/);
+});
+
+test("check, and a job with errors: everything at once, exit code 1", () => {
+  const name = file("wrong.json", { ...wrong(), overtravel: -1 });
+  const text = run(["check", name]);
+  assert.equal(text.status, 1);
+  assert.match(text.stdout, /^wrong\.json: error: overtravel: .* \[out-of-range\]$/m);
+  assert.match(text.stdout, /^wrong\.json: error: cycle\.diameter: /m);
+  const json = run(["check", "--json", name]);
+  assert.deepEqual(JSON.parse(json.stdout), {
+    source: name,
+    findings: touchpath.check({ ...wrong(), overtravel: -1 }),
+  });
+  for (const args of [["plan"], ["table"], ["svg"]]) {
+    const refused = run([...args, name]);
+    assert.deepEqual([refused.status, refused.stdout], [1, ""], args.join());
+    assert.match(refused.stderr, /error: cycle\.diameter/);
+  }
+  assert.equal(run(["check", file("good.json", job("hole"))]).status, 0);
+  const none = run(["plan", file("none.json", "{")]);
+  assert.equal(none.status, 1);
+  assert.match(none.stderr, /^none\.json: error: This is not JSON: .*\[not-json\]\n$/);
+  for (const junk of ["7", "null", "[]", '"x"', ""]) assert.equal(run(["plan", "-"], junk).status, 1, junk);
+});
+
+test("wrong use: one line, exit code 2, nothing written", () => {
+  const name = file("hole.json", job("hole"));
+  const other = file("other.json", job("boss"));
+  for (const [args, why] of /** @type {[string[], RegExp][]} */ ([
+    [["fly", name], /The command is one of plan, check/],
+    [["plan"], /takes files/],
+    [["plan", "missing.json"], /There is no file missing\.json/],
+    [["plan", "missing-*.json"], /No file matches/],
+    [["plan", name, "--colour"], /--colour/],
+    [["plan", name, "--post", "mazak"], /--post is one of linuxcnc/],
+    [["plan", name, "--form", "dance"], /--form is one of/],
+    [["table", name, "--format", "xml"], /--format is one of csv/],
+    [["plan", name, "--format", "csv"], /--format is for table, evaluate/],
+    [["check", name, "--view", "top"], /--view is for svg/],
+    [["plan", name, other], /need a folder/],
+    [["plan", name, "--jobs", "0"], /--jobs is a whole number/],
+    [["plan", name, "--jobs", "many"], /--jobs is a whole number/],
+    [["plan", name, "-o", join(name, "below")], /cannot be made/],
+    [["plan", "."], /cannot be read/],
+    [["schema", name], /takes no files/],
+    [["evaluate", name], /takes a job and a file/],
+    [["evaluate", name, "missing.csv"], /cannot be read/],
+  ])) {
+    const { status, stdout, stderr } = run(args);
+    assert.deepEqual([status, stdout], [2, ""], `${args.join(" ")}: ${stderr}`);
+    assert.match(stderr, why);
+    assert.match(stderr, /^touchpath: [^\n]*\n$/, args.join(" "));
+  }
+  assert.match(JSON.parse(run(["plan", "missing.json", "--json"]).stderr).error, /There is no file/);
+  assert.equal(run([]).status, 2);
+});
+
+test("many files into a folder: patterns, names by the jobs, two of one name, one that fails", () => {
+  mkdirSync(join(folder, "many", "below"), { recursive: true });
+  file("many/a.json", job("hole", "ONE"));
+  file("many/b.json", job("boss", "one"));
+  file("many/below/c.json", job("web", "../../ESCAPE"));
+  file("many/d.json", wrong());
+  file("many/e.json", job("groove", "one-2"));
+  const { status, stdout, stderr } = run(["plan", "many/**/*.json", "-o", "out"]);
+  assert.equal(status, 1);
+  assert.equal(stdout, "");
+  assert.match(stderr, /many\/d\.json: error: cycle\.diameter/);
+  assert.deepEqual(
+    readdirSync(join(folder, "out")).sort(),
+    ["ESCAPE.ngc", "ONE.ngc", "one-2-2.ngc", "one-2.ngc"].sort(),
+  );
+  assert.equal(
+    readFileSync(join(folder, "out", "one-2.ngc"), "utf8"),
+    touchpath.program(/** @type {any} */ (job("boss", "one"))).text,
+  );
+  assert.equal(run(["svg", "many/a.json", "-o", "out"]).status, 0);
+  assert.ok(readdirSync(join(folder, "out")).includes("ONE.svg"));
+});
+
+test("a dump becomes a job again, and measured points become results", () => {
+  const own = /** @type {any} */ (job("double-wall-internal-corner"));
+  const dump = file("dump.txt", touchpath.exportTable(own, "text"));
+  const back = run(["import", dump]);
+  assert.equal(back.status, 0);
+  assert.deepEqual(JSON.parse(back.stdout), touchpath.importJob(touchpath.exportTable(own, "text")).job);
+  assert.equal(run(["import", file("nothing.txt", "G1 X0\n")]).status, 1);
+  const name = file("corner.json", own);
+  const points = touchpath
+    .plan(own)
+    .triggers.map((t) => (t ?? []).join(", "))
+    .join("\n");
+  const results = run(["evaluate", name, file("points.csv", points), "--format", "json"]);
+  assert.deepEqual(JSON.parse(results.stdout), JSON.parse(JSON.stringify(touchpath.evaluate(own, points))));
+  assert.match(run(["evaluate", name, "points.csv"]).stdout, /^corner\.x +0\.0000 +-?0\.0000/m);
+  const few = run(["evaluate", name, file("few.csv", "1, 2, 3")]);
+  assert.equal(few.status, 1);
+  assert.match(few.stderr, /error/);
+});
+
+/** Jobs by the line, every seventh of them wrong, one no JSON and one too long. */
+function lines(/** @type {number} */ count) {
+  const types = /** @type {const} */ ([
+    "hole",
+    "groove",
+    "internal-rectangle-protected",
+    "double-wall-internal-corner",
+  ]);
+  return Array.from({ length: count }, (_, i) => {
+    if (i === 11) return "no job";
+    if (i === 12) return JSON.stringify({ ...job("hole"), name: "x".repeat(2_100_000) });
+    return JSON.stringify(i % 7 === 3 ? { ...wrong(), name: `W${i}` } : job(types[i % 4], `JOB_${i}`));
+  });
+}
+
+test("jobs by the line: in order, over any number of threads, the bad ones among the good", () => {
+  const all = lines(300);
+  file("jobs.ndjson", `${all.join("\n")}\n\n`);
+  const outputs = ["1", "2", "5"].map((jobs) => run(["plan", "jobs.ndjson", "--jobs", jobs]));
+  const [first] = outputs;
+  for (const output of outputs) assert.deepEqual(output, first);
+  assert.deepEqual([first?.status, first?.stderr], [1, ""]);
+  const rows = (first?.stdout ?? "")
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+  assert.equal(rows.length, 300);
+  rows.forEach((row, i) => {
+    assert.equal(row.source, `jobs.ndjson:${i + 1}`);
+    const good = ![11, 12].includes(i) && i % 7 !== 3;
+    assert.equal(row.program, good ? touchpath.program(JSON.parse(String(all[i]))).text : null, String(i));
+    assert.equal(
+      row.findings.some((/** @type {any} */ f) => f.level === "error"),
+      !good,
+    );
+  });
+  assert.equal(rows[11].findings[0].code, "not-json");
+  assert.equal(rows[12].findings[0].code, "too-long");
+  const piped = run(["check", "-", "--ndjson", "--jobs", "2"], all.slice(0, 9).join("\n"));
+  assert.equal(piped.stdout.trimEnd().split("\n").length, 9);
+  assert.match(piped.stdout, /^\{"source":"standard input:1","findings":\[/);
+});
+
+test("a reader that does not read holds the command up, and one that leaves ends it with one line", async () => {
+  const line = `${JSON.stringify(job("hole"))}\n`.repeat(500);
+  const child = spawn("node", [command, "plan", "-", "--ndjson", "--jobs", "2"], { cwd: folder });
+  let taken = 0;
+  let blocked = 0;
+  child.stdin.on("error", () => undefined);
+  // As much as it takes while nobody reads what it writes.
+  for (let i = 0; i < 400 && blocked < 20; i++) {
+    if (child.stdin.write(line)) {
+      taken += line.length;
+      blocked = 0;
+    } else {
+      await Promise.race([
+        new Promise((done) => child.stdin.once("drain", done)),
+        new Promise((done) => setTimeout(done, 100)),
+      ]);
+      if (child.stdin.writableNeedDrain) blocked++;
+      else taken += line.length;
+    }
+  }
+  assert.ok(blocked >= 20, "it stops taking");
+  assert.ok(taken < 10_000_000, `${taken} bytes were taken`);
+  let stderr = "";
+  child.stderr.on("data", (chunk) => {
+    stderr += chunk;
+  });
+  child.stdout.destroy();
+  child.stdin.end();
+  const status = await new Promise((done) => child.on("close", done));
+  assert.deepEqual([status, stderr], [2, "touchpath: Nobody reads the output any more: the rest was not written\n"]);
+});
+
+test("memory does not grow with the number of jobs", async () => {
+  const child = spawn("node", [command, "plan", "-", "--ndjson", "--jobs", "2"], { cwd: folder });
+  const line = `${JSON.stringify(job("hole"))}\n`.repeat(100);
+  const count = 120;
+  let lines = 0;
+  /** @type {number[]} */
+  const resident = [];
+  child.stdout.on("data", (/** @type {Buffer} */ chunk) => {
+    for (const byte of chunk) if (byte === 10) lines++;
+  });
+  for (let i = 0; i < count; i++) {
+    if (!child.stdin.write(line)) await new Promise((done) => child.stdin.once("drain", done));
+    const [, kB] = /VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${child.pid}/status`, "utf8")) ?? [];
+    resident.push(Number(kB));
+  }
+  child.stdin.end();
+  assert.equal(await new Promise((done) => child.on("close", done)), 0);
+  assert.equal(lines, 100 * count);
+  const early = Math.max(...resident.slice(0, count / 2));
+  const late = Math.max(...resident.slice(count / 2));
+  assert.ok(late < early * 1.25 + 20_000, `${early} kB in the first half, ${late} kB in the second`);
+});
+
+test("on a terminal it says how far it is; in a pipe nothing of it is seen", () => {
+  file(
+    "some.ndjson",
+    `${lines(300)
+      .filter((_, i) => ![11, 12].includes(i))
+      .join("\n")}\n`,
+  );
+  const seen = spawnSync("script", ["-qec", `node ${command} plan some.ndjson -o shown --jobs 1`, "/dev/null"], {
+    cwd: folder,
+    encoding: "utf8",
+  });
+  assert.match(seen.stdout, /\[#* *\] \d+ jobs, \d+ a second/);
+  assert.ok(!run(["plan", "some.ndjson", "-o", "hidden"]).stderr.includes("a second"));
+});

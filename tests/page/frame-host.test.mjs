@@ -1,0 +1,215 @@
+// embed.html in a frame: a portal that is on its list, and pages that are not. Every message is held against the schema of the package.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, test } from "node:test";
+import { Ajv2020 } from "ajv/dist/2020.js";
+import { at } from "../../scripts/lib.mjs";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "./common.mjs";
+
+/** @type {string} */
+let folder;
+/** The frame's own server, that of the portal, and one that nobody knows. @type {import("node:http").Server[]} */
+let servers = [];
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("playwright-core").Page} */
+let page;
+const origin = (/** @type {number} */ n) =>
+  addressOf(/** @type {import("node:http").Server} */ (servers[n])).slice(0, -1);
+const schema = JSON.parse(readFileSync(at("www", "frame.schema.json"), "utf8"));
+const ajv = new Ajv2020({ allowUnionTypes: true }).addSchema(schema);
+const isSpoken = (/** @type {string} */ kind, /** @type {unknown} */ message) =>
+  assert.ok(
+    ajv.validate(`urn:touchpath:frame:1#/$defs/${kind}`, message),
+    `${JSON.stringify(message).slice(0, 300)}: ${ajv.errorsText()}`,
+  );
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "touchpath-frame-"));
+  const own = join(folder, "own");
+  cpSync(at("dist"), own, { recursive: true, filter: (source) => !source.startsWith(at("dist", "page")) });
+  const portal = join(folder, "portal");
+  cpSync(join(own, "frame.js"), join(portal, "frame.js"));
+  cpSync(join(own, "protocol.js"), join(portal, "protocol.js"));
+  servers = [await serve(0, own), await serve(0, portal), await serve(0, portal)];
+  const html = readFileSync(join(own, "embed.html"), "utf8").replace(
+    'name="touchpath-origins" content=""',
+    `name="touchpath-origins" content="https://portal.example ${origin(1)}"`,
+  );
+  assert.ok(html.includes(origin(1)));
+  writeFileSync(join(own, "embed.html"), html);
+  writeFileSync(
+    join(portal, "index.html"),
+    `<!doctype html><html lang="en"><meta charset="utf-8"><title>Portal</title><iframe width="1200" height="700" src="${origin(0)}/embed.html" title="Probing"></iframe></html>`,
+  );
+  browser = await launch();
+});
+afterEach(() => page?.close());
+after(async () => {
+  await browser?.close();
+  for (const server of servers) server.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** A page with the frame in it, that keeps what it hears and what passes its ports. */
+async function open(n = 1) {
+  page = await browser.newPage({ viewport: { width: 1250, height: 760 } });
+  await page.addInitScript(() => {
+    /** @type {any} */ (window).heard = [];
+    addEventListener("message", ({ data }) => /** @type {any} */ (window).heard.push(structuredClone(data)));
+  });
+  await page.goto(`${origin(n)}/`);
+}
+
+/** Connects, with the package's own client. */
+const connect = (options = {}) =>
+  page.evaluate(
+    async (options) => {
+      const { connect } = await import(/* @vite-ignore */ `${location.origin}/frame.js`);
+      const iframe = document.querySelector("iframe");
+      try {
+        const frame = await connect(iframe, options);
+        const all = /** @type {any} */ (window);
+        all.frame = frame;
+        all.told = [];
+        for (const type of ["job-change", "plan-change", "program-save", "finding"])
+          frame.addEventListener(type, (/** @type {CustomEvent} */ event) =>
+            all.told.push({ type, detail: event.detail }),
+          );
+        return frame.version;
+      } catch (thrown) {
+        return String(thrown);
+      }
+    },
+    { origin: origin(0), ...options },
+  );
+/** Works with the connected frame; gives what it was answered, or what it failed with. */
+const on = (/** @type {string} */ work) =>
+  page.evaluate(
+    `(async () => { try { return await (${work}) } catch (thrown) { return { failed: String(thrown), findings: thrown.findings } } })()`,
+  );
+const told = () => page.evaluate(() => /** @type {any} */ (window).told.splice(0));
+
+test("a portal sets the job, reads it, hears what becomes of it and saves the program itself", async () => {
+  await open();
+  const { version } = await import("touchpath");
+  assert.equal(await connect({ saves: true }), version());
+  const job = { format: 1, name: "FROM_PORTAL", cycle: { type: "boss", diameter: 31 } };
+  assert.equal(
+    await on(`frame.set({ job: ${JSON.stringify(job)}, post: "fanuc", theme: "dark", panels: "form stage program" })`),
+    undefined,
+  );
+  const { plan } = await import("touchpath");
+  const state = /** @type {any} */ (await on("frame.get()"));
+  isSpoken("answer", { type: "state", id: 1, state });
+  assert.equal(state.job.name, "FROM_PORTAL");
+  assert.deepEqual(state.plan, JSON.parse(JSON.stringify(plan(state.job))), "the plan is that of the package");
+  const heard = await told();
+  assert.ok(heard.some((/** @type {any} */ one) => one.type === "plan-change"));
+  const inside = page.frameLocator("iframe");
+  await inside.locator("[id='f-cycle.diameter']").fill("29");
+  await inside.getByRole("button", { name: /^Save / }).click();
+  await page.waitForFunction(() =>
+    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "program-save"),
+  );
+  const after = await told();
+  for (const one of [...heard, ...after]) isSpoken("answer", one);
+  const change = after.find((/** @type {any} */ one) => one.type === "job-change");
+  assert.equal(change.detail.job.cycle.diameter, 29);
+  const saved = after.find((/** @type {any} */ one) => one.type === "program-save").detail;
+  assert.deepEqual(
+    [saved.name, saved.post, saved.text],
+    ["FROM_PORTAL.nc", "fanuc", plan(change.detail.job).program.text],
+  );
+});
+
+test("what cannot be used is answered with its reasons, and the conversation continues", async () => {
+  await open();
+  await connect();
+  const before = await on("frame.get()");
+  for (const [state, reason] of [
+    ['{ job: "{" }', /not JSON/],
+    ["{ job: { format: 1 } }", /cycle must be an object/],
+    ['{ job: "x".repeat(50_000_000) }', /at most/],
+    ['{ post: "mazak" }', /post must be one of/],
+    ["{ colour: 1 }", /nothing to set that is called colour/],
+    ["7", /has a state/],
+    ["null", /has a state/],
+  ]) {
+    const { failed } = /** @type {any} */ (await on(`frame.set(${state})`));
+    assert.match(failed, /** @type {RegExp} */ (reason), String(state).slice(0, 60));
+  }
+  // Raw messages that no client sends.
+  const answers = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const { port } = /** @type {any} */ (window).frame;
+        /** @type {unknown[]} */
+        const all = [];
+        port.onmessage = (/** @type {MessageEvent} */ { data }) => all.push(data) === 6 && done(all);
+        for (const message of [null, 7, "get", [], { type: "get" }, { type: "eval", id: 1.5, code: "1" }])
+          port.postMessage(message);
+      }),
+  );
+  for (const answer of /** @type {any[]} */ (answers)) {
+    assert.equal(answer.type, "error");
+    isSpoken("answer", answer);
+  }
+  await connect();
+  assert.deepEqual(await on("frame.get()"), before, "nothing was changed");
+});
+
+test("a page that is not on the list is refused, whatever it sends", async () => {
+  await open(2);
+  assert.match(await connect(), /FrameError: The frame refuses: http:\/\/localhost:\d+ is not on the list/);
+  const heard = await page.evaluate(() => /** @type {any} */ (window).heard);
+  assert.ok(heard.length > 0);
+  for (const message of heard) isSpoken("refused", message);
+  // Without the client: no port is answered, and nothing is changed.
+  const silent = await page.evaluate(async (origin) => {
+    const frame = document.querySelector("iframe")?.contentWindow;
+    const channel = new MessageChannel();
+    let answers = 0;
+    channel.port1.onmessage = () => answers++;
+    frame?.postMessage({ touchpath: 1, type: "hello", saves: true }, origin, [channel.port2]);
+    for (const message of [
+      { type: "set", id: 1, state: { cycle: "boss" } },
+      { touchpath: 1, type: "set", state: {} },
+      null,
+      "x",
+      7,
+    ]) {
+      frame?.postMessage(message, origin);
+      channel.port1.postMessage(message);
+    }
+    await new Promise((done) => setTimeout(done, 500));
+    return answers;
+  }, origin(0));
+  assert.equal(silent, 0);
+  assert.match(await page.frameLocator("iframe").locator("[id='f-cycle.type']").inputValue(), /^internal-rectangle/);
+});
+
+test("a frame that nobody configured hears nobody; another version of the protocol is refused", async () => {
+  await open();
+  await connect();
+  const refused = await page.evaluate(
+    (origin) =>
+      new Promise((done) => {
+        addEventListener("message", ({ data }) => done(data), { once: true });
+        const { port2 } = new MessageChannel();
+        document
+          .querySelector("iframe")
+          ?.contentWindow?.postMessage({ touchpath: 2, type: "hello", saves: false }, origin, [port2]);
+      }),
+    origin(0),
+  );
+  isSpoken("refused", refused);
+  assert.match(/** @type {any} */ (refused).reason, /version 1/);
+  assert.match(readFileSync(at("dist", "embed.html"), "utf8"), /name="touchpath-origins" content=""/);
+  const wrong = await connect({ origin: origin(2), patience: 1200 });
+  assert.match(wrong, /does not answer/, "what is said reaches no other origin");
+  assert.match(await connect({ origin: "not an origin" }), /is no origin/);
+});

@@ -1,0 +1,104 @@
+// The frame's side: embed.html runs this beside the element. It hears the origins on its own list, and nobody else.
+import { version } from "./browser.js";
+import { type Answer, type FrameState, type Hello, PROTOCOL, type Refused } from "./protocol.js";
+import type { Finding } from "./types.js";
+
+/** What of the element is used here; its file is another one. */
+interface Element extends HTMLElement {
+  readonly ready: Promise<void>;
+  job: unknown;
+  readonly plan: unknown;
+  readonly findings: Finding[];
+}
+
+const INPUTS = ["job", "cycle", "post", "units", "theme", "panels"] as const;
+const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
+
+const element = document.querySelector("touch-path") as Element;
+/** Origins that may speak to this frame, with spaces between. */
+const allowed = (document.querySelector<HTMLMetaElement>("meta[name=touchpath-origins]")?.content ?? "")
+  .split(/\s+/)
+  .filter(Boolean);
+/** Ends the conversation before, where a portal begins another one. */
+let ended: AbortController | null = null;
+
+const isObject = (value: unknown): value is Record<string, unknown> =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+
+addEventListener("message", (event: MessageEvent) => {
+  const { data, origin, source, ports } = event;
+  if (!isObject(data) || typeof data.touchpath !== "number" || data.type !== "hello") return;
+  const refuse = (reason: string) => {
+    const answer: Refused = { touchpath: PROTOCOL, type: "refused", reason };
+    (source as Window | null)?.postMessage(answer, { targetOrigin: origin === "null" ? "*" : origin });
+  };
+  if (!allowed.includes(origin)) refuse(`${origin} is not on the list of this frame`);
+  else if (source !== parent || source === window) refuse("only the page around may speak to this frame");
+  else if (data.touchpath !== PROTOCOL) refuse(`this frame speaks version ${PROTOCOL} of the protocol`);
+  else if (!ports[0]) refuse("there was no port in the hello");
+  else speak(ports[0], data as unknown as Hello);
+});
+
+async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
+  ended?.abort();
+  const mine = new AbortController();
+  ended = mine;
+  const { signal } = mine;
+  const say = (answer: Answer) => port.postMessage(answer);
+  signal.addEventListener("abort", () => port.close());
+  try {
+    await element.ready;
+  } catch (thrown) {
+    say({ type: "error", id: null, message: String(thrown), findings: [] });
+    return;
+  }
+  if (signal.aborted) return;
+  for (const type of EVENTS) {
+    const tell = (event: Event) => {
+      if (type === "program-save" && saves) event.preventDefault();
+      say({ type, detail: (event as CustomEvent).detail } as Answer);
+    };
+    element.addEventListener(type, tell, { signal });
+  }
+  port.onmessage = ({ data }) => hear(data, say);
+  say({ type: "welcome", version: version() });
+}
+
+function hear(data: unknown, say: (answer: Answer) => void): void {
+  const id = isObject(data) && Number.isSafeInteger(data.id) ? (data.id as number) : null;
+  const error = (message: string, findings: Finding[] = []) => say({ type: "error", id, message, findings });
+  if (!isObject(data) || id === null) error("A message has a type and an id, a whole number");
+  else if (data.type === "get") {
+    const { job, plan, findings } = element;
+    say({ type: "state", id, state: { job, plan, findings } } as Answer);
+  } else if (data.type !== "set") error("A message is of type set or get");
+  else if (!isObject(data.state)) error("A message of type set has a state, an object");
+  else {
+    const unknown = Object.keys(data.state).filter((key) => key !== "readonly" && !INPUTS.includes(key as "job"));
+    if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
+    else {
+      const refused = set(data.state);
+      if (refused.length > 0) error(refused.map((f) => f.message).join(". "), refused);
+      else say({ type: "done", id });
+    }
+  }
+}
+
+/** Sets what is given; what could not be used, as findings. */
+function set(state: FrameState): Finding[] {
+  const refused: Finding[] = [];
+  const note = (event: Event) => {
+    const { detail } = event as CustomEvent<{ findings: Finding[]; refused: boolean }>;
+    if (detail.refused) refused.push(...detail.findings);
+  };
+  element.addEventListener("finding", note);
+  for (const input of INPUTS) {
+    const value = state[input];
+    if (value === undefined) continue;
+    if (input === "theme" || input === "panels") element.setAttribute(input, String(value));
+    else (element as unknown as Record<string, unknown>)[input] = value;
+  }
+  if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly === true);
+  element.removeEventListener("finding", note);
+  return refused;
+}

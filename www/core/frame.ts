@@ -1,0 +1,124 @@
+// A portal's side of a frame with embed.html: a few functions instead of messages.
+import { type Answer, type FrameState, type FrameView, type Hello, PROTOCOL, type Request } from "./protocol.js";
+import type { Finding } from "./types.js";
+
+export type * from "./protocol.js";
+
+/** Thrown where the frame does not take what it was asked; `findings` says why, where there is more to say. */
+export class FrameError extends Error {
+  constructor(
+    message: string,
+    readonly findings: Finding[] = [],
+  ) {
+    super(message);
+    this.name = "FrameError";
+  }
+}
+
+interface Options {
+  /** The origin that the frame is served from: nobody else hears what is said. */
+  origin: string;
+  /** Whether the portal saves programs itself; else the frame hands them out as files. */
+  saves?: boolean;
+  /** How long the frame is waited for, milliseconds. */
+  patience?: number;
+}
+
+interface Waiting {
+  done(view?: FrameView): void;
+  fail(why: FrameError): void;
+}
+
+/** A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `program-save`, `finding`. */
+export class Frame extends EventTarget {
+  private readonly waiting = new Map<number, Waiting>();
+  private last = 0;
+
+  constructor(
+    private readonly port: MessagePort,
+    /** The version of Touchpath in the frame. */
+    readonly version: string,
+  ) {
+    super();
+    port.onmessage = ({ data }: MessageEvent<Answer>) => this.hear(data);
+  }
+
+  /** Sets the job, the control, what is shown. Fails with the reasons where any of it cannot be used; that part changed nothing. */
+  async set(state: FrameState): Promise<void> {
+    await this.ask((id) => ({ type: "set", id, state }));
+  }
+
+  /** The job as it stands, its plan, its findings. */
+  async get(): Promise<FrameView> {
+    return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
+  }
+
+  /** Ends the conversation. What is still waited for fails. */
+  close(): void {
+    this.port.close();
+    for (const { fail } of this.waiting.values()) fail(new FrameError("The frame was closed"));
+    this.waiting.clear();
+  }
+
+  private ask(request: (id: number) => Request): Promise<FrameView | undefined> {
+    return new Promise((done, fail) => {
+      const id = ++this.last;
+      this.waiting.set(id, { done, fail });
+      this.port.postMessage(request(id));
+    });
+  }
+
+  private hear(answer: Answer): void {
+    if ("detail" in answer) this.dispatchEvent(new CustomEvent(answer.type, { detail: answer.detail }));
+    if (!("id" in answer) || answer.id === null) return;
+    const waiting = this.waiting.get(answer.id);
+    this.waiting.delete(answer.id);
+    if (answer.type === "error") waiting?.fail(new FrameError(answer.message, answer.findings));
+    else waiting?.done(answer.type === "state" ? answer.state : undefined);
+  }
+}
+
+/** Speaks to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, or says nothing. */
+export function connect(
+  iframe: HTMLIFrameElement,
+  { origin, saves = false, patience = 15_000 }: Options,
+): Promise<Frame> {
+  return new Promise((done, fail) => {
+    let port: MessagePort | null = null;
+    const end = () => {
+      clearInterval(asking);
+      clearTimeout(ending);
+      removeEventListener("message", refused);
+    };
+    const refused = ({ source, data, origin: from }: MessageEvent) => {
+      if (source !== iframe.contentWindow || from !== origin || data?.type !== "refused") return;
+      end();
+      fail(new FrameError(`The frame refuses: ${data.reason}`));
+    };
+    // A frame that is not loaded yet hears nothing: it is asked until it answers.
+    const ask = () => {
+      const channel = new MessageChannel();
+      port?.close();
+      port = channel.port1;
+      channel.port1.onmessage = ({ data }: MessageEvent<Answer>) => {
+        if (data.type !== "welcome") return;
+        end();
+        done(new Frame(channel.port1, data.version));
+      };
+      const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
+      try {
+        iframe.contentWindow?.postMessage(hello, origin, [channel.port2]);
+      } catch (thrown) {
+        end();
+        fail(new FrameError(`${origin} is no origin: ${thrown instanceof Error ? thrown.message : thrown}`));
+      }
+    };
+    addEventListener("message", refused);
+    const asking = setInterval(ask, 500);
+    const ending = setTimeout(() => {
+      end();
+      fail(new FrameError("The frame does not answer: is it embed.html, and is this page's origin on its list?"));
+    }, patience);
+    ask();
+  });
+}

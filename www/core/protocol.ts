@@ -1,0 +1,56 @@
+/**
+ * What a portal and the frame with `embed.html` say to each other. The portal sends one `hello` to the frame's window, with a port; everything
+ * after it passes through that port. A later version keeps what this one names.
+ */
+import type { Cycle, Finding, Job, Plan } from "./types.js";
+
+/** The version of the protocol. */
+export const PROTOCOL = 1;
+
+/** What a portal can set; what is left out stays. */
+export interface FrameState {
+  job?: Job | string;
+  cycle?: Cycle["type"];
+  post?: string;
+  units?: "mm" | "inch";
+  theme?: "light" | "dark" | "auto";
+  readonly?: boolean;
+  panels?: string;
+}
+
+/** What the frame holds. */
+export interface FrameView {
+  /** The job as it stands in the form, errors and all. */
+  job: Job;
+  /** Its plan; `null` where it has errors. */
+  plan: Plan | null;
+  findings: Finding[];
+}
+
+/** To the frame's window, with a port. `saves`: the portal saves programs itself. */
+export interface Hello {
+  touchpath: number;
+  type: "hello";
+  saves: boolean;
+}
+
+/** From the frame's window, where it does not take the hello. */
+export interface Refused {
+  touchpath: number;
+  type: "refused";
+  reason: string;
+}
+
+/** Through the port, to the frame. Each is answered. */
+export type Request = { type: "set"; id: number; state: FrameState } | { type: "get"; id: number };
+
+/** Through the port, from the frame. */
+export type Answer =
+  | { type: "welcome"; version: string }
+  | { type: "done"; id: number }
+  | { type: "state"; id: number; state: FrameView }
+  | { type: "error"; id: number | null; message: string; findings: Finding[] }
+  | { type: "job-change"; detail: { job: Job } }
+  | { type: "plan-change"; detail: { plan: Plan } }
+  | { type: "program-save"; detail: { name: string; text: string; post: string; extension: string } }
+  | { type: "finding"; detail: { findings: Finding[]; refused: boolean } };
