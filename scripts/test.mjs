@@ -24,6 +24,8 @@ const tests = (/** @type {string} */ folder) =>
   readdirSync(at("tests", folder))
     .filter((name) => name.endsWith(".test.mjs"))
     .map((name) => at("tests", folder, name));
+/** A test that hangs is a test that fails. */
+const patient = ["--test", "--test-timeout=400000"];
 const npx = (/** @type {string[]} */ ...args) => run("npx", ["--no-install", ...args]);
 
 /**
@@ -117,9 +119,9 @@ if (tools && !only) {
       "wasm_browser",
     ),
   );
-  await stage("Package tests", () => run("node", ["--test", ...tests("package")]));
-  await stage("Page tests", () =>
-    run("node", ["--test", ...tests("page")], { env: { CHROMIUM: tools.chromium.browser } }),
-  );
+  await stage("Package tests", () => run("node", [...patient, ...tests("package")]));
+  const browser = { env: { CHROMIUM: tools.chromium.browser } };
+  await stage("Project tests", () => run("node", [...patient, ...tests("projects")], browser));
+  await stage("Page tests", () => run("node", [...patient, ...tests("page")], browser));
 }
 summary();

@@ -1,0 +1,28 @@
+// React 19 sets properties of custom elements and hears their events by itself: nothing stands between.
+import { useState } from "react";
+import { createRoot } from "react-dom/client";
+import "touchpath/element";
+
+function Probing() {
+  const [job, setJob] = useState({ format: 1, name: "FROM_REACT", cycle: { type: "hole", diameter: 30 } });
+  const [lines, setLines] = useState(0);
+  return (
+    <>
+      <p role="status">
+        {job.name}: diameter {job.cycle.diameter}, {lines} lines
+      </p>
+      <button type="button" onClick={() => setJob({ ...job, cycle: { ...job.cycle, diameter: 44 } })}>
+        44 mm
+      </button>
+      <touch-path
+        style={{ height: 640 }}
+        job={job}
+        theme="light"
+        onjob-change={(event) => setJob(event.detail.job)}
+        onplan-change={(event) => setLines(event.detail.plan.program.text.split("\n").length - 1)}
+      />
+    </>
+  );
+}
+
+createRoot(document.getElementById("root")).render(<Probing />);

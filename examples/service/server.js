@@ -1,0 +1,103 @@
+// Touchpath as a service: POST /plan, /check and /import; GET /openapi.json and /health. PORT, HOST, MOST_AT_ONCE and LONGEST_BODY set it up.
+import Fastify from "fastify";
+import { check, importJob, JobError, jobSchema, plan, version } from "touchpath";
+
+const setting = (name, otherwise) => Number(process.env[name] ?? otherwise);
+/** Bytes of a body, requests at once, and milliseconds for a body to come. */
+const LONGEST_BODY = setting("LONGEST_BODY", 2_000_000);
+const MOST_AT_ONCE = setting("MOST_AT_ONCE", 64);
+const PATIENCE = setting("PATIENCE", 10_000);
+
+const app = Fastify({
+  bodyLimit: LONGEST_BODY,
+  requestTimeout: PATIENCE,
+  connectionTimeout: 2 * PATIENCE,
+  forceCloseConnections: "idle",
+});
+
+// More at once than this would only wait for each other: who comes too late is told to come again.
+let underWay = 0;
+app.addHook("onRequest", async (request, reply) => {
+  if (request.url === "/health") return;
+  if (underWay >= MOST_AT_ONCE)
+    return reply.code(503).header("retry-after", "1").send({ error: "too many requests at once" });
+  underWay++;
+  reply.raw.once("close", () => underWay--);
+});
+
+// Errors are one form of JSON; what was wrong inside is not told outside.
+app.setErrorHandler((error, _request, reply) => {
+  if (error instanceof JobError) return reply.code(422).send({ error: error.message, findings: error.findings });
+  const status = error.statusCode ?? 500;
+  if (status >= 500) console.error(error);
+  return reply.code(status).send({ error: status >= 500 ? "this should not have happened" : error.message });
+});
+app.setNotFoundHandler((request, reply) =>
+  reply.code(404).send({ error: `there is no ${request.method} ${request.url.slice(0, 100)}` }),
+);
+
+app.post("/plan", async (request) => plan(request.body));
+app.post("/check", async (request) => check(request.body));
+app.addContentTypeParser("text/plain", { parseAs: "string" }, (_request, body, done) => done(null, body));
+app.post("/import", async (request, reply) => {
+  if (typeof request.body !== "string")
+    return reply.code(415).send({ error: "the text to import comes as text/plain" });
+  return importJob(request.body);
+});
+app.get("/health", async () => ({ good: true, version: version() }));
+app.get("/openapi.json", async () => openapi());
+
+/** What stands above, for clients; the job is the package's own schema. */
+function openapi() {
+  const json = (schema) => ({ "application/json": { schema } });
+  const finding = {
+    type: "object",
+    required: ["level", "code", "path", "message"],
+    properties: {
+      level: { enum: ["error", "warning", "info"] },
+      code: { type: "string" },
+      path: { type: "string" },
+      message: { type: "string" },
+    },
+  };
+  const findings = { type: "array", items: finding };
+  const failed = { type: "object", required: ["error"], properties: { error: { type: "string" }, findings } };
+  const answer = (description, schema) => ({ description, content: json(schema) });
+  const others = Object.fromEntries(
+    [
+      ["400", "The body is no JSON"],
+      ["413", "The body is too long"],
+      ["422", "The job has errors: findings says which"],
+      ["503", "Too many requests at once"],
+    ].map(([status, description]) => [status, answer(description, failed)]),
+  );
+  const post = (summary, content, schema) => ({
+    post: { summary, requestBody: { required: true, content }, responses: { 200: answer("Good", schema), ...others } },
+  });
+  const job = { $ref: "#/components/schemas/Job" };
+  return {
+    openapi: "3.1.0",
+    info: { title: "Touchpath", version: version() },
+    paths: {
+      "/plan": post("The whole plan of a job", json(job), { type: "object" }),
+      "/check": post("Everything that is wrong, unusual or worth knowing about a job", json({}), findings),
+      "/import": post(
+        "A job from a dump or a program",
+        { "text/plain": { schema: { type: "string" } } },
+        { type: "object" },
+      ),
+      "/health": { get: { summary: "Whether it works", responses: { 200: answer("Good", { type: "object" }) } } },
+    },
+    components: { schemas: { Job: jobSchema() } },
+  };
+}
+
+const address = await app.listen({ port: setting("PORT", 3000), host: process.env.HOST ?? "127.0.0.1" });
+console.log(`Touchpath ${version()} at ${address}`);
+
+// What is under way is answered, nothing new is taken, and then it ends.
+for (const signal of ["SIGTERM", "SIGINT"])
+  process.once(signal, async () => {
+    await app.close();
+    console.log("closed");
+  });

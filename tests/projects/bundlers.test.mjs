@@ -1,0 +1,240 @@
+// The element in projects of every kind, built and opened under a policy that allows their own files and WebAssembly, and nothing else.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
+import { after, before, test } from "node:test";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "../page/common.mjs";
+import { project, tarball } from "./installed.mjs";
+
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("node:http").Server[]} */
+const servers = [];
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  for (const server of servers) server.close();
+});
+
+const policy = (other = "") =>
+  `default-src 'none'; script-src 'self' ${other} 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self' ${other}; require-trusted-types-for 'script'; trusted-types lit-html`;
+const html = (/** @type {string} */ script, csp = policy()) =>
+  `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${csp}"><title>User</title><script type="module" src="${script}"></script><touch-path cycle="boss"></touch-path></html>`;
+/** A user's own script: the element, and a function of the package beside it. */
+const MAIN = `import "touchpath/element";
+import { defaultJob, plan } from "touchpath";
+document.title = String(plan(defaultJob("hole")).moves.length);
+`;
+
+/** Opens a folder's page: the element shows its job, the function gave its plan, one module was loaded, and nothing was complained about. */
+async function opens(/** @type {string} */ folder, modules = 1) {
+  const server = await serve(0, folder);
+  servers.push(server);
+  const page = await browser.newPage();
+  /** @type {string[]} */
+  const problems = [];
+  /** @type {string[]} */
+  const wasm = [];
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && problems.push(message.text()));
+  page.on(
+    "response",
+    (response) => response.headers()["content-type"] === "application/wasm" && wasm.push(response.url()),
+  );
+  await page.goto(addressOf(server));
+  await page
+    .waitForFunction(() => customElements.get("touch-path"), null, { timeout: 15_000 })
+    .catch(() => assert.fail(`the element is not defined: ${problems}`));
+  const seen = await page.evaluate(async () => {
+    const element = /** @type {any} */ (document.querySelector("touch-path"));
+    await element.ready;
+    return {
+      text: element.plan.program.text,
+      title: document.title,
+      shown: element.shadowRoot.querySelectorAll("tp-program .line").length,
+    };
+  });
+  const { defaultJob, plan } = await import("touchpath");
+  assert.equal(seen.text, plan(defaultJob("boss")).program.text);
+  assert.ok(seen.shown > 20);
+  assert.deepEqual(problems, []);
+  assert.equal(wasm.length, modules, wasm.join());
+  await page.close();
+  return seen;
+}
+
+test("Vite", async () => {
+  const own = project("vite");
+  writeFileSync(join(own, "main.js"), MAIN);
+  writeFileSync(join(own, "index.html"), html("/main.js"));
+  const { build } = await import("vite");
+  await build({ root: own, configFile: false, logLevel: "error", build: { target: "es2022", assetsInlineLimit: 0 } });
+  const { title } = await opens(join(own, "dist"));
+  const { defaultJob, plan } = await import("touchpath");
+  assert.equal(title, String(plan(defaultJob("hole")).moves.length));
+  noBase64(join(own, "dist"));
+});
+
+test("webpack", async () => {
+  const own = project("webpack");
+  writeFileSync(join(own, "main.js"), MAIN);
+  const { default: webpack } = await import("webpack");
+  const stats = await new Promise((done, fail) =>
+    webpack(
+      {
+        mode: "production",
+        context: own,
+        entry: "./main.js",
+        target: "web",
+        output: { path: join(own, "dist"), module: true, filename: "main.js", chunkFilename: "[name].js" },
+        experiments: { outputModule: true },
+      },
+      (error, stats) => (error ? fail(error) : done(stats)),
+    ),
+  );
+  assert.deepEqual(stats.toJson({ errors: true }).errors, []);
+  writeFileSync(join(own, "dist", "index.html"), html("./main.js"));
+  await opens(join(own, "dist"));
+  noBase64(join(own, "dist"));
+});
+
+test("esbuild, with the module copied beside what it writes", async () => {
+  const own = project("esbuild");
+  writeFileSync(join(own, "main.js"), MAIN);
+  const { build } = await import("esbuild");
+  await build({
+    absWorkingDir: own,
+    entryPoints: ["main.js"],
+    bundle: true,
+    format: "esm",
+    splitting: true,
+    minify: true,
+    outdir: "dist",
+    logLevel: "error",
+  });
+  cpSync(
+    join(own, "node_modules", "touchpath", "dist", "wasm", "touchpath_bg.wasm"),
+    join(own, "dist", "touchpath_bg.wasm"),
+  );
+  writeFileSync(join(own, "dist", "index.html"), html("./main.js"));
+  await opens(join(own, "dist"));
+});
+
+test("a folder with the files, and no tool at all", async () => {
+  const own = project("plain");
+  mkdirSync(join(own, "site"));
+  cpSync(join(own, "node_modules", "touchpath", "dist"), join(own, "site", "touchpath"), { recursive: true });
+  writeFileSync(
+    join(own, "site", "main.js"),
+    MAIN.replace('"touchpath/element"', '"./touchpath/element/element.js"').replace(
+      '"touchpath"',
+      '"./touchpath/browser.js"',
+    ),
+  );
+  writeFileSync(join(own, "site", "index.html"), html("./main.js"));
+  await opens(join(own, "site"));
+});
+
+test("modules that come from another origin", async () => {
+  const own = project("elsewhere");
+  const dist = join(own, "node_modules", "touchpath", "dist");
+  const types = /** @type {Record<string, string>} */ ({ ".js": "text/javascript", ".wasm": "application/wasm" });
+  const elsewhere = createServer((request, response) => {
+    const name = new URL(request.url ?? "/", "http://localhost").pathname;
+    response.writeHead(200, {
+      "content-type": types[extname(name)] ?? "text/plain",
+      "access-control-allow-origin": "*",
+    });
+    response.end(readFileSync(join(dist, name)));
+  });
+  await new Promise((done) => elsewhere.listen(0, "127.0.0.1", () => done(null)));
+  servers.push(elsewhere);
+  const origin = addressOf(elsewhere).slice(0, -1);
+  mkdirSync(join(own, "site"));
+  writeFileSync(join(own, "site", "index.html"), html(`${origin}/element/element.js`, policy(origin)));
+  await opens(join(own, "site"));
+});
+
+/** Nothing is put into scripts that is a file of its own. */
+function noBase64(/** @type {string} */ folder) {
+  for (const name of readdirSync(folder, { recursive: true, encoding: "utf8" }))
+    if (name.endsWith(".js"))
+      assert.doesNotMatch(readFileSync(join(folder, name), "utf8"), /base64,[A-Za-z0-9+/]{200}/, name);
+}
+
+test("Node: a script, threads, a server that renders the tag", () => {
+  const own = project("node");
+  writeFileSync(
+    join(own, "main.mjs"),
+    `import { isMainThread, parentPort, Worker } from "node:worker_threads";
+import { defaultJob, plan } from "touchpath";
+import "touchpath/element";
+import schema from "touchpath/schema.json" with { type: "json" };
+const lines = plan(defaultJob("hole")).program.text.split("\\n").length;
+if (isMainThread) {
+  const answers = await Promise.all([1, 2, 3].map(() => new Promise((done) => new Worker(new URL(import.meta.url)).once("message", done))));
+  console.log(new Set([lines, ...answers]).size, schema.$id);
+} else parentPort.postMessage(lines);
+`,
+  );
+  assert.equal(execFileSync("node", ["main.mjs"], { cwd: own, encoding: "utf8" }), "1 urn:touchpath:job:1\n");
+  const bin = join(own, "node_modules", ".bin", "touchpath");
+  assert.match(execFileSync(bin, ["--version"], { cwd: own, encoding: "utf8" }), /^\d+\.\d+\.\d+\n$/);
+});
+
+test("the types of the element and of the frame, in strict TypeScript", () => {
+  const own = project("types", ["typescript"]);
+  writeFileSync(
+    join(own, "use.ts"),
+    `import { TouchPath, type TouchPathEvents } from "touchpath/element";
+import { connect, FrameError, type FrameView } from "touchpath/frame";
+const element: TouchPath = document.createElement("touch-path");
+element.job = { format: 1, cycle: { type: "hole", diameter: 20 } };
+element.theme = "dark";
+element.addEventListener("job-change", ({ detail }) => { const name: string | undefined = detail.job.name; console.log(name); });
+element.addEventListener("program-save", (event: TouchPathEvents["program-save"]) => { event.preventDefault(); console.log(event.detail.text); });
+const view: FrameView = await (await connect(document.createElement("iframe"), { origin: "https://x.example" })).get();
+console.log(view.plan?.moves.length, FrameError, element.plan?.program.text);
+// @ts-expect-error there is no such theme
+element.theme = "blue";
+// @ts-expect-error there is no such cycle
+element.cycle = "holes";
+`,
+  );
+  writeFileSync(join(own, "package.json"), '{"type":"module"}');
+  for (const resolution of [
+    ["--module", "nodenext"],
+    ["--module", "esnext", "--moduleResolution", "bundler"],
+  ])
+    execFileSync(
+      join(own, "node_modules", "typescript", "bin", "tsc"),
+      [
+        "--strict",
+        "--noEmit",
+        "--target",
+        "es2022",
+        "--lib",
+        "ES2023,DOM",
+        "--types",
+        "",
+        "--skipLibCheck",
+        "false",
+        ...resolution,
+        "use.ts",
+      ],
+      { cwd: own, stdio: "inherit" },
+    );
+});
+
+test("publint and Are the types wrong? find nothing", async () => {
+  const run = (/** @type {string} */ tool, /** @type {string[]} */ ...args) =>
+    execFileSync("npx", ["--no-install", tool, ...args], { encoding: "utf8", stdio: "pipe" });
+  assert.match(run("publint", "--strict", tarball), /All good/);
+  // Files that are no modules have no types.
+  run("attw", tarball, "--profile", "esm-only", "--exclude-entrypoints", "touchpath.wasm", "embed.html");
+});

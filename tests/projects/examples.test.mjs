@@ -1,0 +1,210 @@
+// The examples, each with the package from its tarball: a portal, React, Vue, a service.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { connect } from "node:net";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { Ajv2020 } from "ajv/dist/2020.js";
+import { unzipSync } from "fflate";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "../page/common.mjs";
+import { project } from "./installed.mjs";
+
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("node:http").Server[]} */
+const servers = [];
+before(async () => {
+  browser = await launch();
+});
+after(async () => {
+  await browser.close();
+  for (const server of servers) server.close();
+});
+
+/** Opens a folder's page, and waits for its elements. */
+async function open(/** @type {string} */ folder) {
+  const server = await serve(0, folder);
+  servers.push(server);
+  const page = await browser.newPage({ viewport: { width: 1500, height: 800 } });
+  /** @type {string[]} */
+  const problems = [];
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on(
+    "console",
+    (message) => message.type() === "error" && !message.text().includes("favicon") && problems.push(message.text()),
+  );
+  await page.goto(addressOf(server));
+  await page.locator("touch-path .line").first().waitFor({ state: "attached" });
+  return { page, problems };
+}
+
+test("the portal: a job list, two elements, programs collected as a zip", async () => {
+  const { page, problems } = await open(project("portal", ["fflate"], "portal"));
+  const [edit, view] = [page.locator("#edit"), page.locator("#view")];
+  await page.getByRole("button", { name: "BORE" }).click();
+  await edit.locator("[id='f-cycle.diameter']").fill("36");
+  const shown = () => view.evaluate((element) => /** @type {any} */ (element).plan.program.text);
+  const { defaultJob, plan } = await import("touchpath");
+  const bore = defaultJob("hole");
+  Object.assign(bore, { name: "BORE", control: { ...bore.control, post: "fanuc", workOffset: 1 } });
+  Object.assign(bore.cycle, { diameter: 36 });
+  assert.equal(await shown(), plan(bore).program.text);
+  await edit.getByRole("button", { name: /^Save / }).click();
+  await page.getByRole("button", { name: "POCKET" }).click();
+  await view.getByRole("button", { name: /^Save / }).click();
+  await page.getByText("2 collected: BORE.nc, POCKET.ngc").waitFor();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save all" }).click(),
+  ]);
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  const files = unzipSync(new Uint8Array(Buffer.concat(chunks)));
+  assert.equal(Buffer.from(/** @type {Uint8Array} */ (files["BORE.nc"])).toString(), plan(bore).program.text);
+  assert.deepEqual(Object.keys(files).sort(), ["BORE.nc", "POCKET.ngc"]);
+  await page.getByRole("button", { name: "BORE" }).click();
+  assert.equal(await edit.locator("[id='f-cycle.diameter']").inputValue(), "36", "the list keeps what was typed");
+  assert.deepEqual(problems, []);
+});
+
+for (const [name, libraries, jobName] of /** @type {const} */ ([
+  ["react", ["react", "react-dom", "scheduler"], "FROM_REACT"],
+  ["vue", ["vue", "@vue"], "FROM_VUE"],
+]))
+  test(`the host in ${name}: a job down, events up`, async () => {
+    const own = project(name, [...libraries], name);
+    const { build } = await import("vite");
+    await build({
+      root: own,
+      configFile: false,
+      logLevel: "error",
+      build: { target: "es2022" },
+      define: {
+        __VUE_OPTIONS_API__: "true",
+        __VUE_PROD_DEVTOOLS__: "false",
+        __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: "false",
+      },
+    });
+    const { page, problems } = await open(join(own, "dist"));
+    const state = page.getByRole("status").filter({ hasText: jobName });
+    assert.match((await state.first().textContent()) ?? "", new RegExp(`^${jobName}: diameter 30, \\d\\d+ lines$`));
+    const box = page.locator("[id='f-cycle.diameter']");
+    await box.fill("33");
+    await page.getByText(`${jobName}: diameter 33`).waitFor();
+    await page.getByRole("button", { name: "44 mm" }).click();
+    await page.waitForFunction(() => {
+      const element = /** @type {any} */ (document.querySelector("touch-path"));
+      return element.job.cycle.diameter === 44;
+    });
+    assert.equal(await box.inputValue(), "44");
+    // What the user types stays as it is typed, although the host hands it back.
+    await box.fill("5,5");
+    await page.getByText(`${jobName}: diameter 5.5`).waitFor();
+    assert.equal(await box.inputValue(), "5,5");
+    assert.deepEqual(problems, []);
+  });
+
+/** Starts the service; gives its address and how to end it. */
+async function service(/** @type {string} */ own, /** @type {Record<string, string>} */ settings = {}) {
+  const child = spawn("node", ["server.js"], { cwd: own, env: { ...process.env, PORT: "0", ...settings } });
+  let said = "";
+  const address = await new Promise((done, fail) => {
+    child.stdout.on("data", (chunk) => {
+      said += chunk;
+      const [, found] = /at (http:\S+)/.exec(said) ?? [];
+      if (found) done(found);
+    });
+    child.on("exit", () => fail(new Error(`the service ended: ${said}`)));
+  });
+  const end = () =>
+    new Promise((done) => {
+      child.once("exit", (status) => done([status, said.includes("closed")]));
+      child.kill("SIGTERM");
+    });
+  return { address: String(address), end };
+}
+
+test("the service: plans, findings, limits, its own description, and an end without loss", async () => {
+  const own = project("service", ["fastify"], "service");
+  const { address, end } = await service(own, { LONGEST_BODY: "100000" });
+  const post = async (/** @type {string} */ path, /** @type {string} */ body, type = "application/json") => {
+    const answer = await fetch(address + path, { method: "POST", body, headers: { "content-type": type } });
+    return { status: answer.status, body: await answer.json() };
+  };
+  const { check, defaultJob, plan, version } = await import("touchpath");
+  const job = defaultJob("groove");
+  const planned = await post("/plan", JSON.stringify(job));
+  assert.deepEqual(planned, { status: 200, body: JSON.parse(JSON.stringify(plan(job))) });
+  const wrong = { ...job, cycle: { ...job.cycle, width: -1 } };
+  const refused = await post("/plan", JSON.stringify(wrong));
+  assert.deepEqual([refused.status, refused.body.findings], [422, check(wrong)]);
+  assert.deepEqual(await post("/check", JSON.stringify(wrong)), { status: 200, body: check(wrong) });
+  for (const nothing of ["null", "7", "[]", '"x"']) assert.equal((await post("/plan", nothing)).status, 422, nothing);
+  const text = plan(/** @type {any} */ ({ ...job, control: { ...job.control, post: "sinumerik" } })).program.text;
+  assert.equal((await post("/import", text, "text/plain")).body.job.cycle.type, "groove");
+  for (const [path, body, type, status] of /** @type {[string, string, string, number][]} */ ([
+    ["/plan", "{", "application/json", 400],
+    ["/plan", "", "application/json", 400],
+    ["/plan", '{"__proto__":{"x":1}}', "application/json", 400],
+    ["/plan", "x".repeat(200_000), "application/json", 413],
+    ["/plan", "a=b", "application/x-www-form-urlencoded", 415],
+    ["/import", "{}", "application/json", 415],
+    ["/nothing", "{}", "application/json", 404],
+  ])) {
+    const answer = await post(path, body, type);
+    assert.equal(answer.status, status, `${path} ${body.slice(0, 20)}: ${JSON.stringify(answer.body)}`);
+    assert.deepEqual([typeof answer.body.error, Object.keys(answer.body)], ["string", ["error"]]);
+  }
+  assert.deepEqual(await (await fetch(`${address}/health`)).json(), { good: true, version: version() });
+  const api = await (await fetch(`${address}/openapi.json`)).json();
+  const valid = new Ajv2020({ strict: false }).compile(api.components.schemas.Job);
+  assert.ok(valid(job) && !valid(wrong));
+  assert.deepEqual(Object.keys(api.paths), ["/plan", "/check", "/import", "/health"]);
+  // Many at once, and the end in the middle: each is answered.
+  const many = Array.from({ length: 40 }, () => post("/plan", JSON.stringify(job)));
+  await many[0];
+  const ended = end();
+  const answers = await Promise.allSettled(many);
+  assert.deepEqual(await ended, [0, true]);
+  for (const answer of answers)
+    if (answer.status === "fulfilled") assert.ok([200, 503].includes(answer.value.status), String(answer.value.status));
+  await assert.rejects(fetch(`${address}/health`), "it is gone");
+});
+
+test("the service answers too many at once with 503, and does not wait for a body that never comes", async () => {
+  const own = project("busy", ["fastify"], "service");
+  const { address, end } = await service(own, { MOST_AT_ONCE: "2", PATIENCE: "1000" });
+  const { hostname, port } = new URL(address);
+  /** Begins a request and leaves it there. */
+  const hang = () =>
+    new Promise((done) => {
+      const socket = connect(Number(port), hostname, () => {
+        socket.write(
+          "POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{",
+        );
+        setTimeout(() => done(socket), 100);
+      });
+      socket.on("error", () => undefined);
+    });
+  const sockets = await Promise.all([hang(), hang()]);
+  const late = await fetch(`${address}/plan`, {
+    method: "POST",
+    body: "{}",
+    headers: { "content-type": "application/json" },
+  });
+  assert.deepEqual(
+    [late.status, late.headers.get("retry-after"), await late.json()],
+    [503, "1", { error: "too many requests at once" }],
+  );
+  assert.equal((await fetch(`${address}/health`)).status, 200, "who watches it is always answered");
+  await Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
+  const { defaultJob } = await import("touchpath");
+  const after = await fetch(`${address}/plan`, {
+    method: "POST",
+    body: JSON.stringify(defaultJob("hole")),
+    headers: { "content-type": "application/json" },
+  });
+  assert.equal(after.status, 200);
+  assert.deepEqual(await end(), [0, true]);
+});

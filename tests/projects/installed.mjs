@@ -1,0 +1,41 @@
+// The package as its users have it: packed, unpacked beside the libraries of a project, and built by that project's own tools.
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { after } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+
+/** A folder for projects; it is gone when the tests of the file are over. */
+export const folder = mkdtempSync(join(tmpdir(), "touchpath-projects-"));
+after(() => rmSync(folder, { recursive: true, force: true }));
+
+const npm = (/** @type {string[]} */ args, cwd = folder) =>
+  execFileSync("npm", [...args, "--loglevel=error"], { cwd, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+
+/** The package's tarball. */
+export const tarball = join(
+  folder,
+  JSON.parse(npm(["pack", "--json", "--pack-destination", folder], at()))[0].filename,
+);
+
+/**
+ * A project with the package in it, installed from its tarball, and these libraries of the repository.
+ * @param {string} name
+ * @param {string[]} libraries
+ * @param {string} [from] a folder of `examples/` to begin with
+ */
+export function project(name, libraries = [], from) {
+  const own = join(folder, name);
+  mkdirSync(own);
+  if (from) cpSync(at("examples", from), own, { recursive: true, filter: (path) => !path.endsWith("node_modules") });
+  writeFileSync(join(own, "package.json"), '{ "private": true, "type": "module" }');
+  npm(["install", "--offline", "--no-audit", "--no-fund", tarball], own);
+  for (const library of libraries) {
+    const place = join(own, "node_modules", library);
+    if (existsSync(place)) continue;
+    mkdirSync(dirname(place), { recursive: true });
+    symlinkSync(at("node_modules", library), place, "junction");
+  }
+  return own;
+}
