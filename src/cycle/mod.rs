@@ -3,7 +3,7 @@
 mod ency;
 mod heidenhain;
 
-pub use ency::{CODE_GROUPS, Pick, Placement, code_of, only_angular};
+pub use ency::{CODE_GROUPS, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT, Pick, Placement, code_of, only_angular};
 
 use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::{Formula, ResultRow};

@@ -1,11 +1,11 @@
 //! The JSON Schema of a job, read from the one list of fields.
 //!
-//! It says what a job looks like. What depends on units or on several fields together only the check knows: so ranges of lengths
-//! are left to it, but for their sign.
+//! It says what a job looks like, and every range, in either units. What depends on several fields together, or on a text, only the check
+//! knows: `tests/package/schema.test.mjs` lists the codes of those findings.
 
-use crate::cycle::{CYCLES, CycleDef};
-use crate::form::{Field, Kind, Value};
-use crate::job::{FORMAT, SECTIONS};
+use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
+use crate::form::{Field, Kind, Range, Value};
+use crate::job::{FORMAT, MOST_STEPS, SECTIONS, STEP_ANGLE, size_reach};
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
 
@@ -32,7 +32,74 @@ pub fn job_schema() -> Value {
         ("$id".to_owned(), text(&format!("urn:touchpath:job:{}", decimal(FORMAT, 0)))),
         ("title".to_owned(), text("A probing job")),
     ];
-    Value::Map(head.into_iter().chain(job).collect())
+    let inch = object_of([("units", map([("const", text("inch"))]))], &["units"]);
+    let ends = [("if".to_owned(), inch), ("then".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
+    Value::Map(head.into_iter().chain(job).chain(ends).collect())
+}
+
+/// The ranges of lengths and feeds of a whole job whose units are so many mm.
+fn ranges(scale: f64) -> Value {
+    let mut properties = Vec::new();
+    for (path, fields) in SECTIONS {
+        match *path {
+            "" => properties.extend(ends(fields, scale)),
+            _ => properties.extend(inside((*path).to_owned(), ends(fields, scale))),
+        }
+    }
+    let cycle = |def: &&CycleDef| {
+        let mut own = ends(def.fields, scale);
+        for section in def.sections {
+            own.extend(inside(section.key.to_owned(), ends(section.fields, scale)));
+        }
+        if def.place.is_some() {
+            let points = ends(&[POINT], scale);
+            own.push(("touches".to_owned(), map([("items", map([("properties", Value::Map(points))]))])));
+        }
+        let kind = object_of([("type", map([("const", text(def.key))]))], &["type"]);
+        (!own.is_empty()).then(|| map([("if", kind), ("then", map([("properties", Value::Map(own))]))]))
+    };
+    let cycles = CYCLES.iter().filter_map(cycle).collect();
+    properties.push(("cycle".to_owned(), map([("allOf", Value::List(cycles))])));
+    let sizes = CYCLES.iter().map(|def| sizes(def, scale)).collect();
+    map([("properties", Value::Map(properties)), ("allOf", Value::List(sizes))])
+}
+
+/// The sizes of the virtual part are those that its cycle has.
+fn sizes(def: &CycleDef, scale: f64) -> Value {
+    let reach: Vec<Field> = def.fields.iter().filter(|field| field.size).map(size_reach).collect();
+    let angles = reach.iter().filter(|field| field.kind == Kind::Angle).map(|f| (f.key.to_owned(), self::field(f)));
+    let own = Value::Map(ends(&reach, scale).into_iter().chain(angles).collect());
+    let sizes = map([("properties", own), ("additionalProperties", Value::Flag(false))]);
+    let part = map([("properties", map([("sizes", sizes)]))]);
+    let kind = object_of([("type", map([("const", text(def.key))]))], &["type"]);
+    map([("if", object_of([("cycle", kind)], &["cycle"])), ("then", map([("properties", map([("part", part)]))]))])
+}
+
+/// Fields of an object inside, where there are any to say something of.
+fn inside(key: String, own: Vec<(String, Value)>) -> Option<(String, Value)> {
+    (!own.is_empty()).then(|| (key, map([("properties", Value::Map(own))])))
+}
+
+/// The ranges of the fields that have units.
+fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
+    let range = |field: &Field| {
+        let Range { min, max, above } = field.hard;
+        // As the check: what is converted may be beyond an end by the noise of its last decimal.
+        let noise = if scale == 1.0 { 0.0 } else { Range::NOISE };
+        let low = if above { ("exclusiveMinimum", min) } else { ("minimum", min - noise) };
+        map([low, ("maximum", max + noise)].map(|(word, end)| (word, Value::Number(end / scale))))
+    };
+    let of = |field: &Field| match field.kind {
+        Kind::Length | Kind::Feed | Kind::Nominal => Some(range(field)),
+        Kind::Point | Kind::NominalPoint => Some(map([("items", range(field))])),
+        Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => None,
+    };
+    fields.iter().filter_map(|field| Some((field.key.to_owned(), of(field)?))).collect()
+}
+
+/// What holds where an object has these.
+fn object_of<const N: usize>(properties: [(&str, Value); N], required: &[&str]) -> Value {
+    map([("properties", map(properties)), ("required", Value::List(required.iter().map(|key| text(key)).collect()))])
 }
 
 fn cycle(def: &CycleDef) -> Value {
@@ -43,8 +110,10 @@ fn cycle(def: &CycleDef) -> Value {
         properties.push((section.key.to_owned(), if section.optional { nullable(inner) } else { inner }));
     }
     if def.place.is_some() {
+        let end = f64::from(LONGEST_VECTOR);
+        let component = map([("type", text("number")), ("minimum", Value::Number(-end)), ("maximum", Value::Number(end))]);
         let touch =
-            object([("point".to_owned(), triple("number")), ("vector".to_owned(), triple("number"))], &["point", "vector"]);
+            object([("point".to_owned(), triple("number")), ("vector".to_owned(), three(component))], &["point", "vector"]);
         let list = map([
             ("type", text("array")),
             ("items", touch),
@@ -54,11 +123,19 @@ fn cycle(def: &CycleDef) -> Value {
         properties.push(("touches".to_owned(), nullable(list)));
     }
     if def.number.is_some() {
-        let code = map([("type", text("integer")), ("minimum", Value::Number(1.0))]);
-        let kind = map([("enum", Value::List(["Int", "Flt", "Bol"].map(text).to_vec()))]);
-        let value = map([("type", Value::List(["number", "boolean"].map(text).to_vec()))]);
-        let own = [("code".to_owned(), code), ("type".to_owned(), kind), ("value".to_owned(), value)];
-        let list = map([("type", text("array")), ("items", object(own, &["code", "type", "value"]))]);
+        let own = |kind: &str, value: Value| {
+            let code = whole(1.0, HIGHEST_CODE);
+            let own = [("code", code), ("type", map([("const", text(kind))])), ("value", value)];
+            object(own.map(|(key, value)| (key.to_owned(), value)), &["code", "type", "value"])
+        };
+        let end = f64::from(i32::MAX);
+        let of = |kind| map([("type", text(kind))]);
+        let kinds = vec![own("Int", whole(-end, end)), own("Flt", of("number")), own("Bol", of("boolean"))];
+        let list = map([
+            ("type", text("array")),
+            ("items", map([("oneOf", Value::List(kinds))])),
+            ("maxItems", Value::Number(MOST_CODES as f64)),
+        ]);
         properties.push(("custom".to_owned(), nullable(list)));
     }
     object(properties, &["type"])
@@ -69,14 +146,11 @@ fn field(field: &Field) -> Value {
         let mut entries = vec![("type", text(kind))];
         match field.kind {
             Kind::Angle | Kind::Count => {
-                entries.push(("minimum", Value::Number(field.hard.min)));
+                let least = if field.hard.above { "exclusiveMinimum" } else { "minimum" };
+                entries.push((least, Value::Number(field.hard.min)));
                 entries.push(("maximum", Value::Number(field.hard.max)));
             }
-            // A least size above 0 differs with the units, which the schema does not know: above 0 holds in both.
-            _ if field.hard.min > 0.0 || (field.hard.above && field.hard.min == 0.0) => {
-                entries.push(("exclusiveMinimum", Value::Number(0.0)))
-            }
-            _ if field.hard.min >= 0.0 => entries.push(("minimum", Value::Number(0.0))),
+            // The ranges of what has units are said at the end, for either.
             _ => {}
         }
         map(entries)
@@ -101,11 +175,19 @@ fn field(field: &Field) -> Value {
     Value::Map(entries)
 }
 
+fn whole(min: f64, max: f64) -> Value {
+    map([("type", text("integer")), ("minimum", Value::Number(min)), ("maximum", Value::Number(max))])
+}
+
 fn frame() -> Value {
     let axis = || map([("enum", Value::List(["X", "Y", "Z"].map(text).to_vec()))]);
-    let turn = object([("rot".to_owned(), axis()), ("angle".to_owned(), map([("type", text("number"))]))], &["rot", "angle"]);
+    let turn = object([("rot".to_owned(), axis()), ("angle".to_owned(), field(&STEP_ANGLE))], &["rot", "angle"]);
     let mirror = object([("mirror".to_owned(), axis())], &["mirror"]);
-    map([("type", text("array")), ("items", map([("oneOf", Value::List(vec![turn, mirror]))]))])
+    map([
+        ("type", text("array")),
+        ("items", map([("oneOf", Value::List(vec![turn, mirror]))])),
+        ("maxItems", Value::Number(MOST_STEPS as f64)),
+    ])
 }
 
 fn text(text: &str) -> Value {

@@ -115,6 +115,9 @@ pub struct Range {
 }
 
 impl Range {
+    /// What a converted number may lie beyond an end, mm.
+    pub const NOISE: f64 = 1.5e-5;
+
     /// Whether a number that was computed lies inside, give or take the noise of the computation.
     pub fn nearly_holds(&self, x: f64) -> bool {
         self.holds(self.snapped(x))
@@ -123,9 +126,8 @@ impl Range {
     /// A computed number, brought to an end of the range where it lies beyond it by no more than noise: half of the last of six decimals in
     /// inch.
     pub fn snapped(&self, x: f64) -> f64 {
-        const NOISE: f64 = 1.5e-5;
         let inside = crate::num::within(x, self.min, self.max);
-        if (x - inside).abs() <= NOISE { inside } else { x }
+        if (x - inside).abs() <= Self::NOISE { inside } else { x }
     }
 
     /// Whether a number lies inside. NaN does not.

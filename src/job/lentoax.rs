@@ -6,7 +6,9 @@ use crate::job::JobError;
 use crate::tool_length::{Query, Step};
 
 /// The most frame steps a query may have.
-const MOST_STEPS: usize = 50;
+pub const MOST_STEPS: usize = 50;
+/// The angle of a step, as a field.
+pub const STEP_ANGLE: Field = Field::angle("angle", "Angle", 0.0).range(-360_000.0, 360_000.0);
 
 const PLANES: &[Choice] =
     &[Choice { value: "G17", label: "G17" }, Choice { value: "G18", label: "G18" }, Choice { value: "G19", label: "G19" }];
@@ -75,7 +77,6 @@ pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
 }
 
 fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {
-    const ANGLE: Field = Field::angle("angle", "Angle", 0.0).range(-360_000.0, 360_000.0);
     let axis = |key: &str| match step.get(key) {
         Some(Value::Text(name)) => AXIS_NAMES.iter().position(|axis| axis == name),
         _ => None,
@@ -87,7 +88,7 @@ fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<
     match (axis("rot"), axis("mirror"), entries.len()) {
         (Some(axis), None, 2) => {
             let angle = step.get("angle").unwrap_or(&Value::Null);
-            let angle = section.number(angle, &ANGLE, &format!("{path}.angle"))?;
+            let angle = section.number(angle, &STEP_ANGLE, &format!("{path}.angle"))?;
             Some(Step::Rotation { axis, angle })
         }
         (None, Some(axis), 1) => Some(Step::Mirror { axis }),

@@ -18,11 +18,11 @@ mod units;
 
 pub use defaults::{default_job, default_job_in, resolved};
 pub use examine::{examine, proves, stages};
-pub use lentoax::lentoax_query;
+pub use lentoax::{MOST_STEPS, STEP_ANGLE, lentoax_query};
 pub use picture::{Picture, svg};
 pub use plan::{Planned, minutes};
 pub use rows::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
-pub use sections::{FORMAT, Job, SECTIONS, Units};
+pub use sections::{FORMAT, Job, SECTIONS, Units, size_reach};
 pub use units::convert_units;
 
 use crate::form::{Checker, Finding, Value};

@@ -434,6 +434,14 @@ fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
     }
 }
 
+/// How much a size of the virtual part may differ, as a field.
+pub fn size_reach(field: &Field) -> Field {
+    match field.kind {
+        crate::form::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
+        _ => Field::length(field.key, field.label, 0.0).range(-100.0, 100.0),
+    }
+}
+
 /// The cycle resized to the actual part; none where all sizes are nominal.
 fn read_sizes(
     checker: &mut Checker,
@@ -455,10 +463,7 @@ fn read_sizes(
         let Some(field) = fields.iter().find(|f| f.key == key) else {
             continue;
         };
-        let reach = match field.kind {
-            crate::form::Kind::Angle => Field::angle(field.key, field.label, 0.0).range(-10.0, 10.0),
-            _ => Field::length(field.key, field.label, 0.0).range(-100.0, 100.0),
-        };
+        let reach = size_reach(field);
         let path = format!("part.sizes.{key}");
         let mut section = Section::new(checker, None, "part.sizes");
         let Some(delta) = section.number(given, &reach, &path) else {

@@ -32,7 +32,8 @@ async function open(/** @type {string} */ folder) {
   page.on("pageerror", (error) => problems.push(String(error)));
   page.on(
     "console",
-    (message) => message.type() === "error" && !message.text().includes("favicon") && problems.push(message.text()),
+    (message) =>
+      message.type() === "error" && !message.location().url.endsWith("favicon.ico") && problems.push(message.text()),
   );
   await page.goto(addressOf(server));
   await page.locator("touch-path .line").first().waitFor({ state: "attached" });

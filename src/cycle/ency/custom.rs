@@ -4,7 +4,9 @@ use crate::form::{Section, Value};
 use crate::path::{Accessor, Parameter, ParameterValue};
 
 /// The most own codes a cycle may carry.
-const MOST: usize = 200;
+pub const MOST: usize = 200;
+/// The highest of the user's own codes.
+pub const HIGHEST: f64 = 1e6;
 
 /// One own code.
 #[derive(Clone, Debug)]
@@ -55,7 +57,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             }
         }
         let code = match item.get("code") {
-            Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=1e6).contains(n) => *n as i32,
+            Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=HIGHEST).contains(n) => *n as i32,
             _ => {
                 let message = "An own code is a whole number from 1 to 1000000: negative ones are the system's";
                 section.checker.error("wrong-code", format!("{path}.code"), message);

@@ -13,9 +13,10 @@ mod table;
 pub mod types;
 pub mod words;
 
+pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use forms::{PairProtected, RectangleProtected, RoundProtected};
-pub use picks::{Pick, Placement};
+pub use picks::{LONGEST_VECTOR, POINT, Pick, Placement};
 pub use shape::{Circle, Corner, Outside, Pairs, Point, Seated, Shape, Side, Still, Triple, Variant};
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};

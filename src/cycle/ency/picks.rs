@@ -30,10 +30,13 @@ pub struct Placement {
     pub sizes: Vec<(&'static str, f64)>,
 }
 
+/// Where a touch may be, as a field.
+pub const POINT: Field = Field::point("point", "Touch point");
+/// The most that a number of a target vector may be: whether it is a unit vector is said with its length.
+pub const LONGEST_VECTOR: i32 = 2;
+
 /// Reads `touches`; none where the job has none. Every problem is reported.
 pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
-    const POINT: Field = Field::point("point", "Touch point");
-    const VECTOR: Field = Field::angle("vector", "Target vector", 0.0).range(-2.0, 2.0);
     let place = section.at("touches");
     let items = match section.get("touches")? {
         Value::Null => return None,
@@ -66,8 +69,11 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
                     section.checker.error("unknown-key", path.clone(), message);
                 }
             }
-            let point = triple(section, item.get("point"), &POINT, &format!("{path}.point"));
-            let vector = triple(section, item.get("vector"), &VECTOR, &format!("{path}.vector"));
+            let at = format!("{path}.point");
+            let point = triple(section, item.get("point"), POINT.label, &at, |section, value, path| {
+                section.number(value, &POINT, path)
+            });
+            let vector = triple(section, item.get("vector"), "Target vector", &format!("{path}.vector"), component);
             let length = vector.length();
             if section.checker.sound(&[&path]) && (length - 1.0).abs() > NEAR {
                 let message = format!(
@@ -83,17 +89,39 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     Some(picks)
 }
 
-fn triple(section: &mut Section<'_, '_>, value: Option<&Value>, field: &Field, path: &str) -> Vec3 {
+/// A number of a target vector, which has no unit.
+fn component(section: &mut Section<'_, '_>, value: &Value, path: &str) -> Option<f64> {
+    match *value {
+        Value::Number(x) if x.abs() <= f64::from(LONGEST_VECTOR) => return Some(x),
+        Value::Number(_) => {
+            let message = format!("A number of a target vector must be from -{LONGEST_VECTOR} to {LONGEST_VECTOR}");
+            section.checker.error("out-of-range", path, message);
+        }
+        _ => {
+            let message = format!("A target vector must be three numbers, not {}", value.noun());
+            section.checker.error("wrong-type", path, message);
+        }
+    }
+    None
+}
+
+fn triple(
+    section: &mut Section<'_, '_>,
+    value: Option<&Value>,
+    label: &str,
+    path: &str,
+    read: impl Fn(&mut Section<'_, '_>, &Value, &str) -> Option<f64>,
+) -> Vec3 {
     match value {
         Some(Value::List(items)) if items.len() == 3 => {
             let mut v = Vec3::ZERO;
             for (i, item) in items.iter().enumerate() {
-                v[i] = section.number(item, field, &format!("{path}[{i}]")).unwrap_or(0.0);
+                v[i] = read(section, item, &format!("{path}[{i}]")).unwrap_or(0.0);
             }
             v
         }
         _ => {
-            section.checker.error("wrong-type", path, format!("{} must be a list of three numbers", field.label));
+            section.checker.error("wrong-type", path, format!("{label} must be a list of three numbers"));
             Vec3::ZERO
         }
     }
