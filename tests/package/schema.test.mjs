@@ -200,8 +200,8 @@ test("jobs of format 1 stay readable: those that were written with it have the s
   const lines = readFileSync(at("tests/data/format-1.ndjson"), "utf8").trim().split("\n");
   assert.ok(lines.length > 40, String(lines.length));
   for (const line of lines) {
-    const { job, ...path } = JSON.parse(line);
-    assert.ok(valid(job), job.name);
+    const { job, ...path } = /** @type {any} */ (JSON.parse(line));
+    assert.ok(valid(/** @type {unknown} */ (job)), job.name);
     assert.deepEqual(
       check(job).filter((f) => f.level === "error"),
       [],

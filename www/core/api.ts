@@ -88,7 +88,7 @@ export interface Api {
    * `findings`. Without a dialect it is looked for in the text. Throws `JobError` for a text that is too long.
    */
   readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
-  /** JSON Schema (2020-12) of a job: what it looks like. What depends on units, or on several fields together, only `check` knows. */
+  /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
   jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;

@@ -1,0 +1,38 @@
+// A release, without publishing anything: the package packs and installs, the crate packs and compiles from what is packed.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+
+test("the crate compiles from what would be published", () => {
+  execFileSync("cargo", ["package", "--quiet", "--locked", "--allow-dirty", "--offline"], { cwd: at(), stdio: "pipe" });
+});
+
+test("the reference is what the package says of itself", () => {
+  execFileSync("node", ["scripts/reference.mjs", "check"], { cwd: at(), stdio: "inherit" });
+});
+
+test("a release is refused where a version or the changelog does not fit, and the workflow asks before it publishes", () => {
+  const release = (/** @type {string} */ tag) =>
+    spawnSync("node", ["scripts/release.mjs", tag], { cwd: at(), encoding: "utf8" });
+  const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
+  const wrong = release("v99.0.0");
+  assert.equal(wrong.status, 1);
+  assert.match(wrong.stderr, /the tag says 99\.0\.0/);
+  const { status, stderr } = release(`v${version}`);
+  // Between releases only the changelog may stand in the way.
+  assert.ok(status === 0 || /^CHANGELOG\.md .*\n$/.test(stderr), stderr);
+  const workflow = readFileSync(at(".github", "workflows", "release.yml"), "utf8");
+  const order = [
+    "id-token: write",
+    ".ci/run",
+    "scripts/release.mjs",
+    "npm publish --provenance",
+    "cargo publish --locked",
+  ].map((step) => workflow.indexOf(step));
+  assert.ok(
+    order.every((place, i) => place > (order[i - 1] ?? 0)),
+    order.join(),
+  );
+});
