@@ -25,7 +25,7 @@ const tests = (/** @type {string} */ folder) =>
     .filter((name) => name.endsWith(".test.mjs"))
     .map((name) => at("tests", folder, name));
 /** A test that hangs is a test that fails. */
-const patient = ["--test", "--test-timeout=400000"];
+const patient = ["--test", "--test-timeout=900000"];
 const npx = (/** @type {string[]} */ ...args) => run("npx", ["--no-install", ...args]);
 
 /**

@@ -20,6 +20,8 @@ pub struct Marks<'a> {
     pub names: &'a [(&'static str, String)],
     /// The name of the work offset.
     pub origin: &'a str,
+    /// Where a machine measured the ball's centre.
+    pub measured: &'a [Spot],
 }
 
 /// The colours of a picture, as CSS colours.
@@ -150,6 +152,9 @@ impl Painter {
             self.arrows(scene, camera);
         }
         self.touches(scene, camera, deviates);
+        for spot in marks.measured {
+            self.square(camera.pixel(*spot));
+        }
         if let Some((_, place)) = scene.collision {
             self.collision(camera.pixel(place), scene.radius * camera.scale);
         }
@@ -332,6 +337,21 @@ impl Painter {
             c.set_fill_style_str(&self.theme.background);
             let _ = c.fill_text(&(k + 1).to_string(), place[0], place[1]);
         }
+    }
+
+    /// A measured ball centre: a square on its tip, which nothing else is.
+    fn square(&self, at: Spot) {
+        let c = &self.context;
+        c.begin_path();
+        for (i, [x, y]) in [[0.0, -7.0], [7.0, 0.0], [0.0, 7.0], [-7.0, 0.0]].into_iter().enumerate() {
+            let p = [at[0] + x, at[1] + y];
+            if i == 0 { c.move_to(p[0], p[1]) } else { c.line_to(p[0], p[1]) }
+        }
+        c.close_path();
+        c.set_stroke_style_str(&self.theme.highlight);
+        c.set_line_width(2.0);
+        self.dash(&[]);
+        c.stroke();
     }
 
     /// The ball where it meets the part, in the colour of touches, crossed out.

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
+use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
@@ -26,6 +27,8 @@ pub struct View {
     part: f64,
     /// The path of the field that has the focus.
     field: Option<String>,
+    /// Ball centres that a machine measured, in the job's units.
+    measured: Vec<crate::geom::Vec3>,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
     moved: bool,
     /// Whether the picture must stay where it is, since something in it is being dragged.
@@ -77,6 +80,7 @@ impl View {
             highlight: None,
             part: 1.0,
             field: None,
+            measured: Vec::new(),
             moved: false,
             held: false,
         })
@@ -228,6 +232,18 @@ impl View {
     pub fn focus(&mut self, field: Option<String>) {
         if self.field != field {
             self.field = field;
+            self.draw();
+        }
+    }
+
+    /// Draws the ball centres that a machine measured, in the job's units: a text in any form that `evaluate` reads. What cannot be read, and an
+    /// empty text, draws none.
+    pub fn measure(&mut self, text: &str) {
+        let mut checker = Checker::default();
+        let points = crate::part::read_measured(&mut checker, &Value::Text(text.to_owned()));
+        let measured = if checker.failed() { Vec::new() } else { points.into_iter().flatten().collect() };
+        if self.measured != measured {
+            self.measured = measured;
             self.draw();
         }
     }
@@ -399,7 +415,11 @@ impl View {
     fn draw(&self) {
         if let Some(shown) = &self.shown {
             let held = self.held();
+            let seen = |held: &Held, p: &crate::geom::Vec3| self.projection.spot(held.plane, *p * held.scale);
+            let measured: Vec<Spot> =
+                held.map_or_else(Vec::new, |held| self.measured.iter().map(|p| seen(held, p)).collect());
             let marks = Marks {
+                measured: &measured,
                 highlight: self.highlight,
                 part: self.part,
                 deviates: held.is_some_and(|held| held.deviates),

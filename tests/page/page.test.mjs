@@ -8,6 +8,7 @@ import {
   boxOf,
   field,
   focusedId,
+  held,
   more,
   open,
   page,
@@ -233,12 +234,50 @@ test("measured points give the same results, and bad ones a plain answer", async
   await page.getByText("Points that a machine measured").click();
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
-  const table = page.locator(".measured table");
-  assert.match((await table.locator("tr", { hasText: "center.x" }).textContent()) ?? "", /0\.100/);
+  const own = (/** @type {string} */ code) =>
+    page.locator("tp-results table").first().locator("tr", { hasText: code }).locator(".own").textContent();
+  const before = await pixels();
+  assert.match((await own("center.x")) ?? "", /^0\.100 \+0\.100$/);
+  assert.match((await own("width1")) ?? "", /^80\.000 0\.000$/);
+  const { sum } = await pixels();
+  await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-21,-10");
+  assert.notEqual((await pixels()).sum, sum, "the points are in the picture");
+  assert.ok(before.count > 0);
   await box.fill("37.1,0\n");
   assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
   await page.getByRole("button", { name: "Fill in the points shown" }).click();
-  assert.match((await table.locator("tr", { hasText: "width1" }).textContent()) ?? "", /80\.000/);
+  assert.match((await own("width1")) ?? "", /80\.000/);
+});
+
+test("this job on every control: what each makes of it, and the way there", async () => {
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await page.getByText("This job on every control").click();
+  const rows = page.locator("tp-checks .controls tbody tr");
+  const { catalog, defaultJob, programs } = await import("touchpath");
+  const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
+  const wanted = catalog().posts.flatMap((post) =>
+    ["moves", "cycle"]
+      .filter(
+        (form) =>
+          form === "moves" || post.cycles.some((c) => c.type === job.cycle.type && c.form === form && c.supported),
+      )
+      .map((form) => {
+        const [made] = programs([{ ...job, control: { ...job.control, post: post.id, form } }]);
+        return [
+          post.title,
+          form === "moves" ? "moves" : "own cycle",
+          made?.program ? String(made.program.text.split("\n").length - 1) : "–",
+        ];
+      }),
+  );
+  const shown = await rows.evaluateAll((all) =>
+    all.map((row) => [...row.children].slice(0, 3).map((cell) => cell.textContent?.trim())),
+  );
+  assert.deepEqual(shown, wanted);
+  await rows.getByRole("button", { name: "Choose SINUMERIK 840D sl / 828D, own cycle" }).click();
+  assert.deepEqual([await held("control.post"), await held("control.form")], ["sinumerik", "cycle"]);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await held("control.post"), "linuxcnc");
 });
 
 test("two circles: tolerances, verdicts, handles, Klartext out and in", async () => {

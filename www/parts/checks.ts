@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { Finding, Plan } from "../core/browser.js";
+import { type Finding, type Job, type Plan, type Programmed, programs } from "../core/browser.js";
 import { LEVELS, NAMES } from "./findings.js";
 import { Part } from "./part.js";
 
@@ -31,6 +31,8 @@ export function checked(plan: Plan): string {
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
 class ChecksPart extends Part {
   protected override follows = ["change"];
+  /** Whether the controls are looked at: nothing is planned for them before. */
+  private open = false;
 
   override render(): TemplateResult {
     const { plan, stale, findings } = this.store;
@@ -45,7 +47,49 @@ class ChecksPart extends Part {
           : html`<h2>Safety rules of this program</h2><p class=${bad ? "proof warning" : "proof"}>${checked(plan)}</p>
             <ul class="checks">${plan.safety.map((row) => this.row(row))}</ul>`
       }
+      <details class="controls" @toggle=${this.toggle}>
+        <summary>This job on every control</summary>
+        ${this.open ? this.controls() : nothing}
+      </details>
     `;
+  }
+
+  private readonly toggle = (event: Event) => {
+    this.open = (event.target as HTMLDetailsElement).open;
+    this.requestUpdate();
+  };
+
+  /** What each control makes of the form as it stands: a program of so many lines, or why there is none. */
+  private controls(): TemplateResult {
+    const { store } = this;
+    const now = store.draft.control as { post: string; form: string };
+    const rows = store.catalog.posts.flatMap((post) => {
+      const forms = post.cycles.filter((c) => c.type === store.cycle.type && c.supported).map((c) => c.form);
+      return (forms.length ? forms : ["moves"]).map((form) => ({ post, form: form as "moves" | "cycle" }));
+    });
+    const made = (post: string, form: string) => {
+      const job = { ...store.draft, control: { ...now, post, form } } as unknown as Job;
+      const { program, findings } = programs([job]).next().value as Programmed;
+      const first = LEVELS.map((level) => findings.find((f) => f.level === level)).find(Boolean);
+      return {
+        lines: program ? program.text.split("\n").length - 1 : null,
+        says: first?.level === "info" ? "" : (first?.message ?? ""),
+      };
+    };
+    return html`<table>
+      <thead><tr><th>Control</th><th>Form</th><th class="n">Lines</th><th></th></tr></thead>
+      <tbody>${rows.map(({ post, form }) => {
+        const { lines, says } = made(post.id, form);
+        const chosen = post.id === now.post && form === now.form;
+        return html`<tr class=${lines === null ? "none" : ""}><td>${post.title}</td><td>${form === "moves" ? "moves" : "own cycle"}</td>
+          <td class="n">${lines ?? html`<span role="img" aria-label="no program">–</span>`}</td>
+          <td>${chosen ? html`<b>chosen</b>` : lines === null ? nothing : html`<button type="button" class="quiet" aria-label=${`Choose ${post.title}, ${form === "moves" ? "moves" : "own cycle"}`} ?disabled=${store.readonly} @click=${() => this.choose(post.id, form)}>choose</button>`} <small>${says}</small></td></tr>`;
+      })}</tbody>
+    </table>`;
+  }
+
+  private choose(post: string, form: string): void {
+    this.store.put("control", { ...(this.store.draft.control as object), post, form });
   }
 
   private finding(f: Finding): TemplateResult {

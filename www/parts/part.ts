@@ -1,4 +1,4 @@
-import { LitElement } from "lit";
+import { LitElement, type PropertyValues } from "lit";
 import type { Store } from "../store.js";
 
 /** A part of the page: draws itself from the store whenever the store says so. Parts share the styles around them. */
@@ -7,7 +7,14 @@ export abstract class Part extends LitElement {
   /** Which of the store's events this part follows. */
   protected follows: string[] = ["change", "highlight"];
 
+  /** Whether it lights up what belongs to the move that is pointed at, without being drawn again. */
+  protected lights = false;
+
   private readonly redraw = () => this.requestUpdate();
+  private readonly relight = () => {
+    if (this.closest("[hidden]")) this.behind = true;
+    else this.light();
+  };
   /** Whether something changed while the part was not seen. */
   private behind = false;
 
@@ -21,6 +28,13 @@ export abstract class Part extends LitElement {
     return !this.behind;
   }
 
+  /** Lights up what belongs to the move that is pointed at. */
+  protected light(): void {}
+
+  protected override updated(_changed: PropertyValues): void {
+    if (this.lights) this.light();
+  }
+
   /** The part is seen again. */
   catchUp(): void {
     if (this.behind) this.requestUpdate();
@@ -29,10 +43,12 @@ export abstract class Part extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     for (const name of this.follows) this.store.addEventListener(name, this.redraw);
+    if (this.lights) this.store.addEventListener("highlight", this.relight);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     for (const name of this.follows) this.store.removeEventListener(name, this.redraw);
+    this.store.removeEventListener("highlight", this.relight);
   }
 }

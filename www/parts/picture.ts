@@ -47,7 +47,7 @@ class PicturePart extends DrawnPart {
         ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.deviates()}
       </div>
       <ul class="key" aria-label="Lines">
-        <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>
+        <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">measured</li>`}
       </ul>
       <div class="scrub" role="group" aria-label="Timeline" @keydown=${this.timelineKey}>
         <button type="button" class="icon" aria-label="Touch before" title="Touch before (Ctrl+←)" @click=${to(touches(-1))}>|◀</button>
@@ -79,6 +79,7 @@ class PicturePart extends DrawnPart {
         view.show(this.store.shown);
         view.focus(this.store.focused ?? undefined);
         view.highlight(this.store.highlight ?? undefined);
+        view.measure(this.store.measured);
       });
       this.observer.observe(canvas);
     }
@@ -94,6 +95,7 @@ class PicturePart extends DrawnPart {
       }
       if (this.clock === null) view.highlight(stale && this.live ? undefined : (highlight ?? undefined));
       view.focus(focused ?? undefined);
+      view.measure(this.store.measured);
     });
     this.drawn = revision;
     if (before !== this.live) this.requestUpdate();

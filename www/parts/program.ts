@@ -11,26 +11,26 @@ interface Block {
 
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
+  protected override follows = ["change"];
+  protected override lights = true;
   private told = "";
   /** The program that was saved or copied: what is said of it holds for no other. */
   private toldOf = "";
   private unfolded = false;
 
   override render(): TemplateResult {
-    const { stale, highlight } = this.store;
+    const { stale } = this.store;
     const { program, moves } = this.store.plan;
     const why = stale ? "withheld-program" : nothing;
     const lines = program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
     const first = program.moveLines[0] ?? 0;
     const head = first > 3 ? first : 0;
-    const lit = highlight === null ? -1 : (program.moveLines[highlight] as number);
-    const step = highlight === null ? 0 : (moves[highlight]?.step ?? 0);
     const { steps } = this.store.cycle;
     const row = ({ text, line }: Block["lines"][number]) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
-      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected=${line === lit ? "true" : "false"}
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false"
         @mouseenter=${() => this.store.point(move ?? null)} @click=${() => this.store.pin(move ?? null)}><span class="no">${line + 1}</span><span class="text">${text}</span></div>`;
     };
     const numbered = lines.map((text, line) => ({ text, line }));
@@ -58,16 +58,24 @@ class ProgramPart extends Part {
           const text = steps[block.step - 1];
           if (!text) return html`<div role="group" aria-label="Program">${block.lines.map(row)}</div>`;
           return html`<div role="group" aria-label=${`Step ${block.step}: ${text}`}>
-            <div class=${block.step === step ? "step lit" : "step"} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
+            <div class="step" data-step=${block.step} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
             ${block.lines.map(row)}</div>`;
         })}
       </div>
     `;
   }
 
-  protected override updated(): void {
+  /** The line and the step of the move that is pointed at; what was lit before goes out. Hundreds of lines are not drawn for it. */
+  protected override light(): void {
+    const { highlight, plan } = this.store;
+    const line = highlight === null ? -1 : (plan.program.moveLines[highlight] ?? -1);
+    const step = highlight === null ? 0 : (plan.moves[highlight]?.step ?? 0);
+    for (const old of this.querySelectorAll("[aria-selected=true]")) old.setAttribute("aria-selected", "false");
+    for (const old of this.querySelectorAll(".step.lit")) old.classList.remove("lit");
+    const lit = this.querySelector<HTMLElement>(`[data-line="${line}"]`);
+    lit?.setAttribute("aria-selected", "true");
+    for (const heading of this.querySelectorAll(`[data-step="${step}"]`)) heading.classList.add("lit");
     if (this.matches(":hover")) return;
-    const lit = this.querySelector<HTMLElement>("[aria-selected=true]");
     const box = this.querySelector<HTMLElement>(".code");
     if (!lit || !box) return;
     const above = lit.offsetTop;

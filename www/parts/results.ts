@@ -15,8 +15,13 @@ class ResultsPart extends Part {
 
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
+    const measured = this.evaluated();
+    const rows = "rows" in measured ? measured.rows : null;
+    const caption = rows
+      ? "What the control will have stored, and what the measured points give"
+      : "What the control will have stored";
     return html`
-      <div class=${stale ? "stale" : ""}>${this.table(plan.results, "What the control will have stored", true)}</div>
+      <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}</div>
       <details class="triggers">
         <summary>Trigger points of the ball centre</summary>
         <table>
@@ -32,23 +37,20 @@ class ResultsPart extends Part {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
           }}></textarea>
         <button type="button" @click=${this.fill}>Fill in the points shown</button>
-        ${this.measured()}
+        ${"errors" in measured ? html`<div role="status">${measured.errors.map((f: Finding) => html`<p class="problem error">${f.message}</p>`)}</div>` : nothing}
       </details>
     `;
   }
 
-  private measured(): TemplateResult | typeof nothing {
-    if (this.store.measured.trim() === "") return nothing;
+  /** The results of the measured points; what is wrong with them; or nothing, where there are none. */
+  private evaluated(): { rows: Map<string, ResultRow> } | { errors: Finding[] } | Record<string, never> {
+    if (this.store.measured.trim() === "") return {};
     try {
-      return this.table(
-        evaluate(this.store.draft as unknown as Job, this.store.measured),
-        "From the measured points",
-        false,
-      );
+      const rows = evaluate(this.store.draft as unknown as Job, this.store.measured);
+      return { rows: new Map(rows.map((row) => [row.code, row])) };
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
-      const errors = thrown.findings.filter((f) => f.level === "error");
-      return html`<div role="status">${errors.map((f: Finding) => html`<p class="problem error">${f.message}</p>`)}</div>`;
+      return { errors: thrown.findings.filter((f) => f.level === "error") };
     }
   }
 
@@ -70,29 +72,38 @@ class ResultsPart extends Part {
     );
   }
 
-  private row(r: ResultRow, truth: boolean): TemplateResult {
+  private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
+    const own = measured?.get(r.code);
     const name = html`<td class="name" title=${r.meaning}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
-    const verdict = (text: string) => html`<span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>`;
+    const verdict = (text: string | null | undefined) =>
+      text ? html` <span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>` : nothing;
     if (r.unit === "") {
-      return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan=${truth ? 3 : 2}>${verdict(r.verdict ?? "")}</td></tr>`;
+      return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="2">${verdict(r.verdict)}</td>
+        <td>${measured ? html`<b>${own?.value ?? "–"}</b>${verdict(own?.verdict)}` : nothing}</td></tr>`;
     }
+    // Two sigma: 95 of 100 measurements lie within.
+    const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
     return html`<tr>${name}
       <td class="n">${number(r.nominal, digits)}</td>
       <td class="n"><b>${number(r.value, digits)}</b></td>
-      <td class="n">${signed(r.deviation, digits)}${r.verdict ? html` ${verdict(r.verdict)}` : nothing}</td>
-      <td class="n">${number(r.uncertainty, digits + 1)}</td>
-      ${truth ? html`<td class="n">${number(r.truth, digits)}</td>` : nothing}</tr>`;
+      <td class="n">${signed(r.deviation, digits)}${verdict(r.verdict)}</td>
+      <td class="n">${number(spread, digits + 1)}</td>
+      ${
+        measured
+          ? html`<td class="n own"><b>${number(own?.value ?? null, digits)}</b> <small>${signed(own?.deviation ?? null, digits)}</small>${verdict(own?.verdict)}</td>`
+          : html`<td class="n">${number(r.truth, digits)}</td>`
+      }</tr>`;
   }
 
-  private table(rows: ResultRow[], caption: string, truth: boolean): TemplateResult {
+  private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
     const notes = rows.filter((r) => r.note);
     return html`
       <table>
         <caption>${caption}</caption>
-        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 1σ</th>${truth ? html`<th class="n">True</th>` : nothing}</tr></thead>
+        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 2σ</th><th class="n">${measured ? "Measured" : "True"}</th></tr></thead>
         <tbody>
-          ${rows.map((r) => this.row(r, truth))}
+          ${rows.map((r) => this.row(r, measured))}
         </tbody>
       </table>
       ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.note}</li>`)}</ul>` : nothing}

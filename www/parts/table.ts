@@ -14,6 +14,8 @@ function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
 
 /** The parameter table of the source, by groups. Rows of a touch light up with it. */
 class TablePart extends Part {
+  protected override follows = ["change"];
+  protected override lights = true;
   private told = "";
   /** The plan that was saved or copied: what is said of it holds for no other. */
   private toldOf?: Plan;
@@ -21,10 +23,9 @@ class TablePart extends Part {
   private readonly closed = new Set<string>();
 
   override render(): TemplateResult {
-    const { plan, highlight, stale } = this.store;
+    const { plan, stale } = this.store;
     const why = stale ? "withheld-table" : nothing;
     const told = stale || this.toldOf !== plan ? "" : this.told;
-    const lit = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
     const wanted = this.filter.trim().toLowerCase();
     const rows = plan.table.filter((row) => `${row.code} ${row.meaning}`.toLowerCase().includes(wanted));
     const { codeGroups } = this.store.catalog;
@@ -52,7 +53,7 @@ class TablePart extends Part {
               return html`<tbody @mouseleave=${() => this.store.point(null)}>
                 <tr class="group"><th colspan="4" scope="rowgroup"><button type="button" aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name)}
                   >${open ? "▾" : "▸"} ${name} <small>${rows.length}</small></button></th></tr>
-                ${open ? rows.map((row) => this.row(row, lit)) : nothing}
+                ${open ? rows.map((row) => this.row(row)) : nothing}
               </tbody>`;
             })}
         </table>
@@ -60,11 +61,19 @@ class TablePart extends Part {
     `;
   }
 
-  private row(row: ParameterRow, lit: number | null): TemplateResult {
+  /** The rows of the touch that is pointed at. */
+  protected override light(): void {
+    const { highlight, plan } = this.store;
+    const touch = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
+    for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]"))
+      row.classList.toggle("lit", touch !== null && row.dataset.touch === String(touch));
+  }
+
+  private row(row: ParameterRow): TemplateResult {
     const touch = row.touch;
     const move =
       touch === null ? null : this.store.plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
-    return html`<tr class=${touch !== null && touch === lit ? "lit" : ""} @mouseenter=${() => this.store.point(move)}>
+    return html`<tr data-touch=${touch ?? nothing} @mouseenter=${() => this.store.point(move)}>
       <td><code>${row.code}</code></td><td>${row.type}</td><td class="n">${String(row.value)}</td>
       <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${row.meaning}</a>` : row.meaning}</td>
     </tr>`;

@@ -7,8 +7,9 @@ import {
   importJob,
   type Job,
   JobError,
+  type Programmed,
   plan,
-  program,
+  programs,
   type ResultRow,
   svg,
 } from "../node.js";
@@ -68,8 +69,10 @@ const problem = (code: string, message: string): Finding => ({ level: "error", c
 
 function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[] } {
   if (task.command === "plan") {
-    const { text, extension } = program(job);
-    return { ending: `.${extension}`, out: text, findings: check(job) };
+    // Program and findings of one plan.
+    const { program, findings } = programs([job]).next().value as Programmed;
+    if (!program) throw new JobError("", findings);
+    return { ending: `.${program.extension}`, out: program.text, findings };
   }
   if (task.command === "svg") return { ending: ".svg", out: svg(job, task.view), findings: [] };
   if (task.command === "table") {
