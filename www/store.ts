@@ -453,6 +453,15 @@ export class Store extends EventTarget {
     return `${moves.length} moves · ${length.toFixed(0)} ${this.units} · ${clock}`;
   }
 
+  /** A move of the plan in words. */
+  inWords(index: number): string {
+    const { moves } = this.plan;
+    const { kind, touch, to, step, feed } = moves[index] as Plan["moves"][number];
+    const what = { position: "positioning", touch: `touch ${(touch ?? 0) + 1}`, back: "back" }[kind];
+    const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((to[i] as number).toFixed(4))}`).join(" ");
+    return `${index + 1} of ${moves.length}: step ${step}, ${what}, ${feed === "longLink" ? "long link" : feed}, to ${place}`;
+  }
+
   /** The name of the program's file. */
   fileName(extension: string): string {
     return `${stem(this.draft.name)}.${extension}`;

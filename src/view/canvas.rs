@@ -87,6 +87,30 @@ const DISC: f64 = 9.0;
 /// Half the size of a handle in pixels.
 const HANDLE: f64 = 6.0;
 
+/// Pixels from the corner of the axes to their names, and how far around it a click is theirs.
+const AXIS_NAME: f64 = 28.0;
+const AXES: f64 = 36.0;
+
+/// Where the work axes are drawn.
+fn axes_corner(camera: &Camera) -> Spot {
+    [34.0, camera.size[1] - 34.0]
+}
+
+/// The view that a click on the axes asks for: along the axis whose name is there, or isometric beside them.
+pub fn axis_at(scene: &Scene, camera: &Camera, [x, y]: Spot) -> Option<&'static str> {
+    let corner = axes_corner(camera);
+    if (corner[0] - x).hypot(corner[1] - y) > AXES {
+        return None;
+    }
+    let near = |direction: Spot| {
+        let tip = [corner[0] + direction[0] * AXIS_NAME, corner[1] - direction[1] * AXIS_NAME];
+        direction[0].hypot(direction[1]) > 0.1 && (tip[0] - x).hypot(tip[1] - y) <= 14.0
+    };
+    // Along the abscissa one sees the side, along the ordinate the front, along the tool axis the top.
+    let found = scene.axes.iter().zip(["side", "front", "top"]).find(|((_, direction), _)| near(*direction));
+    Some(found.map_or("isometric", |(_, view)| view))
+}
+
 /// How far the turning handle stands from the shifting one, pixels.
 pub const ARM: f64 = 64.0;
 
@@ -138,6 +162,8 @@ impl Painter {
         c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
         c.set_line_cap("round");
         c.set_line_join("round");
+        // One font for all: each time it is set, the browser looks at the page's styles.
+        c.set_font("600 12px system-ui, sans-serif");
         for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
             self.wall(wall, camera);
         }
@@ -309,7 +335,6 @@ impl Painter {
 
     fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool) {
         let c = &self.context;
-        c.set_font("600 12px system-ui, sans-serif");
         c.set_text_align("center");
         c.set_text_baseline("middle");
         let radius = scene.radius * camera.scale;
@@ -421,7 +446,6 @@ impl Painter {
             self.head(start, [-ux, -uy], 8.0, colour);
             self.head(end, [ux, uy], 8.0, colour);
         }
-        c.set_font("600 12px system-ui, sans-serif");
         c.set_text_align("center");
         c.set_text_baseline("middle");
         let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
@@ -499,17 +523,15 @@ impl Painter {
 
     /// The work axes as arrows in the corner, and the work origin.
     fn axes(&self, scene: &Scene, camera: &Camera, name: &str) {
-        self.context.set_font("600 12px system-ui, sans-serif");
         self.origin(scene, camera, name);
-        let corner = [34.0, camera.size[1] - 34.0];
-        self.context.set_font("600 12px system-ui, sans-serif");
+        let corner = axes_corner(camera);
         for (name, direction) in scene.axes {
             if direction[0].hypot(direction[1]) < 0.1 {
                 continue;
             }
             let tip = |far: f64| [corner[0] + direction[0] * far, corner[1] - direction[1] * far];
             self.segment(corner, tip(20.0), &self.theme.text, 1.5, &[]);
-            self.label(name, tip(28.0));
+            self.label(name, tip(AXIS_NAME));
         }
     }
 

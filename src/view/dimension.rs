@@ -1,7 +1,7 @@
 //! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
 
 use crate::geom::Vec3;
-use crate::path::{Bore, Feature, Pair, Path, Protection, Rectangle, Surface};
+use crate::path::{Bore, Feature, Pair, Path, Protection, Purpose, Rectangle, Surface};
 
 /// A dimension of the nominal part, in the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,9 +70,46 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
             all.push(deep(depth, u * (width / 2.0)));
             clearances(path, protected, &["cycle.sideClearance"], &mut all);
         }
-        Feature::TwoCircles(_) | Feature::Still | Feature::Surface { .. } | Feature::Corner(_) | Feature::Triple(_) => {}
+        Feature::Corner(corner) => walls(path, corner.outside, &mut all),
+        Feature::Triple(_) => walls(path, false, &mut all),
+        Feature::TwoCircles(_) => {
+            for (surface, field) in path.surfaces.iter().zip(["cycle.diameter1", "cycle.diameter2"]) {
+                if let Surface::Round(round) = surface {
+                    let half = u * round.radius;
+                    let (from, to) = (round.center - half, round.center + half);
+                    all.push(Dimension { field, from, to, aside: -v, beyond: round.radius, on_demand: false });
+                }
+            }
+        }
+        Feature::Still | Feature::Surface { .. } => {}
     }
     all
+}
+
+/// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, to the corner.
+fn walls(path: &Path, outside: bool, all: &mut Vec<Dimension>) {
+    const CLEARANCES: [&str; 3] = ["cycle.clearance1", "cycle.clearance2", "cycle.clearance3"];
+    const STEPS: [&str; 2] = ["cycle.step1", "cycle.step2"];
+    const DISTANCES: [&str; 2] = ["cycle.distance1", "cycle.distance2"];
+    for (wall, field) in CLEARANCES.into_iter().enumerate() {
+        let mut touches = path.touches.iter().enumerate().filter(|(_, touch)| touch.group == wall);
+        let Some((k, first)) = touches.next() else { continue };
+        let begins = path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)).and_then(|i| i.checked_sub(1));
+        // Beside the corner, where no other touch is.
+        let along = path.frame.w.cross(first.vector).try_normalize().unwrap_or(path.frame.u);
+        let aside = if along.dot(first.point - path.frame.origin) > 0.0 { -along } else { along };
+        if let Some(begins) = begins {
+            let (from, to) = (first.point, path.moves[begins].to);
+            all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
+        }
+        let aside = -first.vector;
+        if let (Some((_, next)), Some(field)) = (touches.next(), STEPS.get(wall)) {
+            all.push(Dimension { field, from: first.point, to: next.point, aside, beyond: 0.0, on_demand: false });
+        }
+        if let Some(field) = DISTANCES.get(wall).filter(|_| outside) {
+            all.push(Dimension { field, from: path.frame.origin, to: first.point, aside, beyond: 0.0, on_demand: true });
+        }
+    }
 }
 
 /// From a wall to where its touch begins, and from the top side up to where the ball crosses.

@@ -9,7 +9,7 @@ use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
-use crate::view::canvas::{ARM, Marks, Painter, Theme, spread_handles};
+use crate::view::canvas::{ARM, Marks, Painter, Theme, axis_at, spread_handles};
 use crate::view::scene::{self, Moves, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
@@ -273,6 +273,13 @@ impl View {
         found.map(|(drawn, _)| drawn.field.to_owned())
     }
 
+    /// The view that a click on the drawn axes asks for: along the axis at the pixel, `isometric` beside them; nothing elsewhere.
+    #[wasm_bindgen(js_name = axisAt)]
+    pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
+        let scene = &self.shown.as_ref()?.scene;
+        axis_at(scene, &self.camera, [x, y]).filter(|_| !self.painter.small).map(str::to_owned)
+    }
+
     /// The handle at a pixel: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64) -> Option<String> {
@@ -416,8 +423,7 @@ impl View {
         if let Some(shown) = &self.shown {
             let held = self.held();
             let seen = |held: &Held, p: &crate::geom::Vec3| self.projection.spot(held.plane, *p * held.scale);
-            let measured: Vec<Spot> =
-                held.map_or_else(Vec::new, |held| self.measured.iter().map(|p| seen(held, p)).collect());
+            let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| self.measured.iter().map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,
                 highlight: self.highlight,

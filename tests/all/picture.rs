@@ -163,3 +163,15 @@ fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
     let error = job::svg(&wrong, Projection::Top).expect_err("no picture of a job with errors");
     assert_eq!(error.findings[0].path, "cycle.diameter");
 }
+
+#[test]
+fn corners_and_circles_have_their_dimensions_too() {
+    let fields = |cycle: &str, view| built(&of(cycle), view).0.dimensions.iter().map(|d| d.field).collect::<Vec<_>>();
+    let inside = ["cycle.clearance1", "cycle.step1", "cycle.clearance2", "cycle.step2"];
+    assert_eq!(fields("double-wall-internal-corner", Projection::Top), inside);
+    let outside = ["cycle.clearance1", "cycle.step1", "cycle.distance1", "cycle.clearance2", "cycle.step2", "cycle.distance2"];
+    assert_eq!(fields("double-wall-external-corner", Projection::Top), outside);
+    assert_eq!(fields("triple-wall-internal-corner", Projection::Top), ["cycle.clearance1", "cycle.clearance2"]);
+    assert_eq!(fields("triple-wall-internal-corner", Projection::Front), ["cycle.clearance1", "cycle.clearance3"]);
+    assert_eq!(fields("probing-two-circles", Projection::Top), ["cycle.diameter1", "cycle.diameter2"]);
+}

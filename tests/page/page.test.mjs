@@ -249,6 +249,20 @@ test("measured points give the same results, and bad ones a plain answer", async
   assert.match((await own("width1")) ?? "", /80\.000/);
 });
 
+test("all moves in words, as many as the plan has, each with its place", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("All moves in words").click();
+  const words = page.locator("tp-results .moves li");
+  const { defaultJob, plan } = await import("touchpath");
+  const { moves } = plan(defaultJob("internal-rectangle-protected"));
+  assert.equal(await words.count(), moves.length);
+  const first = moves.findIndex((m) => m.kind === "touch");
+  const [x, y, z] = moves[first]?.to ?? [];
+  assert.equal(await words.nth(first).textContent(), `step ${moves[first]?.step}, touch 1, work, to X${x} Y${y} Z${z}`);
+  await field("cycle.depth").fill("12.5");
+  assert.match((await words.nth(first).textContent()) ?? "", /Z-12\.5$/, "the list is of the form");
+});
+
 test("this job on every control: what each makes of it, and the way there", async () => {
   await page.getByRole("tab", { name: "Checks" }).click();
   await page.getByText("This job on every control").click();

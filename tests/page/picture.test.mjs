@@ -164,3 +164,20 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
   assert.match(await program(), /G38\.2 X47 Y0 Z-10 F150/);
   assert.notEqual((await pixels()).sum, before.sum);
 });
+
+test("a click on an axis looks along it, one beside them isometrically, and by the keyboard the buttons do the same", async () => {
+  const pressed = () => page.getByRole("toolbar", { name: "Picture" }).locator("[aria-pressed=true]").textContent();
+  const box = await boxOf(page.locator("tp-picture canvas"));
+  const corner = { x: box.x + 34, y: box.y + box.height - 34 };
+  assert.equal(await pressed(), "top");
+  await page.mouse.click(corner.x + 28, corner.y);
+  assert.equal(await pressed(), "side", "along X one sees Y and Z");
+  await page.mouse.click(corner.x, corner.y - 28);
+  assert.equal(await pressed(), "top", "along Z");
+  await page.mouse.click(corner.x, corner.y - 28);
+  assert.equal(await pressed(), "front", "along Y");
+  await page.mouse.click(corner.x + 18, corner.y - 18);
+  assert.equal(await pressed(), "isometric");
+  await page.mouse.move(corner.x + 20, corner.y - 18);
+  assert.equal(await page.locator("tp-picture canvas").evaluate((canvas) => canvas.style.cursor), "pointer");
+});

@@ -7,7 +7,8 @@ const SPEEDS = [1, 4, 16] as const;
 
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
-  protected override follows = ["change", "highlight", "focus"];
+  protected override follows = ["change", "focus"];
+  protected override lights = true;
   /** The form in the picture, by its revision; a hover draws it again but does not plan it again. */
   private drawn = -1;
   /** Whether the picture is of the form as it stands although that has an error: it shows where the run ends. */
@@ -28,15 +29,10 @@ class PicturePart extends DrawnPart {
   }
 
   override render(): TemplateResult {
-    const { plan, highlight, stale } = this.store;
-    const count = stale && this.live ? 0 : plan.moves.length;
-    const ticks = plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
-    const to = (index: number) => () => this.step(index);
-    const now = highlight === null ? 0 : highlight + 1;
-    const touches = (way: 1 | -1) => {
-      const next = way > 0 ? ticks.find((t) => t > now) : ticks.findLast((t) => t < now);
-      return next ?? (way > 0 ? count : 0);
-    };
+    const { stale } = this.store;
+    const count = this.count;
+    const ticks = this.ticks;
+    const to = (way: 1 | -1) => () => this.toTouch(way);
     return html`
       ${this.tools("Picture")}
       <div class=${stale && !this.live ? "canvas stale" : "canvas"}>
@@ -50,15 +46,14 @@ class PicturePart extends DrawnPart {
         <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">measured</li>`}
       </ul>
       <div class="scrub" role="group" aria-label="Timeline" @keydown=${this.timelineKey}>
-        <button type="button" class="icon" aria-label="Touch before" title="Touch before (Ctrl+←)" @click=${to(touches(-1))}>|◀</button>
+        <button type="button" class="icon" aria-label="Touch before" title="Touch before (Ctrl+←)" @click=${to(-1)}>|◀</button>
         <button type="button" class="icon play" aria-label=${this.clock === null ? "Play" : "Pause"} title="Play, pause (Space)" ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
-        <button type="button" class="icon" aria-label="Next touch" title="Next touch (Ctrl+→)" @click=${to(touches(1))}>▶|</button>
+        <button type="button" class="icon" aria-label="Next touch" title="Next touch (Ctrl+→)" @click=${to(1)}>▶|</button>
         <span class="track">
-          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label="Move" .value=${String(now)}
-            aria-valuetext=${this.says()} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
+          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label="Move" @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
           <datalist id="ticks">${ticks.map((t) => html`<option value=${t}></option>`)}</datalist>
         </span>
-        <output for="scrub">${this.says()}</output>
+        <output for="scrub"></output>
         <button type="button" class="quiet" aria-label=${`Speed: ${this.speed} times`} title="Speed" @click=${this.faster}>${this.speed}×</button>
       </div>
     `;
@@ -71,7 +66,7 @@ class PicturePart extends DrawnPart {
   }
 
   protected override updated(_changed: PropertyValues): void {
-    const { shown, highlight, focused, revision, stale, draft } = this.store;
+    const { shown, focused, revision, stale, draft } = this.store;
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
       this.drawing = new Drawing(canvas, (view) => {
@@ -93,11 +88,11 @@ class PicturePart extends DrawnPart {
         if (!this.live) view.show(shown);
         this.times = view.times();
       }
-      if (this.clock === null) view.highlight(stale && this.live ? undefined : (highlight ?? undefined));
       view.focus(focused ?? undefined);
       view.measure(this.store.measured);
     });
     this.drawn = revision;
+    this.light();
     if (before !== this.live) this.requestUpdate();
     if (focused !== this.turnedFor) this.face(focused);
   }
@@ -116,6 +111,38 @@ class PicturePart extends DrawnPart {
   private deviates(): TemplateResult | typeof nothing {
     const { deviations } = this.store;
     return deviations.length === 0 ? nothing : html`<p class="trial">Virtual part: ${deviations.join(", ")}</p>`;
+  }
+
+  /** How many moves the timeline has. */
+  private get count(): number {
+    return this.store.stale && this.live ? 0 : this.store.plan.moves.length;
+  }
+
+  /** The touches among the moves, counted from 1. */
+  private get ticks(): number[] {
+    return this.store.plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
+  }
+
+  /** To the next touch, or the one before; from the last one to the end. */
+  private toTouch(way: 1 | -1): void {
+    const { highlight } = this.store;
+    const now = highlight === null ? 0 : highlight + 1;
+    const next = way > 0 ? this.ticks.find((t) => t > now) : this.ticks.findLast((t) => t < now);
+    this.step(next ?? (way > 0 ? this.count : 0));
+  }
+
+  /** The move that is pointed at: in the picture, on the timeline and in words. */
+  protected override light(): void {
+    const { highlight, stale } = this.store;
+    if (this.clock === null)
+      this.drawing?.use((view) => view.highlight(stale && this.live ? undefined : (highlight ?? undefined)));
+    const says = this.says();
+    const scrub = this.querySelector<HTMLInputElement>("#scrub");
+    const words = this.querySelector("output");
+    if (!scrub || !words) return;
+    scrub.value = String(highlight === null ? 0 : highlight + 1);
+    scrub.setAttribute("aria-valuetext", says);
+    words.textContent = says;
   }
 
   /** To a move, counted from 1; 0 is none. */
@@ -198,11 +225,7 @@ class PicturePart extends DrawnPart {
   private says(): string {
     const { plan, highlight } = this.store;
     if (this.store.stale && this.live) return "The run ends in the part";
-    const move = highlight === null ? undefined : plan.moves[highlight];
-    if (!move || highlight === null) return this.store.run;
-    const kind = { position: "positioning", touch: `touch ${(move.touch ?? 0) + 1}`, back: "back" }[move.kind];
-    const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((move.to[i] as number).toFixed(4))}`).join(" ");
-    return `${highlight + 1} of ${plan.moves.length}: step ${move.step}, ${kind}, ${move.feed === "longLink" ? "long link" : move.feed}, to ${place}`;
+    return highlight === null || !plan.moves[highlight] ? this.store.run : this.store.inWords(highlight);
   }
 
   private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
@@ -245,7 +268,8 @@ class PicturePart extends DrawnPart {
     const before = this.pointers.get(event.pointerId);
     if (!before) {
       this.drawing?.use((view) => {
-        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : view.dimensionAt(at.x, at.y) ? "text" : "";
+        const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
+        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : over;
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;
@@ -292,7 +316,9 @@ class PicturePart extends DrawnPart {
   private up(event: PointerEvent): void {
     const at = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
-    if (at && !this.dragged && !this.grip) {
+    const axis = at && !this.dragged && !this.grip ? this.drawing?.use((view) => view.axisAt(at.x, at.y)) : undefined;
+    if (axis) this.turn(axis as (typeof VIEWS)[number]);
+    else if (at && !this.dragged && !this.grip) {
       const field = this.drawing?.use((view) => view.dimensionAt(at.x, at.y));
       if (field) this.dispatchEvent(new CustomEvent("go", { detail: field, bubbles: true }));
       else this.store.pin(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);

@@ -12,6 +12,13 @@ const signed = (value: number | null, digits: number) =>
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
 class ResultsPart extends Part {
   protected override follows = ["change"];
+  /** Whether the moves are listed: no list is made before. */
+  private open = false;
+
+  private readonly toggle = (event: Event) => {
+    this.open = (event.target as HTMLDetailsElement).open;
+    this.requestUpdate();
+  };
 
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
@@ -28,6 +35,10 @@ class ResultsPart extends Part {
           <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
           <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${number(x, places(units))}</td>`) : html`<td colspan="3">no contact</td>`}</tr>`)}</tbody>
         </table>
+      </details>
+      <details class="moves" @toggle=${this.toggle}>
+        <summary>All moves in words</summary>
+        ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${this.store.inWords(i).replace(/^\d+ of \d+: /, "")}</li>`)}</ol>` : nothing}
       </details>
       <details class="measured" ?open=${this.store.measured !== ""}>
         <summary>Points that a machine measured</summary>
