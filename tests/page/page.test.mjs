@@ -249,6 +249,30 @@ test("measured points give the same results, and bad ones a plain answer", async
   assert.match((await own("width1")) ?? "", /80\.000/);
 });
 
+test("words are found in the program, in its folded header too, and stay found while it changes", async () => {
+  const find = page.getByLabel("Find in the program");
+  const here = () => page.locator("tp-program .line.here").textContent();
+  const said = () => page.locator("tp-program .told.found").textContent();
+  await find.fill("g38.2");
+  assert.equal(await page.locator("tp-program .line.match").count(), 4);
+  assert.equal(await said(), "1 of 4");
+  const first = await here();
+  await find.press("Enter");
+  assert.equal(await said(), "2 of 4");
+  await find.press("Shift+Enter");
+  assert.equal(await here(), first);
+  await find.press("Shift+Enter");
+  assert.equal(await said(), "4 of 4");
+  await field("cycle.width1").fill("70");
+  assert.equal(await page.locator("tp-program .line.match").count(), 4);
+  await find.fill("Job: PROBE");
+  await page.locator("tp-program .line.here", { hasText: "Job: PROBE" }).waitFor({ state: "visible" });
+  await find.fill("no such words");
+  assert.equal(await said(), "not found");
+  await find.fill("");
+  assert.deepEqual([await said(), await page.locator("tp-program .line.match").count()], ["", 0]);
+});
+
 test("all moves in words, as many as the plan has, each with its place", async () => {
   await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("All moves in words").click();

@@ -75,6 +75,7 @@ const KEYS: [string, string][] = [
   ["Ctrl+← Ctrl+→ there", "touch before, next touch"],
   ["Space there", "play, pause"],
   ["↑ ↓ in the program", "line by line through the moves"],
+  ["Enter, Shift+Enter in Find", "the next line with the words, the one before"],
   ["Arrows, +, −, 0 on the picture", "shift, zoom, fit"],
   ["Escape on picture, program, timeline", "no move is lit"],
 ];

@@ -1,4 +1,4 @@
-import { html, nothing, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
@@ -17,6 +17,10 @@ class ProgramPart extends Part {
   /** The program that was saved or copied: what is said of it holds for no other. */
   private toldOf = "";
   private unfolded = false;
+  /** The words that are looked for, the lines that hold them, and which of these is shown. */
+  private wanted = "";
+  private found: number[] = [];
+  private at = -1;
 
   override render(): TemplateResult {
     const { stale } = this.store;
@@ -47,7 +51,11 @@ class ProgramPart extends Part {
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
-        <span class="gap"></span>
+        <input class="filter" type="search" placeholder="Find" aria-label="Find in the program" @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
+          @keydown=${(e: KeyboardEvent) => {
+            if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
+          }} />
+        <span role="status" class="told found"></span>
         ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${head} lines before the first move</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
@@ -65,6 +73,11 @@ class ProgramPart extends Part {
     `;
   }
 
+  protected override updated(changed: PropertyValues): void {
+    super.updated(changed);
+    if (this.wanted !== "") this.mark();
+  }
+
   /** The line and the step of the move that is pointed at; what was lit before goes out. Hundreds of lines are not drawn for it. */
   protected override light(): void {
     const { highlight, plan } = this.store;
@@ -72,7 +85,7 @@ class ProgramPart extends Part {
     const step = highlight === null ? 0 : (plan.moves[highlight]?.step ?? 0);
     for (const old of this.querySelectorAll("[aria-selected=true]")) old.setAttribute("aria-selected", "false");
     for (const old of this.querySelectorAll(".step.lit")) old.classList.remove("lit");
-    const lit = this.querySelector<HTMLElement>(`[data-line="${line}"]`);
+    const lit = this.lineAt(line) as HTMLElement | null;
     lit?.setAttribute("aria-selected", "true");
     for (const heading of this.querySelectorAll(`[data-step="${step}"]`)) heading.classList.add("lit");
     if (this.matches(":hover")) return;
@@ -88,6 +101,53 @@ class ProgramPart extends Part {
     this.unfolded = !this.unfolded;
     this.requestUpdate();
   };
+
+  private find(words: string): void {
+    this.wanted = words.trim().toLowerCase();
+    this.at = -1;
+    this.mark();
+    this.toFound(1);
+  }
+
+  /** Marks the lines that hold what is looked for. */
+  private mark(): void {
+    const lines = this.store.plan.program.text.split("\n");
+    const holds = (text: string) => this.wanted !== "" && text.toLowerCase().includes(this.wanted);
+    this.found = lines.flatMap((text, line) => (holds(text) ? [line] : []));
+    for (const old of this.querySelectorAll(".line.match")) old.classList.remove("match", "here");
+    for (const line of this.found) this.lineAt(line)?.classList.add("match");
+    this.at = Math.min(this.at, this.found.length - 1);
+    this.count();
+  }
+
+  /** To the next line that was found, or the one before; past the end from the start again. */
+  private async toFound(way: 1 | -1): Promise<void> {
+    const { length } = this.found;
+    if (length === 0) return;
+    this.lineAt(this.found[this.at] ?? -1)?.classList.remove("here");
+    this.at = (this.at + way + length) % length;
+    const line = this.found[this.at] as number;
+    if (!this.unfolded && line < (this.store.plan.program.moveLines[0] ?? 0)) {
+      this.unfolded = true;
+      this.requestUpdate();
+      await this.updateComplete;
+    }
+    const there = this.lineAt(line);
+    there?.classList.add("here");
+    there?.scrollIntoView({ block: "nearest" });
+    this.count();
+  }
+
+  private count(): void {
+    const status = this.querySelector(".told.found");
+    if (!status) return;
+    status.textContent =
+      this.wanted === "" ? "" : this.found.length ? `${this.at + 1} of ${this.found.length}` : "not found";
+  }
+
+  private lineAt(line: number): Element | null {
+    return this.querySelector(`[data-line="${line}"]`);
+  }
 
   private key(event: KeyboardEvent): void {
     if (event.key === "Escape") this.store.pin(null);
