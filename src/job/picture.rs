@@ -20,8 +20,8 @@ pub struct Picture {
 }
 
 impl Planned {
-    /// The job, its path and what happens on the virtual part, looked at from one side.
-    pub fn picture(&self, view: Projection) -> Picture {
+    /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is.
+    pub fn picture(&self, view: Projection, magnify: f64) -> Picture {
         let Planned { job, path, surfaces, run } = self;
         let rigid = &job.lie.rigid;
         let actual = Actual {
@@ -30,6 +30,7 @@ impl Planned {
             origin: rigid.point(path.frame.origin),
             direction: rigid.direction(path.frame.u),
             line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| rigid.point(p))),
+            magnify,
         };
         let scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
         Picture {
@@ -44,7 +45,7 @@ impl Planned {
 /// The picture of a job as an SVG. A job that has no plan has no picture to hand out.
 pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
     let (planned, _) = plan_with_path(value)?;
-    let picture = planned.picture(view);
+    let picture = planned.picture(view, 1.0);
     let (name, cycle) = (&planned.job.name, planned.job.def.title);
     let legend = Legend { title: &format!("{name}: {cycle}"), names: &picture.names, deviates: picture.deviates };
     Ok(view::svg(&picture.scene, &legend))

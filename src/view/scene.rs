@@ -179,6 +179,13 @@ pub struct Actual<'a> {
     pub direction: Vec3,
     /// Where the path's line really lies.
     pub line: Option<[Vec3; 2]>,
+    /// How many times larger than it is it is drawn how the part deviates.
+    pub magnify: f64,
+}
+
+/// A spot so many times as far from where it should be.
+pub fn stretched(nominal: Spot, real: Spot, times: f64) -> Spot {
+    [0, 1].map(|i| nominal[i] + (real[i] - nominal[i]) * times)
 }
 
 /// The scene of a path.
@@ -195,7 +202,22 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         Surface::Unknown => Vec::new(),
         Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().map(|w| one(w, actual, true)).collect(),
     };
-    let all = actual.surfaces.iter().flat_map(|s| shape(s, true)).chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
+    let stretch = |nominal: Spot, real: Spot| stretched(nominal, real, actual.magnify);
+    // A surface of the actual part is that of the nominal one elsewhere: corner for corner.
+    let displaced = |(surface, nominal): (&Surface, &Surface)| {
+        let mut shapes = shape(surface, true);
+        for ((_, real), (_, nominal)) in shapes.iter_mut().zip(shape(nominal, false)) {
+            for (corner, from) in real.corners.iter_mut().zip(nominal.corners) {
+                *corner = stretch(from, *corner);
+            }
+            if let (Some((ends, _)), Some((from, _))) = (&mut real.edge, nominal.edge) {
+                *ends = [0, 1].map(|i| stretch(from[i], ends[i]));
+            }
+        }
+        shapes
+    };
+    let real = actual.surfaces.iter().zip(&path.surfaces).flat_map(displaced);
+    let all = real.chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
     let mut walls: Vec<(f64, WallShape)> = Vec::new();
     for wall in all {
         // What is seen through comes last, so that it veils what lies behind it and hides nothing.
@@ -230,7 +252,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     let touches = path.touches.iter().enumerate().map(|(k, touch)| TouchShape {
         contact: spot(touch.point),
         ball: spot(touch.contact(setup.radius)),
-        trigger: actual.run.triggers[k].map(spot),
+        trigger: actual.run.triggers[k].map(|p| stretch(spot(touch.contact(setup.radius)), spot(p))),
         inward: spot(touch.vector),
     });
     let circles = path.feature.two_circles();
@@ -246,14 +268,18 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
-        centre_lines: circles.and_then(|c| c.line).zip(actual.line).map(|(nominal, real)| [nominal.map(spot), real.map(spot)]),
+        centre_lines: circles.and_then(|c| c.line).zip(actual.line).map(|(nominal, real)| {
+            let nominal = nominal.map(spot);
+            [nominal, [0, 1].map(|i| stretch(nominal[i], spot(real[i])))]
+        }),
         spread: circles
             .and_then(|c| c.spread)
             .filter(|_| view == Projection::Top)
             .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
         collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
         dimensions: drawn(path, setup.plane, view),
-        handle: (view == Projection::Top).then(|| (spot(actual.origin), spot(actual.direction))),
+        // What is drawn larger than it is cannot be dragged by it.
+        handle: (view == Projection::Top && actual.magnify == 1.0).then(|| (spot(actual.origin), spot(actual.direction))),
     }
 }
 

@@ -27,6 +27,8 @@ pub struct View {
     part: f64,
     /// The path of the field that has the focus.
     field: Option<String>,
+    /// How many times as large as it is it is drawn what deviates.
+    magnified: f64,
     /// Ball centres that a machine measured, in the job's units.
     measured: Vec<crate::geom::Vec3>,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
@@ -80,6 +82,7 @@ impl View {
             highlight: None,
             part: 1.0,
             field: None,
+            magnified: 1.0,
             measured: Vec::new(),
             moved: false,
             held: false,
@@ -152,12 +155,19 @@ impl View {
             return;
         };
         self.projection = projection;
-        self.shown = self.shown.take().map(|shown| match shown.what {
-            What::Job(held) => self.build(held.last),
-            What::Program(path) => self.of_program(path),
-        });
+        self.rebuild();
         self.fit();
         self.draw();
+    }
+
+    /// Draws how the virtual part deviates so many times as large as it is, measured points too. The picture stays where it is.
+    pub fn magnify(&mut self, times: f64) {
+        let times = if times.is_finite() { crate::num::within(times, 1.0, 1000.0) } else { 1.0 };
+        if self.magnified != times {
+            self.magnified = times;
+            self.rebuild();
+            self.draw();
+        }
     }
 
     /// Fits the whole scene into the canvas.
@@ -388,8 +398,16 @@ impl View {
         }
     }
 
+    /// The scene again, of what is shown.
+    fn rebuild(&mut self) {
+        self.shown = self.shown.take().map(|shown| match shown.what {
+            What::Job(held) => self.build(held.last),
+            What::Program(path) => self.of_program(path),
+        });
+    }
+
     fn build(&self, last: Rc<Last>) -> Shown {
-        let job::Picture { scene, names, offset, deviates } = last.planned.picture(self.projection);
+        let job::Picture { scene, names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
         let Planned { job, path, .. } = &last.planned;
         let held = Held {
             deviates,
@@ -422,8 +440,14 @@ impl View {
     fn draw(&self) {
         if let Some(shown) = &self.shown {
             let held = self.held();
-            let seen = |held: &Held, p: &crate::geom::Vec3| self.projection.spot(held.plane, *p * held.scale);
-            let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| self.measured.iter().map(|p| seen(held, p)).collect());
+            // Each from where its touch should have met the part.
+            let seen = |held: &Held, (k, p): (usize, &crate::geom::Vec3)| {
+                let real = self.projection.spot(held.plane, *p * held.scale);
+                let nominal = shown.scene.touches.get(k).map_or(real, |touch| touch.ball);
+                scene::stretched(nominal, real, self.magnified)
+            };
+            let points = self.measured.iter().enumerate();
+            let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,
                 highlight: self.highlight,

@@ -63,7 +63,7 @@ fn picture(def: &CycleDef) -> Option<String> {
     }
     let title = format!("{}: the path of the default job", def.title);
     let legend = Legend { title: &title, names: &[], deviates: false };
-    Some(svg(&planned.picture(Projection::Isometric).scene, &legend))
+    Some(svg(&planned.picture(Projection::Isometric, 1.0).scene, &legend))
 }
 
 fn manual(def: &CycleDef) -> String {

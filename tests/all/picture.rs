@@ -10,7 +10,7 @@ use touchpath::form::Value;
 
 fn built(job: &Value, view: Projection) -> (Scene, Path) {
     let planned = job::planned(job).expect("the job is sound");
-    (planned.picture(view).scene, planned.path)
+    (planned.picture(view, 1.0).scene, planned.path)
 }
 
 /// A cycle at its defaults.
@@ -174,4 +174,37 @@ fn corners_and_circles_have_their_dimensions_too() {
     assert_eq!(fields("triple-wall-internal-corner", Projection::Top), ["cycle.clearance1", "cycle.clearance2"]);
     assert_eq!(fields("triple-wall-internal-corner", Projection::Front), ["cycle.clearance1", "cycle.clearance3"]);
     assert_eq!(fields("probing-two-circles", Projection::Top), ["cycle.diameter1", "cycle.diameter2"]);
+}
+
+/// What deviates is drawn larger, and nothing else: walls and triggers lie as many times as far from where they should be.
+#[test]
+fn a_magnified_part_deviates_so_many_times_as_much() {
+    let mut seen = 0;
+    for (name, job) in jobs() {
+        let planned = job::planned(&job).expect("the job is sound");
+        for view in [Projection::Top, Projection::Isometric] {
+            let [plain, large] = [1.0, 10.0].map(|times| planned.picture(view, times).scene);
+            assert_eq!(plain.lines, large.lines, "{name}");
+            let nominal = |scene: &Scene| scene.walls.iter().filter(|w| !w.actual).map(|w| w.corners).collect::<Vec<_>>();
+            assert_eq!(nominal(&plain), nominal(&large), "{name}");
+            let apart = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+            for (one, ten) in plain.touches.iter().zip(&large.touches) {
+                let (Some(real), Some(far)) = (one.trigger, ten.trigger) else { continue };
+                let (real, far) = (apart(real, one.ball), apart(far, ten.ball));
+                assert!((0..2).all(|i| (far[i] - 10.0 * real[i]).abs() < 1e-9), "{name}: {real:?}, {far:?}");
+                seen += usize::from(real[0].hypot(real[1]) > 1e-6);
+            }
+        }
+    }
+    assert!(seen > 40, "{seen}");
+    // A pocket that lies 0.3 to the right: its walls ten times as far.
+    let offset = Value::List([0.3, 0.0, 0.0].map(crate::common::number).to_vec());
+    let job = with(&of("internal-rectangle-protected"), "part.offset", offset);
+    let planned = job::planned(&job).expect("the job is sound");
+    let left = |times| {
+        let scene = planned.picture(Projection::Top, times).scene;
+        scene.walls.iter().filter(|w| w.actual).flat_map(|w| w.corners).map(|c| c[0]).fold(f64::MAX, f64::min)
+    };
+    let apart = left(10.0) - left(1.0);
+    assert!((apart - 2.7).abs() < 1e-9, "{apart}");
 }

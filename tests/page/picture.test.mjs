@@ -181,3 +181,26 @@ test("a click on an axis looks along it, one beside them isometrically, and by t
   await page.mouse.move(corner.x + 20, corner.y - 18);
   assert.equal(await page.locator("tp-picture canvas").evaluate((canvas) => canvas.style.cursor), "pointer");
 });
+
+test("deviations are drawn ten and a hundred times as large, and not dragged then", async () => {
+  await field("part.offset[0]").fill("0.02");
+  const button = page.getByRole("button", { name: /Deviations are drawn/ });
+  assert.equal(await button.textContent(), "×1");
+  const one = (await pixels()).sum;
+  await button.click();
+  assert.equal(await button.textContent(), "×10");
+  const ten = (await pixels()).sum;
+  await button.click();
+  assert.equal(await button.textContent(), "×100");
+  assert.equal(new Set([one, ten, (await pixels()).sum]).size, 3);
+  const handle = () =>
+    page.evaluate(() => {
+      const root = document.querySelector("touch-path")?.shadowRoot;
+      const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
+      return picture.drawing.use((/** @type {any} */ view) => view.handleSpot("shift")) ?? null;
+    });
+  assert.equal(await handle(), null);
+  await field("part.offset[0]").fill("0");
+  assert.equal(await button.count(), 0);
+  assert.notEqual(await handle(), null, "a nominal part can be dragged again");
+});

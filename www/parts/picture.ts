@@ -4,6 +4,8 @@ import { Drawing, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
 const SPEEDS = [1, 4, 16] as const;
+/** How many times as large as they are deviations can be drawn. */
+const MAGNIFIED = [1, 10, 100] as const;
 
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
@@ -21,6 +23,7 @@ class PicturePart extends DrawnPart {
   private times: Float64Array = new Float64Array();
   private clock: number | null = null;
   private speed: (typeof SPEEDS)[number] = 4;
+  private magnified: (typeof MAGNIFIED)[number] = 1;
   private frameAsked = 0;
 
   /** Where it is looked at from. */
@@ -78,6 +81,8 @@ class PicturePart extends DrawnPart {
       });
       this.observer.observe(canvas);
     }
+    // A nominal part has nothing to draw larger, and its handle is there again.
+    if (this.store.deviations.length === 0 && !this.grip) this.magnified = 1;
     const anew = this.drawn !== revision;
     const before = this.live;
     if (anew) this.pause();
@@ -90,6 +95,7 @@ class PicturePart extends DrawnPart {
       }
       view.focus(focused ?? undefined);
       view.measure(this.store.measured);
+      view.magnify(this.magnified);
     });
     this.drawn = revision;
     this.light();
@@ -110,7 +116,9 @@ class PicturePart extends DrawnPart {
   /** What lies other than the drawing says is seen without opening anything. */
   private deviates(): TemplateResult | typeof nothing {
     const { deviations } = this.store;
-    return deviations.length === 0 ? nothing : html`<p class="trial">Virtual part: ${deviations.join(", ")}</p>`;
+    if (deviations.length === 0) return nothing;
+    return html`<p class="trial">Virtual part: ${deviations.join(", ")}
+      <button type="button" class="quiet" aria-label=${`Deviations are drawn ${this.magnified} times`} title="Draw the deviations larger" @click=${this.magnify}>×${this.magnified}</button></p>`;
   }
 
   /** How many moves the timeline has. */
@@ -144,6 +152,12 @@ class PicturePart extends DrawnPart {
     scrub.setAttribute("aria-valuetext", says);
     words.textContent = says;
   }
+
+  private readonly magnify = (): void => {
+    const next = MAGNIFIED[(MAGNIFIED.indexOf(this.magnified) + 1) % MAGNIFIED.length];
+    this.magnified = next as (typeof MAGNIFIED)[number];
+    this.requestUpdate();
+  };
 
   /** To a move, counted from 1; 0 is none. */
   private step(count: number): void {
