@@ -129,6 +129,37 @@ export function ensureChromium() {
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
+/** Firefox and its driver, which no Debian package has. */
+export function ensureFirefox() {
+  const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
+    [process.env[variable], ...names].find((name) => name && works(name));
+  const browsers = ["firefox-esr", "firefox"];
+  let browser = find("FIREFOX", browsers);
+  if (!browser) {
+    aptUpdate();
+    apt("install", "-y", "--no-install-recommends", "firefox-esr");
+    browser = find("FIREFOX", browsers);
+  }
+  const own = join(tools, "gecko", "bin", "geckodriver");
+  let driver = find("GECKODRIVER", ["geckodriver", own]);
+  if (!driver) {
+    run("cargo", [
+      "install",
+      "geckodriver",
+      "--version",
+      "0.37.0",
+      "--locked",
+      "--debug",
+      "--quiet",
+      "--root",
+      join(tools, "gecko"),
+    ]);
+    driver = find("GECKODRIVER", [own]);
+  }
+  if (!browser || !driver) throw new Error("Firefox and geckodriver are needed: set FIREFOX and GECKODRIVER");
+  return { browser: absolute(browser), driver: absolute(driver) };
+}
+
 function absolute(/** @type {string} */ command) {
   if (command.includes("/")) return command;
   const places = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, command));

@@ -6,6 +6,7 @@ import {
   at,
   ensureBindgen,
   ensureChromium,
+  ensureFirefox,
   ensureInterpreter,
   ensurePackages,
   ensureTarget,
@@ -62,6 +63,7 @@ const tools = await stage("Set-up", () => {
   return {
     rs274: ensureInterpreter(),
     chromium: ensureChromium(),
+    firefox: ensureFirefox(),
     bindgen: ensureBindgen(),
     wasmPack: ensureWasmPack(),
   };
@@ -120,7 +122,8 @@ if (tools && !only) {
     ),
   );
   await stage("Package tests", () => run("node", [...patient, ...tests("package")]));
-  const browser = { env: { CHROMIUM: tools.chromium.browser } };
+  const { chromium, firefox } = tools;
+  const browser = { env: { CHROMIUM: chromium.browser, FIREFOX: firefox.browser, GECKODRIVER: firefox.driver } };
   await stage("Project tests", () => run("node", [...patient, ...tests("projects")], browser));
   await stage("Page tests", () => run("node", [...patient, ...tests("page")], browser));
 }

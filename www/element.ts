@@ -74,8 +74,11 @@ export class TouchPath extends Base {
   private loaded!: () => void;
   private failed!: (why: unknown) => void;
   private loading = false;
-  /** What was put in before there was anything to put it into. */
+  /** What the attributes said before there was anything to put it into, and what was set since, in its order. */
   private readonly waiting = new Map<Input, unknown>();
+  private readonly later: [Input, unknown][] = [];
+  /** What the browser puts back into a form. */
+  private restored: unknown;
   /** What a form puts back. */
   private first: unknown;
 
@@ -99,8 +102,13 @@ export class TouchPath extends Base {
       (this as Record<string, unknown>)[name] = value;
     }
     if (this.app) this.shadow.append(this.app);
-    if (!this.loading) this.load().then(this.loaded, this.failed);
+    if (this.loading) return;
     this.loading = true;
+    this.load().then(this.loaded, (why) => {
+      // Put into a document again, it is tried again.
+      this.loading = false;
+      this.failed(why);
+    });
   }
 
   disconnectedCallback(): void {
@@ -110,7 +118,7 @@ export class TouchPath extends Base {
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (value === before) return;
     if ((INPUTS as readonly string[]).includes(name)) {
-      this.put(name as Input, value);
+      this.put(name as Input, value, this.waiting);
     } else this.dress();
   }
 
@@ -150,14 +158,14 @@ export class TouchPath extends Base {
     this.put("units", value);
   }
 
-  /** The plan of the job; null while the job has errors, or nothing is loaded. */
+  /** The plan of the job: a copy; null while the job has errors, or nothing is loaded. */
   get plan(): Plan | null {
-    return this.store && !this.store.stale ? this.store.plan : null;
+    return this.store && !this.store.stale ? structuredClone(this.store.plan) : null;
   }
 
-  /** Everything that is wrong, unusual or worth knowing about the job. */
+  /** Everything that is wrong, unusual or worth knowing about the job: a copy. */
   get findings(): Finding[] {
-    return this.store?.findings ?? [];
+    return structuredClone(this.store?.findings ?? []);
   }
 
   /** Colours; `auto` follows the system. */
@@ -243,7 +251,9 @@ export class TouchPath extends Base {
 
   /** The browser puts back what a form held before the page was left. */
   formStateRestoreCallback(state: unknown): void {
-    if (typeof state === "string") this.put("job", state);
+    if (typeof state !== "string") return;
+    if (this.store) this.put("job", state);
+    else this.restored = state;
   }
 
   private get shadow(): ShadowRoot {
@@ -258,16 +268,18 @@ export class TouchPath extends Base {
       const store = new Store({ local });
       this.store = store;
       for (const input of INPUTS) if (this.waiting.has(input)) this.use(input, this.waiting.get(input));
-      this.waiting.clear();
-      store.clear();
+      for (const [input, value] of this.later) this.use(input, value);
       this.first = structuredClone(store.draft);
+      if (this.restored !== undefined) this.use("job", this.restored);
+      store.clear();
       this.shadow.adoptedStyleSheets = [styles];
       const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
       this.app = app;
       this.dress();
-      this.follow(store);
       this.shadow.replaceChildren(app);
-      await app.updateComplete;
+      this.follow(store, app);
+      // One that was taken out meanwhile is drawn when it is put in again.
+      if (this.isConnected) await app.updateComplete;
     } catch (thrown) {
       // What an element shows that could not be loaded: nothing else can say it.
       const note = document.createElement("p");
@@ -279,26 +291,36 @@ export class TouchPath extends Base {
   }
 
   /** Tells the page around what becomes of the job. */
-  private follow(store: Store): void {
-    let findings: Finding[] | null = null;
+  private follow(store: Store, app: App): void {
+    let job = "";
+    let findings = "";
     let plan: Plan | null = null;
     const changed = (byUser: boolean) => {
       const { draft, stale } = store;
-      this.inside.setFormValue(JSON.stringify(draft));
+      const before = job;
+      job = JSON.stringify(draft);
+      this.inside.setFormValue(job);
+      // The browser shows a message where it can put the focus.
+      const anchor = app.querySelector<HTMLElement>("tp-bar select:enabled, canvas[tabindex]");
       if (store.withheld === null) this.inside.setValidity({});
-      else this.inside.setValidity({ customError: true }, store.withheld);
-      if (byUser) this.tell("job-change", { job: structuredClone(draft) as unknown as Job });
+      else this.inside.setValidity({ customError: true }, store.withheld, anchor ?? undefined);
+      // What was typed may have changed without the job: `30+2` is worked out when the field is left.
+      if (byUser && job !== before) {
+        store.tell(JSON.parse(job));
+        this.tell("job-change", { job: JSON.parse(job) });
+      }
       if (!stale && store.plan !== plan) {
         plan = store.plan;
-        this.tell("plan-change", { plan });
+        this.tell("plan-change", copyOf(plan));
       }
-      if (JSON.stringify(findings) !== JSON.stringify(store.findings)) {
-        findings = store.findings;
-        this.tell("finding", { findings, refused: false });
+      const found = JSON.stringify(store.findings);
+      if (found !== findings) {
+        findings = found;
+        this.tell("finding", { findings: JSON.parse(found), refused: false });
       }
     };
     store.addEventListener("change", () => changed(store.byUser));
-    changed(false);
+    app.updateComplete.then(() => changed(false));
   }
 
   /** Tells the page around; false where it wants to do itself what is told. @internal */
@@ -308,10 +330,17 @@ export class TouchPath extends Base {
     );
   }
 
-  private put(input: Input, value: unknown): void {
+  /** Takes an input as soon as there is something to put it into. */
+  private put(input: Input, value: unknown, attributes?: Map<Input, unknown>): void {
     if (value === undefined || value === null) return;
     if (this.store) this.use(input, value);
-    else this.waiting.set(input, value);
+    else if (attributes) attributes.set(input, value);
+    else this.later.push([input, value]);
+    // A form that is sent before anything is loaded sends what it was given.
+    if (!this.store && input === "job") {
+      this.inside.setFormValue(textOf(value));
+      this.inside.setValidity({ customError: true }, "The job is not checked yet");
+    }
   }
 
   /** Takes an input, or says why it cannot be taken. */
@@ -329,6 +358,26 @@ export class TouchPath extends Base {
     const wanted = PANEL_NAMES.filter((name) => words.includes(name));
     app.dress(this.theme, wanted.length ? wanted : PANEL_NAMES);
   }
+}
+
+/** The JSON of what may be anything; null where there is none. */
+function textOf(value: unknown): string | null {
+  try {
+    return typeof value === "string" ? value : (JSON.stringify(value) ?? null);
+  } catch {
+    return null;
+  }
+}
+
+/** A plan for an event: copied when it is read for the first time, so that nobody pays who does not look. */
+function copyOf(own: Plan): { plan: Plan } {
+  let copy: Plan | null = null;
+  return {
+    get plan() {
+      copy ??= structuredClone(own);
+      return copy;
+    },
+  };
 }
 
 declare global {

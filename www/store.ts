@@ -42,6 +42,11 @@ interface Moment {
   left: [string, Left][];
 }
 
+/** So long, in milliseconds, what the page around hands back can be what it was told before: a frame and a store answer late. */
+const ECHO = 1000;
+
+const LOOK_ONLY = "Nothing was changed: this job can only be looked at";
+
 /** So many steps can be taken back. */
 const MOST_STEPS = 200;
 
@@ -88,6 +93,8 @@ export class Store extends EventTarget {
   /** Whether what changes now is changed by the user. */
   byUser = true;
   private readonly local: boolean;
+  /** The jobs that the page around was told of, and when. */
+  private toldJobs: { job: unknown; at: number }[] = [];
 
   /** `local`: the state is kept in this browser. */
   constructor({ local = false } = {}) {
@@ -153,9 +160,22 @@ export class Store extends EventTarget {
     const problem = this.unusable(job);
     if (problem) return refused("unusable", `Nothing was changed: the job cannot be used: ${problem}`);
     const whole = complete(job as Draft, this.catalog);
-    // A host that hands back what it was given changes nothing.
-    if (!alike(whole, this.draft)) this.load(whole);
+    // A host that hands back what it was told changes nothing, also where that comes late, while the user goes on typing.
+    const late = this.toldJobs.some(({ job, at }) => performance.now() - at < ECHO && alike(whole, job));
+    if (late || alike(whole, this.draft)) return null;
+    // Another job is another document: what the user can take back is of this one, and no value of the one before comes back in it.
+    const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
+    const points = same ? this.measured : "";
+    this.load(whole, points);
+    this.left = new Map();
+    this.toldJobs = [];
+    this.clear();
     return null;
+  }
+
+  /** The page around has been told of a job; it may hand it back. */
+  tell(job: unknown): void {
+    this.toldJobs = [...this.toldJobs.slice(-49), { job, at: performance.now() }];
   }
 
   /** Forgets the steps that could be taken back. */
@@ -312,6 +332,7 @@ export class Store extends EventTarget {
 
   /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
   take(job: unknown, measured: string): void {
+    if (this.refuses) throw new JobError(LOOK_ONLY, []);
     const problem = this.unusable(job);
     if (problem) throw new JobError(`Nothing was changed: the job of this link cannot be used: ${problem}`, []);
     this.load(job as Draft, measured);
@@ -319,7 +340,7 @@ export class Store extends EventTarget {
 
   /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
   open(text: string): Finding[] {
-    if (this.refuses) throw new JobError("Nothing was changed: this job can only be looked at", []);
+    if (this.refuses) throw new JobError(LOOK_ONLY, []);
     if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
     const { job, findings, trace } = importJob(text);
     const problem = trace ? "this program says no job" : this.unusable(job);
@@ -348,7 +369,7 @@ export class Store extends EventTarget {
 
   /** Takes what belongs to the machine from a preset, in this job's units. Throws `JobError`, and changes nothing, where it does not fit. */
   usePreset({ units, overtravel, sections }: Preset): void {
-    if (this.refuses) return;
+    if (this.refuses) throw new JobError(LOOK_ONLY, []);
     const held = this.units;
     const job = {
       ...structuredClone(this.draft),

@@ -420,3 +420,107 @@ test("an element that cannot be loaded says so, and its promise fails", async ()
   });
   assert.match(failed, /\S/);
 });
+
+test("another job is another document: the user cannot undo into the one before, and no value of it comes back", async () => {
+  await open("<touch-path></touch-path>", LISTEN);
+  await set("job", { format: 1, name: "A", cycle: { type: "hole", diameter: 32 } });
+  await set("job", { format: 1, name: "B", cycle: { type: "boss", diameter: 20 } });
+  assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
+  await page.locator("tp-picture canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await on((element) => element.job.name), "B");
+  await set("cycle", "hole");
+  assert.equal(await field("cycle.diameter").inputValue(), "40", "not the 32 of A");
+});
+
+test("a host that hands back late what it was told does not overwrite what is typed", async () => {
+  await open(
+    "<touch-path cycle=hole></touch-path>",
+    `document.addEventListener("job-change", ({ target, detail }) => setTimeout(() => { target.job = detail.job; }, 120));`,
+  );
+  await field("cycle.diameter").focus();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type("31.25", { delay: 70 });
+  await page.waitForTimeout(400);
+  assert.equal(await on((element) => element.job.cycle.diameter), 31.25);
+  assert.equal(await field("cycle.diameter").inputValue(), "31.25");
+});
+
+test("what is set before anything is loaded counts more than the attributes, and a form has it from the start", async () => {
+  await open(
+    "<form><touch-path name=j cycle=hole post=fanuc></touch-path></form>",
+    `window.early = () => Object.fromEntries(new FormData(document.querySelector("form")));
+     document.addEventListener("DOMContentLoaded", () => {});
+     new MutationObserver(() => {
+       const element = document.querySelector("touch-path");
+       if (!element || window.was) return;
+       window.was = true;
+       customElements.whenDefined("touch-path").then(() => {
+         element.job = { format: 1, name: "EARLY", cycle: { type: "boss" }, control: { post: "sinumerik" } };
+         window.sent = window.early();
+       });
+     }).observe(document, { childList: true, subtree: true });`,
+  );
+  assert.deepEqual(await on((element) => [element.job.name, element.cycle, element.post]), [
+    "EARLY",
+    "boss",
+    "sinumerik",
+  ]);
+  assert.equal(JSON.parse(await page.evaluate(() => /** @type {any} */ (window).sent.j)).name, "EARLY");
+});
+
+test("an invalid job says why where the browser can show it, and the focus comes to the first field", async () => {
+  await open("<form><touch-path name=j cycle=hole></touch-path><button>Send</button></form>");
+  await field("cycle.diameter").fill("-1");
+  await page.getByRole("button", { name: "Send" }).click();
+  assert.ok(await on((element) => element.matches(":focus-within") || document.activeElement === element));
+  await on((element) => element.focus());
+  assert.equal(await on((element) => element.shadowRoot.activeElement.id), "f-cycle.origin[0]");
+  await set("readonly", true);
+  await on((element) => element.focus());
+  assert.equal(await on((element) => element.shadowRoot.activeElement.localName), "canvas");
+});
+
+test("what is handed out are copies; points stay with their job, and no job is said to change with them", async () => {
+  await open("<touch-path cycle=hole readonly></touch-path>", LISTEN);
+  await on((element) => {
+    element.plan.program.text = "M30";
+    element.findings.push({});
+  });
+  assert.match(await on((element) => element.plan.program.text), /M2\n$/);
+  await heard();
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("Points that a machine measured").click();
+  await page.locator("#measured").fill("17,0,-10\n0,17,-10\n-17,0,-10\n0,-17,-10");
+  assert.deepEqual(await heard(), []);
+  await on((element) => {
+    element.job = { ...element.job, overtravel: 6 };
+  });
+  assert.match(await page.locator("#measured").inputValue(), /^17,0,-10/);
+});
+
+test("taken out while it loads, and put in again", async () => {
+  await open("<section></section>");
+  const state = await page.evaluate(async () => {
+    const element = document.createElement("touch-path");
+    const place = /** @type {Element} */ (document.querySelector("section"));
+    place.append(element);
+    element.remove();
+    await element.ready;
+    place.append(element);
+    await new Promise((done) => setTimeout(done, 300));
+    return { lines: element.shadowRoot?.querySelectorAll(".line").length, plan: element.plan !== null };
+  });
+  assert.ok((state.lines ?? 0) > 20 && state.plan, JSON.stringify(state));
+});
+
+test("in somebody else's page: no second main, nothing said of privacy, keys of a slotted field are its own", async () => {
+  await open("<touch-path cycle=hole panels=program><input slot=header aria-label=Ordernumber></touch-path>");
+  assert.equal(await page.getByRole("main").count(), 0);
+  assert.equal(await page.getByText("Nothing leaves this browser").count(), 0);
+  await set("job", { format: 1, cycle: { type: "hole", diameter: -1 } });
+  assert.equal(await page.getByRole("button", { name: "Go to it" }).count(), 0, "there is no form to go to");
+  await page.getByLabel("Ordernumber").fill("abc");
+  await page.keyboard.press("Control+z");
+  assert.notEqual(await page.getByLabel("Ordernumber").inputValue(), "abc", "the browser's own undo");
+});

@@ -136,6 +136,10 @@ test("what cannot be used is answered with its reasons, and the conversation con
     ['{ job: "x".repeat(50_000_000) }', /at most/],
     ['{ post: "mazak" }', /post must be one of/],
     ["{ colour: 1 }", /nothing to set that is called colour/],
+    ['{ theme: "purple" }', /theme is light, dark or auto/],
+    ['{ panels: "form lid" }', /panels are some of form stage/],
+    ['{ readonly: "yes" }', /readonly is true or false/],
+    ["{ job: null }", /the job is an object/],
     ["7", /has a state/],
     ["null", /has a state/],
   ]) {
@@ -212,4 +216,23 @@ test("a frame that nobody configured hears nobody; another version of the protoc
   const wrong = await connect({ origin: origin(2), patience: 1200 });
   assert.match(wrong, /does not answer/, "what is said reaches no other origin");
   assert.match(await connect({ origin: "not an origin" }), /is no origin/);
+});
+
+test("a portal that leaves, or gives up, leaves nothing dead behind; what is asked of it fails", async () => {
+  await open();
+  await connect({ saves: true });
+  const late = await on("(frame.close(), frame.get())");
+  assert.match(/** @type {any} */ (late).failed, /is over/);
+  const inside = page.frameLocator("iframe");
+  const save = inside.getByRole("button", { name: /^Save / });
+  const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
+  assert.equal(download.suggestedFilename(), "PROBE.ngc", "the frame hands programs out by itself again");
+  await connect({ saves: true });
+  await page.evaluate(() => Object.assign(window, { first: /** @type {any} */ (window).frame }));
+  await connect({ saves: true });
+  assert.match(
+    /** @type {any} */ (await on("(await new Promise((done) => setTimeout(done, 200)), first.get())")).failed,
+    /is over/,
+  );
+  assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "PROBE");
 });

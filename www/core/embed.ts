@@ -12,6 +12,7 @@ interface Element extends HTMLElement {
 }
 
 const INPUTS = ["job", "cycle", "post", "units", "theme", "panels"] as const;
+const PANELS = ["form", "stage", "program", "table", "results", "checks"];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;
@@ -45,7 +46,14 @@ async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
   ended = mine;
   const { signal } = mine;
   const say = (answer: Answer) => port.postMessage(answer);
-  signal.addEventListener("abort", () => port.close());
+  signal.addEventListener("abort", () => {
+    say({ type: "ended" });
+    port.close();
+  });
+  port.onmessage = ({ data }) => {
+    if (isObject(data) && data.type === "end") mine.abort();
+    else hear(data, say);
+  };
   try {
     await element.ready;
   } catch (thrown) {
@@ -60,7 +68,6 @@ async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
     };
     element.addEventListener(type, tell, { signal });
   }
-  port.onmessage = ({ data }) => hear(data, say);
   say({ type: "welcome", version: version() });
 }
 
@@ -76,12 +83,26 @@ function hear(data: unknown, say: (answer: Answer) => void): void {
   else {
     const unknown = Object.keys(data.state).filter((key) => key !== "readonly" && !INPUTS.includes(key as "job"));
     if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
+    else if (unfit(data.state)) error(`Nothing was changed: ${unfit(data.state)}`);
     else {
       const refused = set(data.state);
       if (refused.length > 0) error(refused.map((f) => f.message).join(". "), refused);
       else say({ type: "done", id });
     }
   }
+}
+
+/** What of a state the element would not refuse by itself, but pass over. */
+function unfit(state: Record<string, unknown>): string | null {
+  const { theme, panels, readonly, job } = state;
+  const words = typeof panels === "string" ? panels.split(/\s+/).filter(Boolean) : [];
+  if (theme !== undefined && !["light", "dark", "auto"].includes(theme as string))
+    return "theme is light, dark or auto";
+  if (panels !== undefined && (words.length === 0 || !words.every((word) => PANELS.includes(word))))
+    return `panels are some of ${PANELS.join(" ")}`;
+  if (readonly !== undefined && typeof readonly !== "boolean") return "readonly is true or false";
+  if (job === null) return "the job is an object, or its JSON";
+  return null;
 }
 
 /** Sets what is given; what could not be used, as findings. */
@@ -98,7 +119,7 @@ function set(state: FrameState): Finding[] {
     if (input === "theme" || input === "panels") element.setAttribute(input, String(value));
     else (element as unknown as Record<string, unknown>)[input] = value;
   }
-  if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly === true);
+  if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);
   element.removeEventListener("finding", note);
   return refused;
 }

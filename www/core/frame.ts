@@ -33,6 +33,7 @@ interface Waiting {
 export class Frame extends EventTarget {
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
+  private ended = false;
 
   constructor(
     private readonly port: MessagePort,
@@ -55,13 +56,24 @@ export class Frame extends EventTarget {
 
   /** Ends the conversation. What is still waited for fails. */
   close(): void {
+    if (this.ended) return;
+    this.port.postMessage({ type: "end" } satisfies Request);
+    this.end("The frame was closed");
+  }
+
+  private end(why: string): void {
+    this.ended = true;
     this.port.close();
-    for (const { fail } of this.waiting.values()) fail(new FrameError("The frame was closed"));
+    for (const { fail } of this.waiting.values()) fail(new FrameError(why));
     this.waiting.clear();
   }
 
   private ask(request: (id: number) => Request): Promise<FrameView | undefined> {
     return new Promise((done, fail) => {
+      if (this.ended) {
+        fail(new FrameError("This conversation with the frame is over"));
+        return;
+      }
       const id = ++this.last;
       this.waiting.set(id, { done, fail });
       this.port.postMessage(request(id));
@@ -69,6 +81,7 @@ export class Frame extends EventTarget {
   }
 
   private hear(answer: Answer): void {
+    if (answer.type === "ended") this.end("Another conversation with the frame has begun");
     if ("detail" in answer) this.dispatchEvent(new CustomEvent(answer.type, { detail: answer.detail }));
     if (!("id" in answer) || answer.id === null) return;
     const waiting = this.waiting.get(answer.id);
@@ -117,6 +130,9 @@ export function connect(
     const asking = setInterval(ask, 500);
     const ending = setTimeout(() => {
       end();
+      // A frame that wakes up later finds nobody there.
+      port?.postMessage({ type: "end" } satisfies Request);
+      port?.close();
       fail(new FrameError("The frame does not answer: is it embed.html, and is this page's origin on its list?"));
     }, patience);
     ask();

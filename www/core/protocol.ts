@@ -41,12 +41,13 @@ export interface Refused {
   reason: string;
 }
 
-/** Through the port, to the frame. Each is answered. */
-export type Request = { type: "set"; id: number; state: FrameState } | { type: "get"; id: number };
+/** Through the port, to the frame. Each is answered, but `end`: the portal leaves, and the frame hands programs out by itself again. */
+export type Request = { type: "set"; id: number; state: FrameState } | { type: "get"; id: number } | { type: "end" };
 
-/** Through the port, from the frame. */
+/** Through the port, from the frame. `ended`: another conversation took the place of this one. */
 export type Answer =
   | { type: "welcome"; version: string }
+  | { type: "ended" }
   | { type: "done"; id: number }
   | { type: "state"; id: number; state: FrameView }
   | { type: "error"; id: number | null; message: string; findings: Finding[] }

@@ -140,8 +140,9 @@ export class App extends LitElement {
 
   /** To the first field, or else to the picture. */
   focusFirst(options?: FocusOptions): void {
-    const first = this.querySelector<HTMLElement>("tp-form input, tp-bar select, canvas[tabindex], .code");
-    first?.focus(options);
+    const places = ["tp-form :is(input, select):enabled", "tp-bar select:enabled", "canvas[tabindex]", ".code"];
+    const all = places.flatMap((place) => [...this.querySelectorAll<HTMLElement>(place)]);
+    all.find((one) => one.checkVisibility())?.focus(options);
   }
 
   private get panels(): Panel[] {
@@ -194,7 +195,7 @@ export class App extends LitElement {
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
       <header part="bar">
-        <slot name="header"><h1>Touchpath</h1></slot>
+        <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label="Open a file" accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${this.menu()}
@@ -217,7 +218,7 @@ export class App extends LitElement {
           : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>Cycles</button> ${this.tool === "sheet" ? nothing : "back to the job"}</p>`
       }
       </div>
-      <main class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
+      <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : "Job"} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
         ${repeat(
           // One order for eye and Tab: on a narrow page the picture stands above the form.
           (this.width < NARROW ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
@@ -247,7 +248,7 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label="State of the job"><tp-findings .store=${store}></tp-findings><slot name="footer"></slot></footer>
+      <footer part="footer" aria-label="State of the job"><tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings><slot name="footer"></slot></footer>
       ${this.dialogs()}
       </div>
     `;
@@ -320,6 +321,8 @@ export class App extends LitElement {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const key = event.key.toLowerCase();
     const at = event.composedPath()[0] as Element;
+    // What the page around has put into a slot is its own.
+    if (!this.contains(at)) return;
     if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
     if (key === "s") {

@@ -8,6 +8,10 @@ export const NAMES = { error: "error", warning: "warning", info: "note" } as con
 /** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
 class FindingsPart extends Part {
   protected override follows = ["change"];
+  /** What is shown of the job: there is no way to what is not. */
+  panels: string[] = [];
+  /** Whether nobody is around who is told of the job. */
+  alone = true;
 
   override render(): TemplateResult {
     const { findings, stale, run } = this.store;
@@ -21,13 +25,13 @@ class FindingsPart extends Part {
       ${
         worst
           ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${worst.message}</p>
-            ${worst.path ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>Go to it</button>` : nothing}
-            ${findings.length > 1 ? html`<button type="button" class="quiet" @click=${() => this.all()}>All</button>` : nothing}`
+            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>Go to it</button>` : nothing}
+            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.all()}>All</button>` : nothing}`
           : html`<p class="verdict fine" role="status">✓ No problems found</p>`
       }
       <span class="gap"></span>
       ${stale ? nothing : html`<span class="run">${run}</span>`}
-      <span class="run private">Nothing leaves this browser</span>
+      ${this.alone ? html`<span class="run private">Nothing leaves this browser</span>` : nothing}
     `;
   }
 

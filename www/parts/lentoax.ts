@@ -217,7 +217,7 @@ class LentoaxPart extends CanvasPart {
         )}</tbody>
       </table>
       <h2>Ask the control itself</h2>
-      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><button type="button" @click=${this.take}>Take into the job</button><span role="status" class="told">${this.told}</span></div>
+      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><button type="button" ?disabled=${this.store.readonly} @click=${this.take}>Take into the job</button><span role="status" class="told">${this.told}</span></div>
       <pre class="code" tabindex="0">${words.program}</pre>
       <p class="help">The call is the manual's; the check after it is ours, for a probe whose L1 has to lie along the tool axis, and was not run on a control.
         The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.</p>

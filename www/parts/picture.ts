@@ -65,6 +65,8 @@ class PicturePart extends DrawnPart {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.pause();
+    this.pointers.clear();
+    this.release();
     this.drawn = -1;
   }
 

@@ -88,9 +88,20 @@ class SheetPart extends Part {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.store.removeEventListener("recolour", this.dress);
     this.drawing?.free();
     this.drawing = undefined;
+    this.drawn = { revision: -1 };
   }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.store.addEventListener("recolour", this.dress);
+    // Moved to another place of the page, it has lost its drawing.
+    this.requestUpdate();
+  }
+
+  private readonly dress = () => this.drawing?.dress();
 
   protected override updated(): void {
     const canvas = this.querySelector("canvas");
