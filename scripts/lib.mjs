@@ -147,7 +147,7 @@ export function ensureFirefox() {
       "install",
       "geckodriver",
       "--version",
-      "0.37.0",
+      "0.37.1",
       "--locked",
       "--debug",
       "--quiet",

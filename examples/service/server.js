@@ -22,7 +22,18 @@ app.addHook("onRequest", async (request, reply) => {
   if (underWay >= MOST_AT_ONCE)
     return reply.code(503).header("retry-after", "1").send({ error: "too many requests at once" });
   underWay++;
-  reply.raw.once("close", () => underWay--);
+  // An answer that waits behind another one on its connection never closes where the connection does.
+  const { socket } = request.raw;
+  socket.setMaxListeners(0);
+  let over = false;
+  const end = () => {
+    if (over) return;
+    over = true;
+    underWay--;
+    socket.off("close", end);
+  };
+  reply.raw.once("close", end);
+  socket.once("close", end);
 });
 
 // Errors are one form of JSON; what was wrong inside is not told outside.

@@ -32,7 +32,10 @@ impl Planned {
             line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| rigid.point(p))),
             magnify,
         };
-        let scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
+        let mut scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
+        // A feature of the same kind can be of a cycle that has no such field.
+        let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
+        scene.dimensions.retain(|dimension| has(dimension.field));
         Picture {
             names: scene.dimensions.iter().map(|d| (d.field, name(job, d.field, d.length))).collect(),
             offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),

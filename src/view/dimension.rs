@@ -70,8 +70,8 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
             all.push(deep(depth, u * (width / 2.0)));
             clearances(path, protected, &["cycle.sideClearance"], &mut all);
         }
-        Feature::Corner(corner) => walls(path, corner.outside, &mut all),
-        Feature::Triple(_) => walls(path, false, &mut all),
+        Feature::Corner(corner) => walls(path, &CLEARANCES[..2], corner.outside, &mut all),
+        Feature::Triple(corner) => walls(path, &CLEARANCES[..if corner.outside { 2 } else { 3 }], false, &mut all),
         Feature::TwoCircles(_) => {
             for (surface, field) in path.surfaces.iter().zip(["cycle.diameter1", "cycle.diameter2"]) {
                 if let Surface::Round(round) = surface {
@@ -86,12 +86,14 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
     all
 }
 
+/// The fields that say how far before a wall its touch begins.
+const CLEARANCES: [&str; 3] = ["cycle.clearance1", "cycle.clearance2", "cycle.clearance3"];
+
 /// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, to the corner.
-fn walls(path: &Path, outside: bool, all: &mut Vec<Dimension>) {
-    const CLEARANCES: [&str; 3] = ["cycle.clearance1", "cycle.clearance2", "cycle.clearance3"];
+fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<Dimension>) {
     const STEPS: [&str; 2] = ["cycle.step1", "cycle.step2"];
     const DISTANCES: [&str; 2] = ["cycle.distance1", "cycle.distance2"];
-    for (wall, field) in CLEARANCES.into_iter().enumerate() {
+    for (wall, field) in clearances.iter().enumerate() {
         let mut touches = path.touches.iter().enumerate().filter(|(_, touch)| touch.group == wall);
         let Some((k, first)) = touches.next() else { continue };
         let begins = path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)).and_then(|i| i.checked_sub(1));

@@ -11,6 +11,8 @@ const WIDTH: f64 = 480.0;
 const MARGIN: f64 = 28.0;
 /// It is no higher than this, and the margins.
 const HIGHEST: f64 = 360.0;
+/// Around lines and dimensions that reach further than the scene.
+const ROOM: f64 = 14.0;
 /// Between the strokes of a hatching, and their length.
 const HATCH: f64 = 7.0;
 
@@ -29,10 +31,12 @@ pub struct Legend<'a> {
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);
     // A number that the library writes by itself would bring all of its printing into the module.
-    let [width, height] = drawing.camera.size.map(|pixels| decimal(pixels, 0));
+    let [low, high] = drawing.extent(scene);
+    let [x, y] = low.map(|pixels| decimal(pixels, 0));
+    let [width, height] = [0, 1].map(|i| decimal(high[i] - low[i], 0));
     let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
-         font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#fff\"/>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
+         font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"#fff\"/>\n",
         escaped(legend.title)
     );
     let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
@@ -77,6 +81,20 @@ impl Drawing {
         let scale = (room / (high[0] - low[0])).min(HIGHEST / (high[1] - low[1]));
         let size = [WIDTH, (high[1] - low[1]) * scale + 2.0 * margin];
         Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
+    }
+
+    /// From where to where the picture reaches: whatever is drawn lies within, with some room around.
+    fn extent(&self, scene: &Scene) -> [Spot; 2] {
+        let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
+        let dimensions = self.camera.dimensions(scene, None).into_iter().flat_map(|(_, ends)| ends);
+        let mut extent = [[0.0; 2], self.camera.size];
+        for at in lines.chain(dimensions) {
+            for i in [0, 1] {
+                extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
+                extent[1][i] = extent[1][i].max((at[i] + ROOM).ceil());
+            }
+        }
+        extent
     }
 
     /// `x,y` in the picture.

@@ -27,7 +27,12 @@ fn metric() -> impl Iterator<Item = (String, Value)> {
 fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
     let mut seen = 0;
     for (name, job) in metric() {
-        let path = job::planned(&job).expect("the job is sound").path;
+        let planned = job::planned(&job).expect("the job is sound");
+        for d in planned.picture(Projection::Front, 1.0).scene.dimensions {
+            let has = |key: &str| planned.job.def.fields.iter().any(|field| field.key == key);
+            assert!(d.field.strip_prefix("cycle.").is_some_and(has), "{name}: there is no field {}", d.field);
+        }
+        let path = planned.path;
         for d in dimensions(&path) {
             let said = number_at(&job, d.field, f64::NAN);
             let long = d.from.distance(d.to);
@@ -207,4 +212,31 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     };
     let apart = left(10.0) - left(1.0);
     assert!((apart - 2.7).abs() < 1e-9, "{apart}");
+}
+
+/// Whatever is drawn lies in the picture, also where the part is turned and a touch searches far.
+#[test]
+fn nothing_of_an_svg_is_cut_off() {
+    for (cycle, rotation, overtravel) in
+        [("hole", 45.0, 5.0), ("boss", 30.0, 5.0), ("hole", 0.0, 50.0), ("web-three-points", 45.0, 5.0)]
+    {
+        let job = with(
+            &with(&of(cycle), "cycle.rotation", crate::common::number(rotation)),
+            "overtravel",
+            crate::common::number(overtravel),
+        );
+        let svg = job::svg(&job, Projection::Top).expect("the job has a plan");
+        let of = |name: &str| {
+            svg.split(&format!("{name}=\"")).nth(1).and_then(|rest| rest.split('"').next()).expect("it is there").to_owned()
+        };
+        let view: Vec<f64> = of("viewBox").split(' ').map(|n| n.parse().expect("a number")).collect();
+        let pairs = svg.split(['M', 'L', 'Z', ' ', '"']).filter_map(|word| word.split_once(','));
+        let mut seen = 0;
+        for (x, y) in pairs.filter_map(|(x, y)| Some((x.parse::<f64>().ok()?, y.parse::<f64>().ok()?))) {
+            assert!(x >= view[0] && x <= view[0] + view[2], "{cycle} {rotation}: {x} of {view:?}");
+            assert!(y >= view[1] && y <= view[1] + view[3], "{cycle} {rotation}: {y} of {view:?}");
+            seen += 1;
+        }
+        assert!(seen > 50, "{cycle}: {seen}");
+    }
 }

@@ -1,6 +1,7 @@
 // The command `touchpath`, as a shell runs it: what it writes, where, and how it ends.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -97,6 +98,9 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "-o", join(name, "below")], /cannot be made/],
     [["plan", "."], /cannot be read/],
     [["schema", name], /takes no files/],
+    [["schema", "--post", "fanuc"], /takes no files and no options/],
+    [["check", name, "-o", "nothing"], /--out is for plan/],
+    [["evaluate", "-", "-"], /takes a job and a file/],
     [["evaluate", name], /takes a job and a file/],
     [["evaluate", name, "missing.csv"], /cannot be read/],
   ])) {
@@ -263,4 +267,49 @@ test("on a terminal it says how far it is; in a pipe nothing of it is seen", () 
   });
   assert.match(seen.stdout, /\[#* *\] \d+ jobs, \d+ a second/);
   assert.ok(!run(["plan", "some.ndjson", "-o", "hidden"]).stderr.includes("a second"));
+});
+
+test("names that collide with names that were made, and a file that was read, are not written over", () => {
+  mkdirSync(join(folder, "own"));
+  file("own/list.ndjson", ["A-2", "A", "A", "a"].map((name) => JSON.stringify(job("hole", name))).join("\n"));
+  assert.equal(run(["plan", "own/list.ndjson", "-o", "own/out"]).status, 0);
+  assert.deepEqual(readdirSync(join(folder, "own/out")).sort(), ["A-2.ngc", "A-3.ngc", "A.ngc", "a-4.ngc"]);
+  file("own/SELF.json", job("hole", "SELF"));
+  const before = readFileSync(join(folder, "own/SELF.json"), "utf8");
+  const { status, stderr } = run(["import", "own/SELF.json", "-o", "own"]);
+  assert.deepEqual([status, stderr], [2, "touchpath: SELF.json would be written over the file that was read\n"]);
+  assert.equal(readFileSync(join(folder, "own/SELF.json"), "utf8"), before);
+});
+
+test("what cannot be read ends the run after what came before it was handed out, over any number of threads", () => {
+  mkdirSync(join(folder, "folder.ndjson"));
+  file("ten.ndjson", Array.from({ length: 10 }, (_, i) => JSON.stringify(job("hole", `N${i}`))).join("\n"));
+  for (const jobs of ["1", "2", "4"]) {
+    const { status, stdout, stderr } = run(["check", "ten.ndjson", "folder.ndjson", "--jobs", jobs]);
+    assert.deepEqual([status, stdout.trimEnd().split("\n").length], [2, 10], jobs);
+    assert.match(stderr, /^touchpath: folder\.ndjson cannot be read/);
+  }
+});
+
+test("a job by the line is answered when it comes, not when there are many; long jobs do not pile up", async () => {
+  const child = spawn("node", [command, "check", "-", "--ndjson", "--jobs", "2"], { cwd: folder });
+  for (let i = 1; i <= 3; i++) {
+    child.stdin.write(`${JSON.stringify(job("hole", `LIVE_${i}`))}\n`);
+    const [answer] = await Promise.race([
+      once(child.stdout, "data"),
+      new Promise((_, fail) => setTimeout(() => fail(new Error(`no answer to job ${i}`)), 10_000)),
+    ]);
+    assert.equal(JSON.parse(String(answer)).source, `standard input:${i}`);
+  }
+  child.stdout.resume();
+  const long = `${JSON.stringify(job("hole")).replace("{", `{${" ".repeat(1_900_000)}`)}\n`;
+  let most = 0;
+  for (let i = 0; i < 60; i++) {
+    if (!child.stdin.write(long)) await once(child.stdin, "drain");
+    const [, kB] = /VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${child.pid}/status`, "utf8")) ?? [];
+    most = Math.max(most, Number(kB));
+  }
+  child.stdin.end();
+  await once(child, "close");
+  assert.ok(most < 450_000, `${most} kB`);
 });

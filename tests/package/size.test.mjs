@@ -8,10 +8,10 @@ import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
 /**
- * Bytes. Measured: 273.3 kB, of which 3.4 are the picture as an SVG, 2.7 the exact schema, 2.2 measured points, the dimensions of corners and the axes
- * that are clicked; and all that is loaded sooner or later.
+ * Bytes. Measured: 273.9 kB, of which 9 are the picture as an SVG, the exact schema, measured points, the dimensions of corners and the axes that are
+ * clicked; and 402.2 kB, all that is loaded sooner or later.
  */
-const BUDGET = { module: 274_000, page: 402_000 };
+const BUDGET = { module: 275_000, page: 404_000 };
 
 /** The functions of a module that still says their names, with their bytes, largest first. */
 function functions(/** @type {Buffer} */ wasm) {

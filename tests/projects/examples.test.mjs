@@ -199,6 +199,18 @@ test("the service answers too many at once with 503, and does not wait for a bod
     [503, "1", { error: "too many requests at once" }],
   );
   assert.equal((await fetch(`${address}/health`)).status, 200, "who watches it is always answered");
+  // Requests that wait behind each other on connections that break off do not count for ever.
+  for (let i = 0; i < 5; i++)
+    await new Promise((done) => {
+      const socket = connect(Number(port), hostname, () => {
+        const one = "POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 2\r\n\r\n{}";
+        socket.write(one.repeat(10), () => {
+          socket.resetAndDestroy();
+          done(null);
+        });
+      });
+      socket.on("error", () => undefined);
+    });
   await Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
   const { defaultJob } = await import("touchpath");
   const after = await fetch(`${address}/plan`, {

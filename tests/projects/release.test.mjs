@@ -28,6 +28,7 @@ test("a release is refused where a version or the changelog does not fit, and th
     "id-token: write",
     ".ci/run",
     "scripts/release.mjs",
+    "cargo publish --dry-run",
     "npm publish --provenance",
     "cargo publish --locked",
   ].map((step) => workflow.indexOf(step));

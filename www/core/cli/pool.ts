@@ -1,42 +1,52 @@
-// Many jobs over several threads: the outcomes come in the order of the jobs, and never more are under way than the threads can use.
+// Many jobs over several threads: the outcomes come in the order of the jobs, as soon as they are there, and never more are under way than the
+// threads can use.
 import { Worker } from "node:worker_threads";
 import { type Item, type Outcome, perform, type Task } from "./tasks.js";
 
-/** So many jobs cross to a thread at once: crossing costs more than a small job. */
-const BUNCH = 64;
+/** So many jobs, or so many characters of them, cross to a thread at once: crossing costs more than a small job. */
+const BUNCH = { jobs: 64, characters: 250_000 };
 
 interface Waiting {
   done(outcomes: Outcome[]): void;
-  fail(why: unknown): void;
+  fail(why: Error): void;
 }
 
 /** A thread, which answers in the order in which it is asked. */
 class Thread {
   private readonly worker: Worker;
   private readonly waiting: Waiting[] = [];
+  /** Why it answers no more. */
+  private dead: Error | null = null;
 
   constructor(task: Task) {
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { workerData: task });
     this.worker.on("message", (outcomes: Outcome[]) => this.waiting.shift()?.done(outcomes));
-    this.worker.on("error", (why) => {
-      for (const { fail } of this.waiting.splice(0)) fail(why);
-    });
+    this.worker.on("error", (why) => this.die(why instanceof Error ? why : new Error(String(why))));
+    this.worker.on("exit", () => this.die(new Error("A thread has ended")));
   }
 
   ask(bunch: Item[]): Promise<Outcome[]> {
-    const answer = new Promise<Outcome[]>((done, fail) => this.waiting.push({ done, fail }));
+    const answer = new Promise<Outcome[]>((done, fail) => {
+      if (this.dead) fail(this.dead);
+      else this.waiting.push({ done, fail });
+    });
     // It may fail before anybody waits for it.
     answer.catch(() => undefined);
-    this.worker.postMessage(bunch);
+    if (!this.dead) this.worker.postMessage(bunch);
     return answer;
   }
 
   end(): Promise<number> {
     return this.worker.terminate();
   }
+
+  private die(why: Error): void {
+    this.dead ??= why;
+    for (const { fail } of this.waiting.splice(0)) fail(this.dead);
+  }
 }
 
-/** Does the task with every item. */
+/** Does the task with every item. Where no more items can be had, what is under way is handed on before that is said. */
 export async function* performAll(task: Task, items: AsyncIterable<Item>, threads: number): AsyncGenerator<Outcome> {
   if (threads <= 1) {
     for await (const item of items) yield perform(task, item);
@@ -44,27 +54,80 @@ export async function* performAll(task: Task, items: AsyncIterable<Item>, thread
   }
   const pool = Array.from({ length: threads }, () => new Thread(task));
   try {
+    const source = bunches(items);
+    let next: Promise<IteratorResult<Item[]>> | null = source.next();
     /** What was asked and has not been handed on, in order. */
     const under: Promise<Outcome[]>[] = [];
     let turn = 0;
-    for await (const bunch of bunches(items)) {
-      under.push((pool[turn++ % threads] as Thread).ask(bunch));
-      if (under.length >= 2 * threads) yield* await (under.shift() as Promise<Outcome[]>);
+    let failed: { why: unknown } | null = null;
+    while (next || under.length > 0) {
+      const [head] = under;
+      const settled = (promise: Promise<unknown>, name: string) =>
+        promise.then(
+          () => name,
+          () => name,
+        );
+      const full = under.length >= 2 * threads;
+      const first: string = await Promise.race([
+        ...(head ? [settled(head, "head")] : []),
+        ...(next && !full ? [settled(next, "next")] : []),
+      ]);
+      if (first === "head") yield* await (under.shift() as Promise<Outcome[]>);
+      else
+        try {
+          const { value, done } = await (next as Promise<IteratorResult<Item[]>>);
+          if (!done) under.push((pool[turn++ % threads] as Thread).ask(value));
+          next = done ? null : source.next();
+        } catch (why) {
+          failed = { why };
+          next = null;
+        }
     }
-    for (const outcomes of under) yield* await outcomes;
+    if (failed) throw failed.why;
   } finally {
     await Promise.all(pool.map((thread) => thread.end()));
   }
 }
 
+/** Items by the bunch; those that are there, where the next one is not there yet. */
 async function* bunches(items: AsyncIterable<Item>): AsyncGenerator<Item[]> {
+  const source = items[Symbol.asyncIterator]();
   let bunch: Item[] = [];
-  for await (const item of items) {
-    bunch.push(item);
-    if (bunch.length === BUNCH) {
-      yield bunch;
-      bunch = [];
+  let characters = 0;
+  const take = () => {
+    const taken = bunch;
+    bunch = [];
+    characters = 0;
+    return taken;
+  };
+  let next = source.next();
+  // Looked at below, whatever becomes of it.
+  next.catch(() => undefined);
+  for (;;) {
+    if (bunch.length > 0) {
+      const soon = new Promise<"wait">((done) => setImmediate(() => done("wait")));
+      const there = await Promise.race([
+        next.then(
+          () => "there",
+          () => "there",
+        ),
+        soon,
+      ]);
+      if (there === "wait") yield take();
     }
+    let result: IteratorResult<Item>;
+    try {
+      result = await next;
+    } catch (why) {
+      if (bunch.length > 0) yield take();
+      throw why;
+    }
+    if (result.done) break;
+    bunch.push(result.value);
+    characters += result.value.text.length;
+    if (bunch.length === BUNCH.jobs || characters >= BUNCH.characters) yield take();
+    next = source.next();
+    next.catch(() => undefined);
   }
-  if (bunch.length > 0) yield bunch;
+  if (bunch.length > 0) yield take();
 }

@@ -44,7 +44,12 @@ export class Progress {
     this.terminal.write(`\r${bar}${this.done} jobs, ${rate} a second\u001b[K`);
   }
 
-  end(): void {
+  /** Takes the bar away; it is drawn again with the next job. */
+  clear(): void {
     if (this.shows && this.drawn > 0) this.terminal.write("\r\u001b[K");
+  }
+
+  end(): void {
+    this.clear();
   }
 }

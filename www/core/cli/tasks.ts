@@ -74,14 +74,18 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
     if (!program) throw new JobError("", findings);
     return { ending: `.${program.extension}`, out: program.text, findings };
   }
-  if (task.command === "svg") return { ending: ".svg", out: svg(job, task.view), findings: [] };
+  if (task.command === "svg") return { ending: ".svg", out: svg(job, task.view), findings: check(job) };
   if (task.command === "table") {
     const format = task.format ?? "text";
-    return { ending: `-parameters.${format === "text" ? "txt" : format}`, out: exportTable(job, format), findings: [] };
+    return {
+      ending: `-parameters.${format === "text" ? "txt" : format}`,
+      out: exportTable(job, format),
+      findings: check(job),
+    };
   }
   const results = evaluate(job, task.points ?? "");
   const out = task.format === "json" ? `${JSON.stringify(results, null, 2)}\n` : listed(results);
-  return { ending: "-results.txt", out, findings: plan(job).findings };
+  return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings: plan(job).findings };
 }
 
 /** The job of a text; what is no JSON is a job that is refused. */

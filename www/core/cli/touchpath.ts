@@ -3,7 +3,7 @@
 import { createReadStream } from "node:fs";
 import { mkdir, stat, writeFile } from "node:fs/promises";
 import { availableParallelism } from "node:os";
-import { basename, extname, join } from "node:path";
+import { basename, extname, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
 import { stem } from "../names.js";
@@ -29,7 +29,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds a job a line: what become
 
   --post P        for this control, in the place of the job's own
   --form F        moves or cycle, in the place of the job's own
-  -o, --out DIR   into files there, named by the jobs
+  -o, --out DIR   into files there, named by the jobs; a file of the name that is there is replaced
   --ndjson        a job a line in, an outcome a line out
   --jobs N        over so many threads; by default as many as there are cores for jobs by the line, else 1
   --json          findings and errors as JSON
@@ -74,6 +74,7 @@ function taskOf(command: Task["command"], values: Values): Task {
     if (values[option] !== undefined && !commands.includes(command))
       throw new Refused(`--${option} is for ${commands.join(", ")}`);
   };
+  only("out", "plan", "table", "svg", "import", "evaluate");
   only("format", "table", "evaluate");
   only("view", "svg");
   const jobs = ["plan", "check", "table", "svg", "evaluate"];
@@ -182,21 +183,25 @@ async function textOf(file: string): Promise<string> {
 const said = (source: string, { level, path, message, code }: Finding) =>
   `${source}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
 
-/** Puts the outputs into files of a folder. Two of the same name get two names: nothing is lost. */
+/** Puts the outputs into files of a folder. Two of the same name get two names, and no job is written over: nothing is lost. */
 class Folder {
-  private readonly taken = new Map<string, number>();
+  private readonly taken = new Set<string>();
 
-  constructor(private readonly folder: string) {}
+  constructor(
+    private readonly folder: string,
+    /** The files that the jobs come from, as whole paths. */
+    private readonly inputs: Set<string>,
+  ) {}
 
   async put({ name, ending, text }: NonNullable<Outcome["output"]>): Promise<void> {
     const plain = stem(name);
-    const key = `${plain}${ending}`.toLowerCase();
-    const before = this.taken.get(key) ?? 0;
-    this.taken.set(key, before + 1);
-    const file = before === 0 ? `${plain}${ending}` : `${plain}-${before + 1}${ending}`;
-    this.taken.set(file.toLowerCase(), this.taken.get(file.toLowerCase()) ?? 1);
+    let file = `${plain}${ending}`;
+    for (let n = 2; this.taken.has(file.toLowerCase()); n++) file = `${plain}-${n}${ending}`;
+    this.taken.add(file.toLowerCase());
+    const path = resolve(this.folder, file);
+    if (this.inputs.has(path)) throw new Refused(`${file} would be written over the file that was read`);
     try {
-      await writeFile(join(this.folder, file), text);
+      await writeFile(path, text);
     } catch (thrown) {
       throw new Refused(`${file} cannot be written: ${(thrown as Error).message}`);
     }
@@ -209,9 +214,10 @@ async function handOut(
   values: Values,
   outcomes: AsyncIterable<Outcome>,
   byLine: boolean,
+  inputs: Set<string>,
   progress: Progress,
 ): Promise<boolean> {
-  const folder = values.out === undefined ? null : new Folder(values.out);
+  const folder = values.out === undefined ? null : new Folder(values.out, inputs);
   if (values.out !== undefined)
     await mkdir(values.out, { recursive: true }).catch((thrown: Error) => {
       throw new Refused(`${values.out} cannot be made: ${thrown.message}`);
@@ -221,6 +227,8 @@ async function handOut(
     failed ||= outcome.failed;
     progress.count();
     const { source, output, findings } = outcome;
+    // What is written stands on a line of its own.
+    if (!folder || findings.length > 0) progress.clear();
     if (folder && output) await folder.put(output);
     if (byLine && !folder) {
       const text =
@@ -259,14 +267,15 @@ async function main(args: string[]): Promise<number> {
 
 async function run(command: Command, names: string[], values: Values): Promise<number> {
   if (command === "schema" || command === "catalog") {
-    if (names.length > 0) throw new Refused(`${command} takes no files`);
+    const given = Object.keys(values).find((option) => option !== "json");
+    if (names.length > 0 || given) throw new Refused(`${command} takes no files and no options`);
     await write(process.stdout, `${JSON.stringify(command === "schema" ? jobSchema() : catalog(), null, 2)}\n`);
     return 0;
   }
   const task = taskOf(command, values);
   if (command === "evaluate") {
     const [, points] = names;
-    if (names.length !== 2 || points === undefined)
+    if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))
       throw new Refused("evaluate takes a job and a file of measured points");
     task.points = await textOf(points);
     names.length = 1;
@@ -275,7 +284,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   const files = await filesOf(names);
   const byLine = files.some((file) => isLines(file, values));
   if (files.length > 1 && !byLine && values.out === undefined && command !== "check" && command !== "import")
-    throw new Refused("Several jobs need a folder (-o) or --ndjson: one after the other they are no program");
+    throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)
@@ -283,8 +292,9 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
   try {
+    const inputs = new Set(files.map((file) => resolve(file)));
     const outcomes = performAll(task, itemsOf(files, values, progress), threads);
-    return (await handOut(task, values, outcomes, byLine, progress)) ? 1 : 0;
+    return (await handOut(task, values, outcomes, byLine, inputs, progress)) ? 1 : 0;
   } finally {
     progress.end();
   }
@@ -306,6 +316,5 @@ for (const stream of [process.stdout, process.stderr])
 try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (thrown) {
-  if (!(thrown instanceof Refused)) throw thrown;
-  refuse(thrown.message, json);
+  refuse(thrown instanceof Refused ? thrown.message : `This should not have happened: ${thrown}`, json);
 }
