@@ -95,7 +95,7 @@ ${functions()}
 Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive.
 
 ${types("types.d.ts")}
-### What comes out
+### Plans and catalog
 
 ${types("plan-types.d.ts")}
 ### Jobs

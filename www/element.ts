@@ -290,7 +290,7 @@ export class TouchPath extends Base {
     }
   }
 
-  /** Tells the page around what becomes of the job. */
+  /** Dispatches events and sets the form's value whenever the job changes. */
   private follow(store: Store, app: App): void {
     let job = "";
     let findings = "";
@@ -306,7 +306,7 @@ export class TouchPath extends Base {
       else this.inside.setValidity({ customError: true }, store.withheld, anchor ?? undefined);
       // What was typed may have changed without the job: `30+2` is worked out when the field is left.
       if (byUser && job !== before) {
-        store.tell(JSON.parse(job));
+        store.sent(JSON.parse(job));
         this.tell("job-change", { job: JSON.parse(job) });
       }
       if (!stale && store.plan !== plan) {
@@ -323,7 +323,7 @@ export class TouchPath extends Base {
     app.updateComplete.then(() => changed(false));
   }
 
-  /** Tells the page around; false where it wants to do itself what is told. @internal */
+  /** Dispatches an event; false where a listener has cancelled it. @internal */
   tell<K extends keyof TouchPathEvents>(name: K, detail: TouchPathEvents[K]["detail"]): boolean {
     return this.dispatchEvent(
       new CustomEvent(name, { detail, bubbles: true, composed: true, cancelable: name === "program-save" }),

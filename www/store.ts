@@ -42,7 +42,7 @@ interface Moment {
   left: [string, Left][];
 }
 
-/** So long, in milliseconds, what the page around hands back can be what it was told before: a frame and a store answer late. */
+/** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
 const ECHO = 1000;
 
 const LOOK_ONLY = "Nothing was changed: this job can only be looked at";
@@ -93,8 +93,8 @@ export class Store extends EventTarget {
   /** Whether what changes now is changed by the user. */
   byUser = true;
   private readonly local: boolean;
-  /** The jobs that the page around was told of, and when. */
-  private toldJobs: { job: unknown; at: number }[] = [];
+  /** The jobs that were sent by `job-change`, and when. */
+  private sentJobs: { job: unknown; at: number }[] = [];
 
   /** `local`: the state is kept in this browser. */
   constructor({ local = false } = {}) {
@@ -160,22 +160,22 @@ export class Store extends EventTarget {
     const problem = this.unusable(job);
     if (problem) return refused("unusable", `Nothing was changed: the job cannot be used: ${problem}`);
     const whole = complete(job as Draft, this.catalog);
-    // A host that hands back what it was told changes nothing, also where that comes late, while the user goes on typing.
-    const late = this.toldJobs.some(({ job, at }) => performance.now() - at < ECHO && alike(whole, job));
+    // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
+    const late = this.sentJobs.some(({ job, at }) => performance.now() - at < ECHO && alike(whole, job));
     if (late || alike(whole, this.draft)) return null;
     // Another job is another document: what the user can take back is of this one, and no value of the one before comes back in it.
     const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
     const points = same ? this.measured : "";
     this.load(whole, points);
     this.left = new Map();
-    this.toldJobs = [];
+    this.sentJobs = [];
     this.clear();
     return null;
   }
 
-  /** The page around has been told of a job; it may hand it back. */
-  tell(job: unknown): void {
-    this.toldJobs = [...this.toldJobs.slice(-49), { job, at: performance.now() }];
+  /** A job was sent by `job-change`; the host may return it. */
+  sent(job: unknown): void {
+    this.sentJobs = [...this.sentJobs.slice(-49), { job, at: performance.now() }];
   }
 
   /** Forgets the steps that could be taken back. */

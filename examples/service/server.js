@@ -15,7 +15,7 @@ const app = Fastify({
   forceCloseConnections: "idle",
 });
 
-// More at once than this would only wait for each other: who comes too late is told to come again.
+// More at once than this would only wait for each other: further requests are refused with 503 and may be repeated.
 let underWay = 0;
 app.addHook("onRequest", async (request, reply) => {
   if (request.url === "/health") return;
@@ -36,7 +36,7 @@ app.addHook("onRequest", async (request, reply) => {
   socket.once("close", end);
 });
 
-// Errors are one form of JSON; what was wrong inside is not told outside.
+// Every error is JSON of one form; internal faults are logged, not sent.
 app.setErrorHandler((error, _request, reply) => {
   if (error instanceof JobError) return reply.code(422).send({ error: error.message, findings: error.findings });
   const status = error.statusCode ?? 500;

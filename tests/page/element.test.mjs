@@ -132,13 +132,13 @@ test("three elements on a page are independent, and one module serves them", asy
 test("a job comes in as an object or as JSON, and what cannot be used changes nothing", async () => {
   await open("<touch-path></touch-path>", LISTEN);
   const [first] = await heard();
-  assert.equal(first?.[0], "plan-change", "the first plan is told");
+  assert.equal(first?.[0], "plan-change", "the first plan has its event");
   const job = { format: 1, units: "mm", cycle: { type: "boss", diameter: 33 } };
   await set("job", job);
   assert.equal(await field("cycle.diameter").inputValue(), "33");
   const said = await heard();
   assert.ok(said.some(([name, { plan }]) => name === "plan-change" && plan.touches.length === 4));
-  assert.ok(!said.some(([name]) => name === "job-change"), "what the page did itself is not told back");
+  assert.ok(!said.some(([name]) => name === "job-change"), "a job that the page sets is no change by the user");
   // The same again, as a framework does with every rendering.
   await set("job", await on((element) => element.job));
   assert.deepEqual(await heard(), []);
@@ -199,7 +199,7 @@ test("a property that was set before the class was known is taken up", async () 
   assert.equal(await on((element) => element.job.name), "EARLY");
 });
 
-test("what the user does is told, and a program is saved by the page where it wants to", async () => {
+test("the user's changes have their events, and a program is saved by the page where it cancels the event", async () => {
   await open("<touch-path cycle=hole></touch-path>", LISTEN);
   await heard();
   await field("cycle.diameter").fill("45");
@@ -433,7 +433,7 @@ test("another job is another document: the user cannot undo into the one before,
   assert.equal(await field("cycle.diameter").inputValue(), "40", "not the 32 of A");
 });
 
-test("a host that hands back late what it was told does not overwrite what is typed", async () => {
+test("a host that returns each changed job late does not overwrite what is typed", async () => {
   await open(
     "<touch-path cycle=hole></touch-path>",
     `document.addEventListener("job-change", ({ target, detail }) => setTimeout(() => { target.job = detail.job; }, 120));`,

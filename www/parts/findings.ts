@@ -10,7 +10,7 @@ class FindingsPart extends Part {
   protected override follows = ["change"];
   /** What is shown of the job: there is no way to what is not. */
   panels: string[] = [];
-  /** Whether nobody is around who is told of the job. */
+  /** Whether the page is Touchpath's own: a host receives every job. */
   alone = true;
 
   override render(): TemplateResult {

@@ -78,7 +78,7 @@ class ProgramPart extends Part {
     if (this.wanted !== "") this.mark();
   }
 
-  /** The line and the step of the move that is pointed at; what was lit before goes out. Hundreds of lines are not drawn for it. */
+  /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
   protected override light(): void {
     const { highlight, plan } = this.store;
     const line = highlight === null ? -1 : (plan.program.moveLines[highlight] ?? -1);
