@@ -2,6 +2,7 @@
 
 mod controls;
 mod structs;
+mod surface;
 mod typescript;
 
 use std::fmt::Write;
@@ -144,6 +145,13 @@ fn the_manual_is_what_the_crate_says() {
 #[test]
 fn the_types_of_a_job_are_those_of_the_crate() {
     keep("www/core/job-types.ts", &typescript::job_types());
+}
+
+#[test]
+fn the_public_names_of_the_crate_change_in_sight() {
+    let names = surface::surface();
+    assert!(names.lines().count() > 300 && names.contains("touchpath::job::plan fn\n"), "{names}");
+    keep("tests/snapshots/public.txt", &names);
 }
 
 #[test]
