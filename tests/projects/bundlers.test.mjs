@@ -4,22 +4,11 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
-import { after, before, test } from "node:test";
-import { addressOf, serve } from "../../scripts/serve.mjs";
-import { launch } from "../page/common.mjs";
-import { project, tarball } from "./installed.mjs";
+import { test } from "node:test";
+import { addressOf } from "../../scripts/serve.mjs";
+import { inBrowser, project, tarball } from "./installed.mjs";
 
-/** @type {import("playwright-core").Browser} */
-let browser;
-/** @type {import("node:http").Server[]} */
-const servers = [];
-before(async () => {
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  for (const server of servers) server.close();
-});
+const { open, servers } = inBrowser();
 
 const policy = (other = "") =>
   `default-src 'none'; script-src 'self' ${other} 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self' ${other}; require-trusted-types-for 'script'; trusted-types lit-html`;
@@ -33,20 +22,14 @@ document.title = String(plan(defaultJob("hole")).moves.length);
 
 /** Opens a folder's page: the element shows its job, the function gave its plan, one module was loaded, and nothing was complained about. */
 async function opens(/** @type {string} */ folder, modules = 1) {
-  const server = await serve(0, folder);
-  servers.push(server);
-  const page = await browser.newPage();
-  /** @type {string[]} */
-  const problems = [];
   /** @type {string[]} */
   const wasm = [];
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && problems.push(message.text()));
-  page.on(
-    "response",
-    (response) => response.headers()["content-type"] === "application/wasm" && wasm.push(response.url()),
+  const { page, problems } = await open(folder, (page) =>
+    page.on(
+      "response",
+      (response) => response.headers()["content-type"] === "application/wasm" && wasm.push(response.url()),
+    ),
   );
-  await page.goto(addressOf(server));
   await page
     .waitForFunction(() => customElements.get("touch-path"), null, { timeout: 15_000 })
     .catch(() => assert.fail(`the element is not defined: ${problems}`));

@@ -3,41 +3,18 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { connect } from "node:net";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { unzipSync } from "fflate";
-import { addressOf, serve } from "../../scripts/serve.mjs";
-import { launch } from "../page/common.mjs";
-import { project } from "./installed.mjs";
+import { inBrowser, project } from "./installed.mjs";
 
-/** @type {import("playwright-core").Browser} */
-let browser;
-/** @type {import("node:http").Server[]} */
-const servers = [];
-before(async () => {
-  browser = await launch();
-});
-after(async () => {
-  await browser.close();
-  for (const server of servers) server.close();
-});
+const inside = inBrowser();
 
 /** Opens a folder's page, and waits for its elements. */
 async function open(/** @type {string} */ folder) {
-  const server = await serve(0, folder);
-  servers.push(server);
-  const page = await browser.newPage({ viewport: { width: 1500, height: 800 } });
-  /** @type {string[]} */
-  const problems = [];
-  page.on("pageerror", (error) => problems.push(String(error)));
-  page.on(
-    "console",
-    (message) =>
-      message.type() === "error" && !message.location().url.endsWith("favicon.ico") && problems.push(message.text()),
-  );
-  await page.goto(addressOf(server));
-  await page.locator("touch-path .line").first().waitFor({ state: "attached" });
-  return { page, problems };
+  const opened = await inside.open(folder);
+  await opened.page.locator("touch-path .line").first().waitFor({ state: "attached" });
+  return opened;
 }
 
 test("the portal: a job list, two elements, programs collected as a zip", async () => {

@@ -3,8 +3,10 @@ import { execFileSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
-import { after } from "node:test";
+import { after, before } from "node:test";
 import { at } from "../../scripts/lib.mjs";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "../page/common.mjs";
 
 /** A folder for projects; it is gone when the tests of the file are over. */
 export const folder = mkdtempSync(join(tmpdir(), "touchpath-projects-"));
@@ -38,4 +40,38 @@ export function project(name, libraries = [], from) {
     symlinkSync(at("node_modules", library), place, "junction");
   }
   return own;
+}
+
+/** A browser and servers for the tests of a file; they end with them. */
+export function inBrowser() {
+  /** @type {import("playwright-core").Browser} */
+  let browser;
+  /** @type {import("node:http").Server[]} */
+  const servers = [];
+  before(async () => {
+    browser = await launch();
+  });
+  after(async () => {
+    await browser.close();
+    for (const server of servers) server.close();
+  });
+  return {
+    servers,
+    /** Opens a folder's page in the browser; `problems` are what goes wrong there unseen. */
+    async open(/** @type {string} */ folder, watch = (/** @type {import("playwright-core").Page} */ _page) => {}) {
+      const server = await serve(0, folder);
+      servers.push(server);
+      const page = await browser.newPage({ viewport: { width: 1500, height: 800 } });
+      /** @type {string[]} */
+      const problems = [];
+      page.on("pageerror", (error) => problems.push(String(error)));
+      page.on("console", (message) => {
+        const icon = message.location().url.endsWith("favicon.ico");
+        if (["error", "warning"].includes(message.type()) && !icon) problems.push(message.text());
+      });
+      watch(page);
+      await page.goto(addressOf(server));
+      return { page, problems };
+    },
+  };
 }
