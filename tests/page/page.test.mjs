@@ -243,6 +243,8 @@ test("measured points give the same results, and bad ones a plain answer", async
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-21,-10");
   assert.notEqual((await pixels()).sum, sum, "the points are in the picture");
   assert.ok(before.count > 0);
+  const wide = await page.locator("#panel-results").evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+  assert.equal(wide, 0, "nothing of the table is cut off");
   await box.fill("37.1,0\n");
   assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
   await page.getByRole("button", { name: "Fill in the points shown" }).click();

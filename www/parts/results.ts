@@ -90,21 +90,27 @@ class ResultsPart extends Part {
     const verdict = (text: string | null | undefined) =>
       text ? html` <span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>` : nothing;
     if (r.unit === "") {
-      return html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="2">${verdict(r.verdict)}</td>
-        <td>${measured ? html`<b>${own?.value ?? "–"}</b>${verdict(own?.verdict)}` : nothing}</td></tr>`;
+      return measured
+        ? html`<tr>${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r.verdict)}</td><td></td>
+        <td class="n own"><b>${own?.value ?? "–"}</b>${verdict(own?.verdict)}</td></tr>`
+        : html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r.verdict)}</td></tr>`;
     }
     // Two sigma: 95 of 100 measurements lie within.
     const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
+    const of = (row: ResultRow | undefined) =>
+      html`<b>${number(row?.value ?? null, digits)}</b> <small>${signed(row?.deviation ?? null, digits)}</small>${verdict(row?.verdict)}`;
+    if (measured)
+      return html`<tr>${name}
+      <td class="n">${number(r.nominal, digits)}</td>
+      <td class="n both">${of(r)}</td>
+      <td class="n">${number(spread, digits + 1)}</td>
+      <td class="n both own">${of(own)}</td></tr>`;
     return html`<tr>${name}
       <td class="n">${number(r.nominal, digits)}</td>
       <td class="n"><b>${number(r.value, digits)}</b></td>
       <td class="n">${signed(r.deviation, digits)}${verdict(r.verdict)}</td>
       <td class="n">${number(spread, digits + 1)}</td>
-      ${
-        measured
-          ? html`<td class="n own"><b>${number(own?.value ?? null, digits)}</b> <small>${signed(own?.deviation ?? null, digits)}</small>${verdict(own?.verdict)}</td>`
-          : html`<td class="n">${number(r.truth, digits)}</td>`
-      }</tr>`;
+      <td class="n">${number(r.truth, digits)}</td></tr>`;
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
@@ -112,7 +118,7 @@ class ResultsPart extends Part {
     return html`
       <table>
         <caption>${caption}</caption>
-        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th><th class="n">Deviation</th><th class="n">± 2σ</th><th class="n">${measured ? "Measured" : "True"}</th></tr></thead>
+        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th>${measured ? nothing : html`<th class="n">Deviation</th>`}<th class="n">± 2σ</th><th class="n">${measured ? "Measured" : "True"}</th></tr></thead>
         <tbody>
           ${rows.map((r) => this.row(r, measured))}
         </tbody>
