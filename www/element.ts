@@ -306,7 +306,7 @@ export class TouchPath extends Base {
       else this.inside.setValidity({ customError: true }, store.withheld, anchor ?? undefined);
       // What was typed may have changed without the job: `30+2` is worked out when the field is left.
       if (byUser && job !== before) {
-        store.sent(JSON.parse(job));
+        store.sent(job);
         this.tell("job-change", { job: JSON.parse(job) });
       }
       if (!stale && store.plan !== plan) {
@@ -369,7 +369,7 @@ function textOf(value: unknown): string | null {
   }
 }
 
-/** A plan for an event: copied when it is read for the first time, so that nobody pays who does not look. */
+/** A plan for an event: copied when it is read for the first time: listeners that do not read it cost nothing. */
 function copyOf(own: Plan): { plan: Plan } {
   let copy: Plan | null = null;
   return {

@@ -94,7 +94,7 @@ export class Store extends EventTarget {
   byUser = true;
   private readonly local: boolean;
   /** The jobs that were sent by `job-change`, and when. */
-  private sentJobs: { job: unknown; at: number }[] = [];
+  private sentJobs: { json: string; at: number }[] = [];
 
   /** `local`: the state is kept in this browser. */
   constructor({ local = false } = {}) {
@@ -161,7 +161,8 @@ export class Store extends EventTarget {
     if (problem) return refused("unusable", `Nothing was changed: the job cannot be used: ${problem}`);
     const whole = complete(job as Draft, this.catalog);
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
-    const late = this.sentJobs.some(({ job, at }) => performance.now() - at < ECHO && alike(whole, job));
+    const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
+    const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
     if (late || alike(whole, this.draft)) return null;
     // Another job is another document: what the user can take back is of this one, and no value of the one before comes back in it.
     const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
@@ -174,8 +175,8 @@ export class Store extends EventTarget {
   }
 
   /** A job was sent by `job-change`; the host may return it. */
-  sent(job: unknown): void {
-    this.sentJobs = [...this.sentJobs.slice(-49), { job, at: performance.now() }];
+  sent(json: string): void {
+    this.sentJobs = [...this.sentJobs.slice(-49), { json, at: performance.now() }];
   }
 
   /** Forgets the steps that could be taken back. */

@@ -1,4 +1,4 @@
-// React 19 sets properties of custom elements and hears their events by itself: nothing stands between.
+// React 19 sets properties of custom elements and listens to their events by itself: no wrapper is needed.
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
 import "touchpath/element";

@@ -19,7 +19,7 @@ const HATCH: f64 = 7.0;
 /// What is said in the picture of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Legend<'a> {
-    /// What the picture is, for whom hears it; it may hold anything.
+    /// What the picture is, for screen readers; it may hold anything.
     pub title: &'a str,
     /// What a dimension is called, by its field's path; one without a name is not drawn.
     pub names: &'a [(&'static str, String)],

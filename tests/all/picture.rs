@@ -128,10 +128,10 @@ fn a_ball_on_its_way_is_on_its_line() {
     }
 }
 
-/// The numbers of an attribute, in order.
-fn attributes(svg: &str, tag: &str, name: &str) -> Vec<f64> {
+/// The numbers of an attribute of the circles of a colour, in order.
+fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
     let of = |element: &str| element.split(&format!(" {name}=\"")).nth(1)?.split('"').next()?.parse().ok();
-    svg.lines().filter(|line| line.starts_with(tag)).filter_map(of).collect()
+    svg.lines().filter(|line| line.starts_with("<circle") && line.contains(colour)).filter_map(of).collect()
 }
 
 /// The picture that is kept is to scale: its contacts stand apart as the form says, by the scale that the ball gives.
@@ -142,8 +142,8 @@ fn an_svg_is_to_scale_and_says_its_dimensions() {
     for label in ["Width 1 80", "Width 2 50"] {
         assert!(svg.contains(&format!(">{label}</text>")), "{label}: {svg}");
     }
-    let contacts = |name| attributes(&svg, "<circle", name).into_iter().skip(1).step_by(2).collect::<Vec<_>>();
-    let (x, y, radii) = (contacts("cx"), contacts("cy"), attributes(&svg, "<circle", "r"));
+    let contacts = |name| attributes(&svg, "#cf2a20", name);
+    let (x, y, radii) = (contacts("cx"), contacts("cy"), attributes(&svg, "#2563eb", "r"));
     let scale = radii[0] / 3.0;
     assert_eq!(x.len(), 4, "{svg}");
     assert!((x[0] - x[1] - 80.0 * scale).abs() < 0.06 * 80.0 / 3.0, "{x:?} at {scale}");

@@ -35,6 +35,7 @@ before(async () => {
   cpSync(join(own, "frame.js"), join(portal, "frame.js"));
   cpSync(join(own, "protocol.js"), join(portal, "protocol.js"));
   servers = [await serve(0, own), await serve(0, portal), await serve(0, portal)];
+  cpSync(join(own, "embed.html"), join(own, "unconfigured.html"));
   const html = readFileSync(join(own, "embed.html"), "utf8").replace(
     'name="touchpath-origins" content=""',
     `name="touchpath-origins" content="https://portal.example ${origin(1)}"`,
@@ -54,7 +55,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** A page with the frame in it, that keeps what it hears and what passes its ports. */
+/** A page with the frame in it, that keeps the messages of its window. */
 async function open(n = 1) {
   page = await browser.newPage({ viewport: { width: 1250, height: 760 } });
   await page.addInitScript(() => {
@@ -93,7 +94,7 @@ const on = (/** @type {string} */ work) =>
   );
 const told = () => page.evaluate(() => /** @type {any} */ (window).told.splice(0));
 
-test("a portal sets the job, reads it, hears what becomes of it and saves the program itself", async () => {
+test("a portal sets the job, reads it, receives its events and saves the program itself", async () => {
   await open();
   const { version } = await import("touchpath");
   assert.equal(await connect({ saves: true }), version());
@@ -196,7 +197,7 @@ test("a page that is not on the list is refused, whatever it sends", async () =>
   assert.match(await page.frameLocator("iframe").locator("[id='f-cycle.type']").inputValue(), /^internal-rectangle/);
 });
 
-test("a frame that nobody configured hears nobody; another version of the protocol is refused", async () => {
+test("a frame without a list of origins refuses every page; another version of the protocol is refused", async () => {
   await open();
   await connect();
   const refused = await page.evaluate(
@@ -212,7 +213,18 @@ test("a frame that nobody configured hears nobody; another version of the protoc
   );
   isSpoken("refused", refused);
   assert.match(/** @type {any} */ (refused).reason, /version 1/);
-  assert.match(readFileSync(at("dist", "embed.html"), "utf8"), /name="touchpath-origins" content=""/);
+  // As the package has it: the list is empty.
+  await page.evaluate(
+    (src) => {
+      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector("iframe"));
+      return new Promise((done) => {
+        iframe.onload = done;
+        iframe.src = src;
+      });
+    },
+    `${origin(0)}/unconfigured.html`,
+  );
+  assert.match(await connect(), /The frame refuses: .* is not on the list/);
   const wrong = await connect({ origin: origin(2), patience: 1200 });
   assert.match(wrong, /does not answer/, "what is said reaches no other origin");
   assert.match(await connect({ origin: "not an origin" }), /is no origin/);
@@ -222,7 +234,7 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   await open();
   await connect({ saves: true });
   const late = await on("(frame.close(), frame.get())");
-  assert.match(/** @type {any} */ (late).failed, /is over/);
+  assert.match(/** @type {any} */ (late).failed, /is closed/);
   const inside = page.frameLocator("iframe");
   const save = inside.getByRole("button", { name: /^Save / });
   const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
@@ -232,7 +244,20 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   await connect({ saves: true });
   assert.match(
     /** @type {any} */ (await on("(await new Promise((done) => setTimeout(done, 200)), first.get())")).failed,
-    /is over/,
+    /is closed/,
   );
   assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "PROBE");
+});
+
+test("a frame whose module cannot be loaded says so at once", async () => {
+  const wasm = join(folder, "own", "wasm", "touchpath_bg.wasm");
+  const kept = readFileSync(wasm);
+  rmSync(wasm);
+  try {
+    await open();
+    assert.match(await connect(), /FrameError: .*\S/);
+    assert.doesNotMatch(await connect(), /does not answer/);
+  } finally {
+    writeFileSync(wasm, kept);
+  }
 });

@@ -1,5 +1,4 @@
-// The frame's side: embed.html runs this beside the element. It hears the origins on its own list, and nobody else.
-import { version } from "./browser.js";
+// The frame's side: embed.html runs this beside the element. It accepts messages from the origins on its own list only.
 import { type Answer, type FrameState, type Hello, PROTOCOL, type Refused } from "./protocol.js";
 import type { Finding } from "./types.js";
 
@@ -16,11 +15,11 @@ const PANELS = ["form", "stage", "program", "table", "results", "checks"];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;
-/** Origins that may speak to this frame, with spaces between. */
+/** Origins that may connect to this frame, with spaces between. */
 const allowed = (document.querySelector<HTMLMetaElement>("meta[name=touchpath-origins]")?.content ?? "")
   .split(/\s+/)
   .filter(Boolean);
-/** Ends the conversation before, where a portal begins another one. */
+/** Ends the present connection where a portal makes another one. */
 let ended: AbortController | null = null;
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
@@ -34,13 +33,13 @@ addEventListener("message", (event: MessageEvent) => {
     (source as Window | null)?.postMessage(answer, { targetOrigin: origin === "null" ? "*" : origin });
   };
   if (!allowed.includes(origin)) refuse(`${origin} is not on the list of this frame`);
-  else if (source !== parent || source === window) refuse("only the page around may speak to this frame");
-  else if (data.touchpath !== PROTOCOL) refuse(`this frame speaks version ${PROTOCOL} of the protocol`);
+  else if (source !== parent || source === window) refuse("only the page around may connect to this frame");
+  else if (data.touchpath !== PROTOCOL) refuse(`this frame has version ${PROTOCOL} of the protocol`);
   else if (!ports[0]) refuse("there was no port in the hello");
-  else speak(ports[0], data as unknown as Hello);
+  else accept(ports[0], data as unknown as Hello);
 });
 
-async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
+async function accept(port: MessagePort, { saves }: Hello): Promise<void> {
   ended?.abort();
   const mine = new AbortController();
   ended = mine;
@@ -52,10 +51,13 @@ async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
   });
   port.onmessage = ({ data }) => {
     if (isObject(data) && data.type === "end") mine.abort();
-    else hear(data, say);
+    else receive(data, say);
   };
+  let version = "";
   try {
     await element.ready;
+    // The element has loaded it already. Imported above, a module that cannot be loaded would leave the portal without an answer.
+    version = (await import("./browser.js")).version();
   } catch (thrown) {
     say({ type: "error", id: null, message: String(thrown), findings: [] });
     return;
@@ -68,10 +70,10 @@ async function speak(port: MessagePort, { saves }: Hello): Promise<void> {
     };
     element.addEventListener(type, tell, { signal });
   }
-  say({ type: "welcome", version: version() });
+  say({ type: "welcome", version });
 }
 
-function hear(data: unknown, say: (answer: Answer) => void): void {
+function receive(data: unknown, say: (answer: Answer) => void): void {
   const id = isObject(data) && Number.isSafeInteger(data.id) ? (data.id as number) : null;
   const error = (message: string, findings: Finding[] = []) => say({ type: "error", id, message, findings });
   if (!isObject(data) || id === null) error("A message has a type and an id, a whole number");

@@ -16,7 +16,7 @@ export class FrameError extends Error {
 }
 
 interface Options {
-  /** The origin that the frame is served from: nobody else hears what is said. */
+  /** The origin that the frame is served from. A frame of another origin gets no message. */
   origin: string;
   /** Whether the portal saves programs itself; else the frame hands them out as files. */
   saves?: boolean;
@@ -41,7 +41,7 @@ export class Frame extends EventTarget {
     readonly version: string,
   ) {
     super();
-    port.onmessage = ({ data }: MessageEvent<Answer>) => this.hear(data);
+    port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
   }
 
   /** Sets the job, the control, what is shown. Fails with the reasons where any of it cannot be used; that part changed nothing. */
@@ -54,7 +54,7 @@ export class Frame extends EventTarget {
     return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
   }
 
-  /** Ends the conversation. What is still waited for fails. */
+  /** Ends the connection. Requests without an answer fail. */
   close(): void {
     if (this.ended) return;
     this.port.postMessage({ type: "end" } satisfies Request);
@@ -71,7 +71,7 @@ export class Frame extends EventTarget {
   private ask(request: (id: number) => Request): Promise<FrameView | undefined> {
     return new Promise((done, fail) => {
       if (this.ended) {
-        fail(new FrameError("This conversation with the frame is over"));
+        fail(new FrameError("This connection with the frame is closed"));
         return;
       }
       const id = ++this.last;
@@ -80,8 +80,8 @@ export class Frame extends EventTarget {
     });
   }
 
-  private hear(answer: Answer): void {
-    if (answer.type === "ended") this.end("Another conversation with the frame has begun");
+  private receive(answer: Answer): void {
+    if (answer.type === "ended") this.end("Another connection has replaced this one");
     if ("detail" in answer) this.dispatchEvent(new CustomEvent(answer.type, { detail: answer.detail }));
     if (!("id" in answer) || answer.id === null) return;
     const waiting = this.waiting.get(answer.id);
@@ -91,7 +91,7 @@ export class Frame extends EventTarget {
   }
 }
 
-/** Speaks to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, or says nothing. */
+/** Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. */
 export function connect(
   iframe: HTMLIFrameElement,
   { origin, saves = false, patience = 15_000 }: Options,
@@ -108,14 +108,18 @@ export function connect(
       end();
       fail(new FrameError(`The frame refuses: ${data.reason}`));
     };
-    // A frame that is not loaded yet hears nothing: it is asked until it answers.
+    // A frame that is not loaded yet gets no message: the hello is repeated until it answers.
     const ask = () => {
       const channel = new MessageChannel();
       port?.close();
       port = channel.port1;
       channel.port1.onmessage = ({ data }: MessageEvent<Answer>) => {
-        if (data.type !== "welcome") return;
+        if (data.type !== "welcome" && data.type !== "error") return;
         end();
+        if (data.type === "error") {
+          fail(new FrameError(data.message, data.findings));
+          return;
+        }
         done(new Frame(channel.port1, data.version));
       };
       const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
@@ -130,7 +134,7 @@ export function connect(
     const asking = setInterval(ask, 500);
     const ending = setTimeout(() => {
       end();
-      // A frame that wakes up later finds nobody there.
+      // A frame that finishes loading later must not keep this connection.
       port?.postMessage({ type: "end" } satisfies Request);
       port?.close();
       fail(new FrameError("The frame does not answer: is it embed.html, and is this page's origin on its list?"));

@@ -1,5 +1,5 @@
 /**
- * What a portal and the frame with `embed.html` say to each other. The portal sends one `hello` to the frame's window, with a port; everything
+ * The messages between a portal and the frame with `embed.html`. The portal sends one `hello` to the frame's window, with a port; everything
  * after it passes through that port. A later version keeps what this one names.
  */
 import type { Cycle, Finding, Job, Plan } from "./types.js";
@@ -41,10 +41,10 @@ export interface Refused {
   reason: string;
 }
 
-/** Through the port, to the frame. Each is answered, but `end`: the portal leaves, and the frame hands programs out by itself again. */
+/** Through the port, to the frame. Each is answered, but `end`: the portal disconnects, and the frame saves programs as files again. */
 export type Request = { type: "set"; id: number; state: FrameState } | { type: "get"; id: number } | { type: "end" };
 
-/** Through the port, from the frame. `ended`: another conversation took the place of this one. */
+/** Through the port, from the frame. `ended`: another connection has replaced this one. */
 export type Answer =
   | { type: "welcome"; version: string }
   | { type: "ended" }

@@ -30,7 +30,7 @@ class Thread {
       if (this.dead) fail(this.dead);
       else this.waiting.push({ done, fail });
     });
-    // It may fail before anybody waits for it.
+    // It may be rejected before it is awaited.
     answer.catch(() => undefined);
     if (!this.dead) this.worker.postMessage(bunch);
     return answer;
