@@ -56,7 +56,7 @@ class ProgramPart extends Part {
             if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
           }} />
         <span role="status" class="told found"></span>
-        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${head} lines before the first move</button>` : nothing}
+        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} header, ${head} lines</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
       <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
