@@ -205,7 +205,7 @@ test("a reader that does not read holds the command up, and one that leaves ends
   let taken = 0;
   let blocked = 0;
   child.stdin.on("error", () => undefined);
-  // As much as it takes while nobody reads what it writes.
+  // As much as it takes while its output is not read.
   for (let i = 0; i < 400 && blocked < 20; i++) {
     if (child.stdin.write(line)) {
       taken += line.length;
@@ -228,7 +228,7 @@ test("a reader that does not read holds the command up, and one that leaves ends
   child.stdout.destroy();
   child.stdin.end();
   const status = await new Promise((done) => child.on("close", done));
-  assert.deepEqual([status, stderr], [2, "touchpath: Nobody reads the output any more: the rest was not written\n"]);
+  assert.deepEqual([status, stderr], [2, "touchpath: The output was closed: the rest was not written\n"]);
 });
 
 test("memory does not grow with the number of jobs", async () => {

@@ -35,7 +35,7 @@ const press = (/** @type {string} */ name) =>
     /** @type {HTMLElement | null | undefined} */ (button)?.click();
   }, name);
 
-/** A port that nobody has. */
+/** A free port. */
 async function freePort() {
   const probe = createServer().listen(0, "127.0.0.1");
   await once(probe, "listening");

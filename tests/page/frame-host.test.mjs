@@ -11,7 +11,7 @@ import { launch } from "./common.mjs";
 
 /** @type {string} */
 let folder;
-/** The frame's own server, that of the portal, and one that nobody knows. @type {import("node:http").Server[]} */
+/** The frame's own server, that of the portal, and one that is not on the list. @type {import("node:http").Server[]} */
 let servers = [];
 /** @type {import("playwright-core").Browser} */
 let browser;

@@ -311,7 +311,7 @@ const json = process.argv.includes("--json");
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    refuse(error.code === "EPIPE" ? "Nobody reads the output any more: the rest was not written" : error.message, json);
+    refuse(error.code === "EPIPE" ? "The output was closed: the rest was not written" : error.message, json);
   });
 try {
   process.exitCode = await main(process.argv.slice(2));
