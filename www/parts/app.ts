@@ -162,7 +162,6 @@ export class App extends LitElement {
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.around.host.addEventListener("update-ready", this.offer);
-    this.store.addEventListener("change", this.redraw);
     system.addEventListener("change", this.recolour);
     if (!this.around.links) return;
     addEventListener("hashchange", intake.link);
@@ -179,7 +178,6 @@ export class App extends LitElement {
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.around.host.removeEventListener("update-ready", this.offer);
-    this.store.removeEventListener("change", this.redraw);
     system.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
   }
@@ -390,7 +388,11 @@ export class App extends LitElement {
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
       open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => this.paste(!this.pasting),
-      reset: () => open("ask-reset"),
+      reset: () => {
+        // The question names the cycle; nothing else of the frame follows the job, so a keystroke does not render it.
+        this.requestUpdate();
+        open("ask-reset");
+      },
       save: () => this.save(),
       sheet: () => store.withheld === null && this.use("sheet"),
       lengths: () => this.use("lengths"),
@@ -448,8 +450,6 @@ export class App extends LitElement {
       told === "Copied" ? "A link to this job was copied. The job is in the link itself: no server keeps it." : link,
     );
   }
-
-  private readonly redraw = () => this.requestUpdate();
 
   /** Light or dark: what the page around wants, or the system. */
   private readonly recolour = (): void => {
