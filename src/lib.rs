@@ -14,7 +14,7 @@
 //! | [`cycle`], [`control`] | the lists of what is known: cycles, controls, their programs, proof and safety rules |
 //! | [`path`], [`formula`], [`part`] | what a plan is made of: moves and features, results as expressions, the virtual part |
 //! | [`view`] | the scene of a plan, its dimensions, an SVG |
-//! | [`geom`], [`num`], [`tolerance`] | planes and frames, exact decimals, values with tolerances (ISO 286, ISO 2768) |
+//! | [`geom`], [`num`], [`tolerance`], [`text`](mod@text) | planes and frames, exact decimals, values with tolerances (ISO 286, ISO 2768), what is said |
 //!
 //! Every public name stands in `tests/snapshots/public.txt`. Up to version 1.0 those of the first four rows change only with a word in the
 //! changelog; the others are open to readers and tests, and may change with any version.
@@ -37,6 +37,7 @@ pub mod job;
 pub mod num;
 pub mod part;
 pub mod path;
+pub mod text;
 pub mod tolerance;
 pub mod tool_length;
 pub mod view;

@@ -7,6 +7,7 @@
 use glam::DMat3;
 
 use crate::geom::{Plane, Vec3};
+use crate::text::words;
 
 /// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
 const PARALLEL: f64 = 1e-9;
@@ -185,10 +186,10 @@ fn assignment(query: &Query) -> DMat3 {
 /// The plain words for a status.
 pub fn meaning(status: i32) -> &'static str {
     match status {
-        0 => "every length is parallel to an axis: _AXIND says it all",
-        1 => "not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths",
-        -1 => "the coordinate system is not known",
-        _ => "no tool is active",
+        0 => words!("every length is parallel to an axis: _AXIND says it all"),
+        1 => words!("not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths"),
+        -1 => words!("the coordinate system is not known"),
+        _ => words!("no tool is active"),
     }
 }
 

@@ -10,6 +10,7 @@ use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
 use crate::path::{ParameterValue, Subject};
+use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
@@ -18,7 +19,7 @@ pub static DEF: PostDef = PostDef {
     extension: "h",
     work_offsets: 0,
     work_offset_word: |_| String::new(),
-    no_work_offset: "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty",
+    no_work_offset: words!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"),
     first_length: false,
     computes: false,
     watches: false,
@@ -130,7 +131,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         if let Some(ParameterValue::Number(angle)) = settings.iter().find(|s| s.number == code).map(|s| &s.value)
             && (angle * 1e3 - (angle * 1e3).round()).abs() > 1e-6
         {
-            let message = format!("The control takes three decimals: Q{code} is written as {}", decimal(*angle, 3));
+            let message = text!("The control takes three decimals: Q{code} is written as {angle}", code, decimal(*angle, 3));
             checker.info("angle-rounded", path, message);
         }
     }

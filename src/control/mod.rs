@@ -25,6 +25,7 @@ use crate::form::{Checker, Value};
 use crate::formula::Datum;
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::path::{Feeds, Move, Path, Purpose, RAPID_RATE, Setup, Subject};
+use crate::text::{Text, text};
 
 /// Every control, in the order of the form.
 pub const POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF, &fanuc::FANUC, &fanuc::HAAS];
@@ -226,14 +227,16 @@ fn comment_char(c: char) -> char {
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     let Some(circles) = request.path.feature.two_circles() else { return };
     if circles.semi_automatic {
-        let message = "A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it";
+        let message =
+            text!("A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it");
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
     if circles.reacts && circles.toleranced {
-        let message = "A program of plain moves does not check tolerances: it does not stop as the error reaction says";
+        let message = text!("A program of plain moves does not check tolerances: it does not stop as the error reaction says");
         if request.work_offset.is_some() {
-            let message = format!(
-                "{message}, and would write the work offset even from a scrap part: set the error reaction to never stop or write none"
+            let message = text!(
+                "{message}, and would write the work offset even from a scrap part: set the error reaction to never stop or write none",
+                message
             );
             checker.error("reaction-unsupported", "cycle.errorReaction", message);
         } else {
@@ -246,15 +249,15 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
 fn check_watched(request: &Request<'_>, checker: &mut Checker) {
     if !request.protected && !request.path.moves.is_empty() {
         let message =
-            "Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks";
+            text!("Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks");
         checker.warning("positioning-not-watched", "control.protection", message);
     }
 }
 
 /// What plain moves cannot do with a rotary table, and why.
-fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: &str) {
+fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
     if request.path.feature.two_circles().is_some_and(|circles| circles.turns_table) {
-        let message = format!("{why}: turning or offsetting a rotary table is for the control's own cycle");
+        let message = text!("{why}: turning or offsetting a rotary table is for the control's own cycle", why);
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
     }
 }
@@ -264,8 +267,10 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
     let datum = request.path.formula.datum.as_ref();
     let something = datum.is_some_and(|d| d.measured() != [false; 3] || d.rotation.is_some());
     if request.work_offset.is_some() && !something {
-        let message = "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
-                       position, Q1120, nor a rotation, Q1121)";
+        let message = text!(
+            "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
+                       position, Q1120, nor a rotation, Q1121)"
+        );
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
 }

@@ -7,6 +7,7 @@ use crate::control::{Form, Request};
 use crate::formula::{Dual, Expr};
 use crate::geom::Vec3;
 use crate::path::{Arc, Move, Purpose, Touch};
+use crate::text::{Text, text, words};
 
 /// What was proven of a program. There is no way to make one but [`prove`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,18 +40,18 @@ pub struct Fault {
     /// The 0-based line, where it is one line's.
     pub line: Option<usize>,
     /// What is wrong.
-    pub message: String,
+    pub message: Text,
     /// Whether its line is understood.
     pub understood: bool,
 }
 
 impl Fault {
-    fn at(line: usize, message: impl Into<String>) -> Self {
-        Fault { line: Some(line), message: message.into(), understood: true }
+    fn at(line: usize, message: Text) -> Self {
+        Fault { line: Some(line), message, understood: true }
     }
 
-    fn of(message: impl Into<String>) -> Self {
-        Fault { line: None, message: message.into(), understood: true }
+    fn of(message: Text) -> Self {
+        Fault { line: None, message, understood: true }
     }
 }
 
@@ -85,7 +86,7 @@ pub enum Part {
 
 /// Reads a program for the control of a request, and follows it.
 pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Followed<'t>, Vec<Fault>> {
-    let read = request.post.read.ok_or_else(|| vec![Fault::of("programs of this control are not read back")])?;
+    let read = request.post.read.ok_or_else(|| vec![Fault::of(text!("programs of this control are not read back"))])?;
     let faults = |troubles: Vec<crate::control::iso::script::Trouble>| -> Vec<Fault> {
         troubles.into_iter().map(|t| Fault { line: Some(t.line), message: t.message, understood: t.understood }).collect()
     };
@@ -140,7 +141,7 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
         faults.push(fault);
     }
     if !followed.trace.ends {
-        faults.push(Fault::of("the program has no end"));
+        faults.push(Fault::of(text!("the program has no end")));
     }
     if !faults.is_empty() {
         return Err(faults);
@@ -218,7 +219,7 @@ impl Expected {
             let mut first = None;
             // The first place is reached in steps, an arc may be made of straight pieces; any other move is one motion.
             let last = loop {
-                let made = steps.next().ok_or_else(|| Fault::of(format!("move {} is missing", i + 1)))?;
+                let made = steps.next().ok_or_else(|| Fault::of(text!("move {number} is missing", i + 1)))?;
                 first = first.or(Some(made.line));
                 let there = self.near(made.to, wanted);
                 match (step.arc, from) {
@@ -226,7 +227,7 @@ impl Expected {
                     (_, None) => {}
                     (Some(arc), Some(_)) => self.on_arc(i, &arc, made)?,
                     (None, Some(_)) => {
-                        return Err(Fault::at(made.line, format!("move {} ends elsewhere than in the path", i + 1)));
+                        return Err(Fault::at(made.line, text!("move {number} ends elsewhere than in the path", i + 1)));
                     }
                 }
                 self.step(request, (i, step), from, made)?;
@@ -236,12 +237,12 @@ impl Expected {
             };
             let line = if from.is_none() { Some(last) } else { first };
             if lines.get(i).copied().flatten() != line {
-                return Err(Fault::at(last, format!("move {} is said to be in another line", i + 1)));
+                return Err(Fault::at(last, text!("move {number} is said to be in another line", i + 1)));
             }
             from = Some(step.to);
         }
         match steps.next() {
-            Some(more) => Err(Fault::at(more.line, "this move is not in the path")),
+            Some(more) => Err(Fault::at(more.line, text!("this move is not in the path"))),
             None => Ok(()),
         }
     }
@@ -264,21 +265,26 @@ impl Expected {
             Purpose::Position => Kind::Watched,
         };
         if made.kind != wanted {
-            return Err(Fault::at(made.line, format!("move {number} is {}, not {}", words(made.kind), words(wanted))));
+            return Err(Fault::at(
+                made.line,
+                text!("move {number} is {kind}, not {wanted}", number, words(made.kind), words(wanted)),
+            ));
         }
         // The way to the first place goes down at a feed where a rapid there would not be watched.
         let careful = from.is_none() && wanted != Kind::Watched && rate.is_none() && made.feed.is_some();
         let rate = if careful { Some(request.feeds.work) } else { rate };
         if !self.same_feed(made.feed, rate) {
-            return Err(Fault::at(made.line, format!("move {number} has another feed than in the path")));
+            return Err(Fault::at(made.line, text!("move {number} has another feed than in the path", number)));
         }
         match (step.arc, made.arc) {
             (Some(arc), Some((center, clockwise))) => {
                 if clockwise != (arc.sweep < 0.0) || !self.near_arc(center, self.place(arc.center)) {
-                    return Err(Fault::at(made.line, format!("move {number} is another arc than in the path")));
+                    return Err(Fault::at(made.line, text!("move {number} is another arc than in the path", number)));
                 }
             }
-            (None, Some(_)) => return Err(Fault::at(made.line, format!("move {number} is an arc, and straight in the path"))),
+            (None, Some(_)) => {
+                return Err(Fault::at(made.line, text!("move {number} is an arc, and straight in the path", number)));
+            }
             (_, None) => {}
         }
         Ok(())
@@ -306,7 +312,7 @@ impl Expected {
         let begin = out(made.from);
         let sag = crate::control::iso::writer::CHORD_SAG / self.scale;
         if (radius - begin).abs() > 4.0 * self.digit || radius - out(middle) > sag + 4.0 * self.digit {
-            return Err(Fault::at(made.line, format!("move {} leaves its arc", i + 1)));
+            return Err(Fault::at(made.line, text!("move {number} leaves its arc", i + 1)));
         }
         Ok(())
     }
@@ -318,11 +324,11 @@ fn search_end(step: &Move, touch: &Touch) -> Vec3 {
 
 fn words(kind: Kind) -> &'static str {
     match kind {
-        Kind::Rapid => "a rapid that is not watched",
-        Kind::Feed => "a move that is not watched",
-        Kind::Watched => "watched",
-        Kind::Touch => "a touch",
-        Kind::Unchecked => "a probing move without a check",
+        Kind::Rapid => words!("a rapid that is not watched"),
+        Kind::Feed => words!("a move that is not watched"),
+        Kind::Watched => words!("watched"),
+        Kind::Touch => words!("a touch"),
+        Kind::Unchecked => words!("a probing move without a check"),
     }
 }
 
@@ -331,7 +337,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     let (path, trace, expected) = (request.path, &followed.trace, &followed.expected);
     if !request.post.computes {
         let silent = trace.outputs.is_empty() && trace.writes.is_empty();
-        return if silent { Ok(()) } else { Err(Fault::of("this control computes nothing, and the program does")) };
+        return if silent { Ok(()) } else { Err(Fault::of(text!("this control computes nothing, and the program does"))) };
     }
     let (samples, directions) = sampled(request, &followed.triggers);
     let values = path.formula.evaluate(&samples, &directions);
@@ -342,13 +348,13 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
         match given.next() {
             Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit, expected.size) => {}
             Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
-                return Err(Fault::of(format!("the program computes another {code} than the formula")));
+                return Err(Fault::of(text!("the program computes another {code} than the formula", code.clone())));
             }
-            _ => return Err(Fault::of(format!("the program does not give {}", result.code))),
+            _ => return Err(Fault::of(text!("the program does not give {code}", result.code.to_owned()))),
         }
     }
     if let Some((code, _)) = given.next() {
-        return Err(Fault::of(format!("the program gives {code}, which is no result")));
+        return Err(Fault::of(text!("the program gives {code}, which is no result", code.clone())));
     }
     write(request, trace, &values, expected)
 }
@@ -380,17 +386,17 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
         return if trace.writes.is_empty() {
             Ok(())
         } else {
-            Err(Fault::at(trace.writes[0].line, "this writes a work offset, and nothing is to be written"))
+            Err(Fault::at(trace.writes[0].line, text!("this writes a work offset, and nothing is to be written")))
         };
     };
-    let Some(written) = trace.written else { return Err(Fault::of("the work offset is not written")) };
+    let Some(written) = trace.written else { return Err(Fault::of(text!("the work offset is not written"))) };
     if let Some(other) = trace.writes.iter().find(|w| Some(w.number) != request.work_offset) {
-        return Err(Fault::at(other.line, "this writes another work offset"));
+        return Err(Fault::at(other.line, text!("this writes another work offset")));
     }
     let value = |expr: &Expr| expr.value(values);
     let turn = datum.rotation.as_ref().map_or(Dual::constant(0.0), value);
     if !equal(written.turn, turn, 1.0, expected.size) {
-        return Err(Fault::of("the work offset is turned by another angle than was measured"));
+        return Err(Fault::of(text!("the work offset is turned by another angle than was measured")));
     }
     // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
     let axes = request.plane.axes();
@@ -407,7 +413,7 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
         let wanted = Dual { value: nominal + way, ..measured };
         if !equal(written.reading[axis], wanted, expected.scale, expected.size) {
             let axis = crate::geom::AXIS_NAMES[axis];
-            return Err(Fault::of(format!("the work offset that is written does not bring {axis} to its nominal place")));
+            return Err(Fault::of(text!("the work offset that is written does not bring {axis} to its nominal place", axis)));
         }
     }
     Ok(())

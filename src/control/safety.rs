@@ -6,6 +6,7 @@ use crate::control::iso::writer::highest;
 use crate::control::prove::Followed;
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
+use crate::text::{Text, text, words};
 
 /// A rule.
 #[derive(Debug)]
@@ -25,7 +26,7 @@ pub struct Rule {
 }
 
 /// A line that breaks a rule: 0-based; none is the whole program.
-pub type Break = (Option<usize>, String);
+pub type Break = (Option<usize>, Text);
 
 /// What a rule looks at.
 #[derive(Debug)]
@@ -44,7 +45,7 @@ pub struct Verdict {
     /// None where this control cannot hold it, or its own cycle answers for it.
     pub holds: Option<bool>,
     /// What the rule asks, what is wrong, or why the control cannot.
-    pub message: String,
+    pub message: Text,
     /// The lines that break it, 0-based.
     pub lines: Vec<usize>,
     /// Whether a program without it is refused.
@@ -181,7 +182,7 @@ pub static RULES: &[Rule] = &[
 
 /// What every rule says of a program of a control's own cycle that is not followed.
 pub fn not_followed() -> Vec<Verdict> {
-    let message = "The control's own cycle makes every move itself";
+    let message = text!("The control's own cycle makes every move itself");
     RULES
         .iter()
         .map(|rule| Verdict { rule: rule.name, holds: None, message: message.to_owned(), lines: Vec::new(), must: rule.must })
@@ -198,14 +199,14 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
     let unable = case.request.post.cannot.iter().find(|(name, _)| *name == rule.name).map(|(_, why)| *why);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
-        (None, why.to_owned(), Vec::new())
+        (None, Text::words(why), Vec::new())
     } else if own_cycle {
-        (None, "The control's own cycle touches and writes by itself".to_owned(), Vec::new())
+        (None, text!("The control's own cycle touches and writes by itself"), Vec::new())
     } else {
         let breaks = (rule.breaks)(case);
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
-            None => (Some(true), rule.says.to_owned(), Vec::new()),
+            None => (Some(true), Text::words(rule.says), Vec::new()),
             Some((_, what)) => (Some(false), what, lines),
         }
     };
@@ -248,17 +249,17 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let modes = case.followed.trace.modes;
     let arcs = case.steps().iter().any(|step| step.arc.is_some());
     let right = [
-        ("units", modes.metric == Some(case.request.scale == 1.0)),
-        ("plane", modes.plane == Some(case.request.plane)),
-        ("absolute places", modes.absolute == Some(true)),
-        ("feed per minute", modes.per_minute == Some(true)),
-        ("centres of arcs", !arcs || modes.arcs_incremental == Some(true)),
-        ("work offset", modes.offset == case.request.work_offset),
+        (words!("units"), modes.metric == Some(case.request.scale == 1.0)),
+        (words!("plane"), modes.plane == Some(case.request.plane)),
+        (words!("absolute places"), modes.absolute == Some(true)),
+        (words!("feed per minute"), modes.per_minute == Some(true)),
+        (words!("centres of arcs"), !arcs || modes.arcs_incremental == Some(true)),
+        (words!("work offset"), modes.offset == case.request.work_offset),
     ];
     right
         .iter()
         .filter(|(_, right)| !right)
-        .map(|(what, _)| (Some(first.line), format!("This moves before its {what} are stated as the job has them")))
+        .map(|(what, _)| (Some(first.line), text!("This moves before its {modes} are stated as the job has them", *what)))
         .collect()
 }
 
@@ -267,7 +268,7 @@ fn spindle_off(case: &Case<'_>) -> Vec<Break> {
     if case.followed.trace.modes.spindle == Some(false) {
         return Vec::new();
     }
-    vec![(Some(first.line), "This moves before the spindle is switched off".to_owned())]
+    vec![(Some(first.line), text!("This moves before the spindle is switched off"))]
 }
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {
@@ -277,7 +278,7 @@ fn probe_asked(case: &Case<'_>) -> Vec<Break> {
         Ok(Ending::ControlStops) => Vec::new(),
         Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
         _ => {
-            vec![(Some(touch.line), "With a probe that is deflected from the start the program comes to this touch".to_owned())]
+            vec![(Some(touch.line), text!("With a probe that is deflected from the start the program comes to this touch"))]
         }
     }
 }
@@ -293,7 +294,7 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
         .steps
         .iter()
         .filter(low)
-        .map(|step| (Some(step.line), "From below the first place this moves in the plane".to_owned()))
+        .map(|step| (Some(step.line), text!("From below the first place this moves in the plane")))
         .collect()
 }
 
@@ -304,7 +305,7 @@ fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
             let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();
             step.kind != Kind::Watched && (way.is_nan() || way >= shortest)
         })
-        .map(|(_, step)| (Some(step.line), "This move is not watched: a contact in it is not noticed".to_owned()))
+        .map(|(_, step)| (Some(step.line), text!("This move is not watched: a contact in it is not noticed")))
         .collect()
 }
 
@@ -329,7 +330,7 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         .iter()
         .filter(|step| step.kind == Kind::Watched)
         .filter(bad)
-        .map(|step| (Some(step.line), "A contact in this move does not lead to an exit that lifts where up is free".to_owned()))
+        .map(|step| (Some(step.line), text!("A contact in this move does not lead to an exit that lifts where up is free")))
         .collect()
 }
 
@@ -337,12 +338,12 @@ fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
     let loose = case.steps().iter().filter(|step| step.kind == Kind::Unchecked);
     let mut breaks: Vec<Break> = loose
         .map(|step| {
-            (Some(step.line), "This probing move has no check: the program continues with and without a contact".to_owned())
+            (Some(step.line), text!("This probing move has no check: the program continues with and without a contact"))
         })
         .collect();
     let touches = case.steps().iter().filter(|step| step.kind == Kind::Touch).count();
     if breaks.is_empty() && touches < case.request.path.touches.len() {
-        breaks.push((None, "Not every touch of the path is a touch of the program".to_owned()));
+        breaks.push((None, text!("Not every touch of the path is a touch of the program")));
     }
     breaks
 }
@@ -363,7 +364,7 @@ fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
         .iter()
         .filter(|step| step.kind == Kind::Touch)
         .filter(|step| bad(step))
-        .map(|step| (Some(step.line), "A miss of this touch does not lead to the one exit that lifts".to_owned()))
+        .map(|step| (Some(step.line), text!("A miss of this touch does not lead to the one exit that lifts")))
         .collect()
 }
 
@@ -371,7 +372,7 @@ fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
     case.steps()
         .iter()
         .filter(|step| matches!(step.kind, Kind::Watched | Kind::Touch | Kind::Unchecked) && !step.own_feed)
-        .map(|step| (Some(step.line), "This probing block has no feed of its own".to_owned()))
+        .map(|step| (Some(step.line), text!("This probing block has no feed of its own")))
         .collect()
 }
 
@@ -384,7 +385,7 @@ fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
     };
     case.positioning()
         .filter(|(_, step)| step.kind == Kind::Rapid && low(step))
-        .map(|(_, step)| (Some(step.line), "This rapid goes down or across below the clearance plane".to_owned()))
+        .map(|(_, step)| (Some(step.line), text!("This rapid goes down or across below the clearance plane")))
         .collect()
 }
 
@@ -393,10 +394,10 @@ fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
     let last = trace.steps.iter().rposition(|step| step.kind == Kind::Touch).map_or(0, |at| at + 1);
     let early = trace.writes.iter().filter(|write| write.after < last);
     let mut breaks: Vec<Break> =
-        early.map(|write| (Some(write.line), "This writes a work offset before the last touch".to_owned())).collect();
+        early.map(|write| (Some(write.line), text!("This writes a work offset before the last touch"))).collect();
     let writes = |ending: Ending| matches!(ending, Ending::Exit { writes: true, .. });
     let exits = trace.steps.iter().filter(|step| writes(step.contact) || writes(step.miss));
-    breaks.extend(exits.map(|step| (Some(step.line), "On the way to the exit a work offset is written".to_owned())));
+    breaks.extend(exits.map(|step| (Some(step.line), text!("On the way to the exit a work offset is written"))));
     breaks
 }
 
@@ -408,20 +409,20 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
         .filter(|(i, write)| {
             writes[..*i].iter().any(|before| before.axis == write.axis) || Some(write.number) != case.request.work_offset
         })
-        .map(|(_, write)| (Some(write.line), "This writes a value of a work offset again, or another work offset".to_owned()))
+        .map(|(_, write)| (Some(write.line), text!("This writes a value of a work offset again, or another work offset")))
         .collect()
 }
 
 fn ends_above(case: &Case<'_>) -> Vec<Break> {
     let trace = &case.followed.trace;
     if !trace.ends {
-        return vec![(None, "The program has no end".to_owned())];
+        return vec![(None, text!("The program has no end"))];
     }
     let Some(last) = trace.steps.last() else { return Vec::new() };
     // 1411 may end where its last touch began: as high as the path itself does.
     let end = case.request.path.moves.last().map_or(f64::NEG_INFINITY, |step| case.level(step.to));
     if last.to[case.tool()] < end - case.digit() {
-        return vec![(Some(last.line), "The program ends lower than its path".to_owned())];
+        return vec![(Some(last.line), text!("The program ends lower than its path"))];
     }
     Vec::new()
 }

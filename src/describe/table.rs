@@ -3,6 +3,7 @@
 use crate::form::{Finding, Level};
 use crate::job::{JobError, ParameterRow, ParameterValue, Plan};
 use crate::num::in_full;
+use crate::text::text;
 
 /// The table of a plan as `csv` (with a heading), `json` (a list of rows) or `text` (a line `CmdPrm.Flt[-50] = 50` a row), in
 /// the documented order. Any other format is refused.
@@ -23,7 +24,7 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
             Ok(format!("[\n  {}\n]\n", rows.join(",\n  ")))
         }
         _ => {
-            let message = "A table is exported as \"csv\", \"json\" or \"text\"";
+            let message = text!("A table is exported as \"csv\", \"json\" or \"text\"");
             Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "format", message)] })
         }
     }

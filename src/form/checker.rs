@@ -4,6 +4,7 @@ use crate::form::field::Checked;
 use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
 use crate::geom::Vec3;
 use crate::num::decimal;
+use crate::text::{Part, Text, text};
 use crate::tolerance::{self, Nominal};
 
 /// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
@@ -28,21 +29,21 @@ impl std::default::Default for Checker {
 
 impl Checker {
     /// Reports an error.
-    pub fn error(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+    pub fn error(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Error, code, path, message);
     }
 
     /// Reports a warning.
-    pub fn warning(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+    pub fn warning(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Warning, code, path, message);
     }
 
     /// Reports a note.
-    pub fn info(&mut self, code: &str, path: impl Into<String>, message: impl Into<String>) {
+    pub fn info(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Info, code, path, message);
     }
 
-    fn push(&mut self, level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) {
+    fn push(&mut self, level: Level, code: &str, path: impl Into<String>, message: Text) {
         self.found.push(Finding::new(level, code, path, message));
     }
 
@@ -77,7 +78,12 @@ impl Checker {
             listed
         });
         let [errors, warnings, notes] = more;
-        let message = format!("More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes");
+        let message = text!(
+            "More was found than is listed: {errors} errors, {warnings} warnings and {notes} notes",
+            errors,
+            warnings,
+            notes
+        );
         self.found.push(Finding::new(LEVELS[gravest], "more-findings", "", message));
         self.found
     }
@@ -129,7 +135,7 @@ impl<'a, 'c> Section<'a, 'c> {
         let value = match value {
             None | Some(Value::Map(_)) => value,
             Some(other) => {
-                checker.error("wrong-type", path, format!("{} must be an object, not {}", place(path), other.noun()));
+                checker.error("wrong-type", path, text!("{place} must be an object, not {given}", place(path), other.noun()));
                 None
             }
         };
@@ -171,7 +177,7 @@ impl<'a, 'c> Section<'a, 'c> {
                 self.checker.error(
                     "unknown-key",
                     self.at(&shown),
-                    format!("{} has no \"{shown}\"; it knows {}", place(self.path), names.join(", ")),
+                    text!("{place} has no \"{key}\"; it knows {keys}", place(self.path), shown, names.join(", ")),
                 );
             }
         }
@@ -180,12 +186,16 @@ impl<'a, 'c> Section<'a, 'c> {
     /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
         let Value::Number(given) = *value else {
-            let null = if field.null.is_some() { " or null" } else { "" };
-            self.checker.error("wrong-type", path, format!("{} must be a number{null}, not {}", field.label, value.noun()));
+            let message = if field.null.is_some() {
+                text!("{label} must be a number or null, not {given}", field.label, value.noun())
+            } else {
+                text!("{label} must be a number, not {given}", field.label, value.noun())
+            };
+            self.checker.error("wrong-type", path, message);
             return None;
         };
         if !given.is_finite() {
-            self.checker.error("not-finite", path, format!("{} must be a finite number", field.label));
+            self.checker.error("not-finite", path, text!("{label} must be a finite number", field.label));
             return None;
         }
         let scale = match field.kind {
@@ -193,7 +203,7 @@ impl<'a, 'c> Section<'a, 'c> {
             Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
         };
         if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
-            self.checker.error("not-whole", path, format!("{} must be a whole number", field.label));
+            self.checker.error("not-whole", path, text!("{label} must be a whole number", field.label));
             return None;
         }
         // The end of a range, said in inch, is not said to the last bit.
@@ -203,12 +213,16 @@ impl<'a, 'c> Section<'a, 'c> {
         if !field.hard.holds(inner) {
             let (min, max) = (number(field.hard.min), number(field.hard.max));
             let allowed = if field.hard.above {
-                format!("above {min} and at most {max}{unit}")
+                text!("above {min} and at most {max}{unit}", min, max, unit)
             } else {
-                format!("from {min} to {max}{unit}")
+                text!("from {min} to {max}{unit}", min, max, unit)
             };
-            let reason = if field.reason.is_empty() { String::new() } else { format!(": {}", field.reason) };
-            self.checker.error("out-of-range", path, format!("{} must be {allowed}{reason}", field.label));
+            let message = if field.reason.is_empty() {
+                text!("{label} must be {allowed}", field.label, allowed)
+            } else {
+                text!("{label} must be {allowed}: {reason}", field.label, allowed, field.reason)
+            };
+            self.checker.error("out-of-range", path, message);
             return None;
         }
         if let Some((min, max)) = field.usual
@@ -217,7 +231,7 @@ impl<'a, 'c> Section<'a, 'c> {
             self.checker.warning(
                 "unusual",
                 path,
-                format!("{} is usually from {} to {}{unit}", field.label, number(min), number(max)),
+                text!("{label} is usually from {min} to {max}{unit}", field.label, number(min), number(max), unit),
             );
         }
         Some(inner)
@@ -232,12 +246,14 @@ impl<'a, 'c> Section<'a, 'c> {
         let parsed = match tolerance::parse(text, scale) {
             Ok(parsed) => parsed,
             Err(why) => {
-                let forms = if why.contains(tolerance::FORMS) {
-                    String::new()
+                // Where the value has no form at all, the forms are said already.
+                let said = why.english().contains(tolerance::FORMS);
+                let message = if said {
+                    text!("{label}: {why}", field.label, why)
                 } else {
-                    format!(". The forms are {}", tolerance::FORMS)
+                    text!("{label}: {why}. The forms are {forms}", field.label, why, tolerance::FORMS.to_owned())
                 };
-                self.checker.error("not-a-value", path, format!("{}: {why}{forms}", field.label));
+                self.checker.error("not-a-value", path, message);
                 return None;
             }
         };
@@ -341,7 +357,7 @@ impl Checked for [Nominal; 3] {
                 point
             }
             Some(other) => {
-                let message = format!("{} must be a list of three values, not {}", field.label, other.noun());
+                let message = text!("{label} must be a list of three values, not {given}", field.label, other.noun());
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -388,7 +404,7 @@ impl Checked for bool {
             Some(Value::Flag(b)) => *b,
             Some(other) => {
                 let path = section.at(field.key);
-                let message = format!("{} must be true or false, not {}", field.label, other.noun());
+                let message = text!("{label} must be true or false, not {given}", field.label, other.noun());
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -418,10 +434,10 @@ impl Checked for Vec3 {
             }
             other => {
                 let what = match other {
-                    Value::List(items) => format!("a list of {}", items.len()),
-                    _ => other.noun().to_owned(),
+                    Value::List(items) => text!("a list of {count}", items.len()),
+                    _ => other.noun(),
                 };
-                let message = format!("{} must be a list of three numbers [X, Y, Z], not {what}", field.label);
+                let message = text!("{label} must be a list of three numbers [X, Y, Z], not {what}", field.label, what);
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -454,20 +470,21 @@ impl Checked for String {
                     return text.clone();
                 }
                 let words: Vec<String> = choices.iter().map(|c| format!("\"{}\"", c.value)).collect();
-                let message = format!("{} must be one of {}, not \"{}\"", field.label, words.join(", "), printable(text));
+                let message =
+                    text!("{label} must be one of {words}, not \"{text}\"", field.label, words.join(", "), printable(text));
                 section.checker.error("unknown-value", path, message);
                 stand_in()
             }
             (Some(Value::Text(text)), _) => {
                 if text.chars().count() as f64 > field.hard.max {
-                    let message = format!("{} may have {} characters at most", field.label, decimal(field.hard.max, 0));
+                    let message = text!("{label} may have {max} characters at most", field.label, decimal(field.hard.max, 0));
                     section.checker.error("too-long", path, message);
                     return stand_in();
                 }
                 text.clone()
             }
             (Some(other), _) => {
-                let message = format!("{} must be text, not {}", field.label, other.noun());
+                let message = text!("{label} must be text, not {given}", field.label, other.noun());
                 section.checker.error("wrong-type", path, message);
                 stand_in()
             }
@@ -484,6 +501,7 @@ pub(crate) fn printable(text: &str) -> String {
     shown
 }
 
-fn place(path: &str) -> &str {
-    if path.is_empty() { "the job" } else { path }
+/// A section as it is called in a message.
+fn place(path: &str) -> Part {
+    if path.is_empty() { text!("the job").into() } else { path.to_owned().into() }
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::form::codes::is_listed;
+use crate::text::Text;
 
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -27,12 +28,14 @@ pub struct Finding {
     pub path: String,
     /// Plain words for a person, with numbers in the job's units.
     pub message: String,
+    /// The message as a template and its values: with a list of words it can be said in another language.
+    pub said: Text,
 }
 
 impl Finding {
     /// A finding from its parts.
-    pub fn new(level: Level, code: &str, path: impl Into<String>, message: impl Into<String>) -> Self {
+    pub fn new(level: Level, code: &str, path: impl Into<String>, said: Text) -> Self {
         debug_assert!(is_listed(code), "the code {code} stands in form/codes.rs");
-        Finding { level, code: code.to_owned(), path: path.into(), message: message.into() }
+        Finding { level, code: code.to_owned(), path: path.into(), message: said.english(), said }
     }
 }

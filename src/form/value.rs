@@ -1,5 +1,7 @@
 //! The loose value a job arrives as, whatever it was written in.
 
+use crate::text::{Text, text};
+
 /// Any JSON-like value, plus what JSON cannot say but JavaScript can hand over.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
@@ -29,15 +31,15 @@ impl Value {
     }
 
     /// What this is, in a word for people.
-    pub fn noun(&self) -> &'static str {
+    pub fn noun(&self) -> Text {
         match self {
-            Value::Null => "null",
-            Value::Flag(_) => "true or false",
-            Value::Number(_) => "a number",
-            Value::Text(_) => "text",
-            Value::List(_) => "a list",
-            Value::Map(_) => "an object",
-            Value::Other(name) => name,
+            Value::Null => text!("null"),
+            Value::Flag(_) => text!("true or false"),
+            Value::Number(_) => text!("a number"),
+            Value::Text(_) => text!("text"),
+            Value::List(_) => text!("a list"),
+            Value::Map(_) => text!("an object"),
+            Value::Other(name) => Text::words(name),
         }
     }
 }

@@ -18,6 +18,7 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use crate::geom::{Vec2, Vec3};
 use crate::num::tidy;
+use crate::text::Text;
 
 /// An expression over the triggers of the touches.
 #[derive(Clone, Debug, PartialEq)]
@@ -192,7 +193,7 @@ pub struct ResultRow {
     /// Its code, `center.x`.
     pub code: String,
     /// What it is.
-    pub meaning: String,
+    pub meaning: Text,
     /// Its unit.
     pub unit: Unit,
     /// What it is on the nominal part.
@@ -204,7 +205,7 @@ pub struct ResultRow {
     /// One sigma of the value, from the repeatability of a touch.
     pub uncertainty: Option<f64>,
     /// Good, rework, scrap, where a tolerance is given.
-    pub verdict: Option<String>,
+    pub verdict: Option<Text>,
     /// What it is on the actual part, where that is known.
     pub truth: Option<f64>,
 }

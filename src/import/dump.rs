@@ -10,6 +10,7 @@ use crate::import::{Imported, set};
 use crate::job::JobError;
 use crate::job::default_job;
 use crate::path::{Accessor, MAX_TOUCHES};
+use crate::text::text;
 
 /// How near the touches of the dimensions must be to those of the dump to be the same, mm.
 const SAME: f64 = 1e-6;
@@ -50,7 +51,8 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
     let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
-        let message = format!("Type {} is not a cycle that is known here: it is passed over", crate::num::in_full(kind(block)));
+        let message =
+            text!("Type {block} is not a cycle that is known here: it is passed over", crate::num::in_full(kind(block)));
         checker.warning("unknown-type", "cycle.type", message);
     }
     let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks.iter().filter_map(|b| Some((b, def_of(b)?))).collect();
@@ -59,12 +61,12 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
         checker.error(
             "nothing-to-import",
             "cycle.type",
-            "No job can be made of this dump: it holds no cycle type from 0 to 16",
+            text!("No job can be made of this dump: it holds no cycle type from 0 to 16"),
         );
         return Err(JobError { findings: checker.findings() });
     };
     if known.len() > 1 {
-        let message = format!("The dump holds {} cycles: the first that probes, {}, is taken", known.len(), def.title);
+        let message = text!("The dump holds {count} cycles: the first that probes, {title}, is taken", known.len(), def.title);
         checker.warning("several-cycles", "", message);
     }
     Ok(build(block, def, checker))
@@ -110,10 +112,10 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
         place_touches(block, def, place, &mut job, &mut checker);
     }
     let silent =
-        "A dump does not say feeds, overtravel, units, the control and the program's name: the defaults are taken (mm)";
+        text!("A dump does not say feeds, overtravel, units, the control and the program's name: the defaults are taken (mm)");
     checker.info("not-in-dump", "feeds", silent);
     if !checker.has("stylus-from-dump") {
-        let silent = "A dump does not say the stylus: the default ball is taken";
+        let silent = text!("A dump does not say the stylus: the default ball is taken");
         checker.info("not-in-dump", "stylus", silent);
     }
     Imported { job, trace: None, findings: checker.findings() }
@@ -127,7 +129,7 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
         }
         let angular = only_angular(code, find(block, -59).unwrap_or(0.0));
         if field.kind != Kind::Flag && code != -2 && !angular {
-            let message = format!("The dump has no code {code} ({}): the default is taken", field.label);
+            let message = text!("The dump has no code {code} ({label}): the default is taken", code, field.label);
             checker.warning("missing-code", path, message);
         }
         return None;
@@ -135,8 +137,9 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
     match field.kind {
         Kind::Flag if value == 0.0 || value == 1.0 => Some(Value::Flag(value == 1.0)),
         Kind::Flag => {
-            let message = format!(
-                "Code {code} ({}) must be 0 or 1, not {}: the default is taken",
+            let message = text!(
+                "Code {code} ({label}) must be 0 or 1, not {value}: the default is taken",
+                code,
                 field.label,
                 crate::num::in_full(value)
             );
@@ -159,13 +162,13 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
         } else if own.len() < MOST {
             own.push(*entry);
         } else {
-            let message = format!("The dump holds more than {MOST} codes of the user's own: the first {MOST} are kept");
+            let message = text!("The dump holds more than {most} codes of the user's own: the first {most} are kept", MOST);
             checker.warning("own-codes", "cycle.custom", message);
             break;
         }
     }
     if twice > 0 {
-        let message = format!("{twice} of the user's own codes are there more than once: the last value of each is kept");
+        let message = text!("{twice} of the user's own codes are there more than once: the last value of each is kept", twice);
         checker.warning("own-codes", "cycle.custom", message);
     }
     if own.is_empty() {
@@ -198,7 +201,7 @@ fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
     unknown.dedup();
     if !unknown.is_empty() {
         let codes: Vec<String> = unknown.iter().rev().map(ToString::to_string).collect();
-        let message = format!("This cycle has no code {}: passed over", codes.join(", "));
+        let message = text!("This cycle has no code {codes}: passed over", codes.join(", "));
         checker.warning("unknown-code", "cycle", message);
     }
 }
@@ -229,8 +232,9 @@ fn triple(v: Vec3) -> Value {
 fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, job: &mut Value, checker: &mut Checker) {
     let (used, original) = (touches(block, -100), touches(block, -200));
     if used.is_empty() && original.is_empty() {
-        let message =
-            "The dump has no touch points (-100 or -200 and following): place and rotation of the feature are the defaults";
+        let message = text!(
+            "The dump has no touch points (-100 or -200 and following): place and rotation of the feature are the defaults"
+        );
         checker.warning("no-touches", "cycle.origin", message);
         return;
     }
@@ -258,11 +262,11 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         Some(plane) => {
             set(job, "plane", Value::Text(plane.word().to_owned()));
             let message =
-                "The touch points are not those that the dimensions alone would give: they are kept as they were picked";
+                text!("The touch points are not those that the dimensions alone would give: they are kept as they were picked");
             checker.info("touches-kept", "cycle.touches", message);
         }
         None => {
-            let message = "The touch points do not make this feature: see the job's own findings";
+            let message = text!("The touch points do not make this feature: see the job's own findings");
             checker.warning("touches-unsound", "cycle.touches", message);
         }
     }
@@ -289,21 +293,30 @@ fn on_the_surface(
     if compensated && both && radius >= 0.0 && !apart {
         // Both blocks: between them lies the ball, and nothing else.
         set(job, "stylus.diameter", Value::Number(tidy(2.0 * radius)));
-        checker.info("stylus-from-dump", "stylus.diameter", "The ball is what lies between the used and the original points");
+        checker.info(
+            "stylus-from-dump",
+            "stylus.diameter",
+            text!("The ball is what lies between the used and the original points"),
+        );
         return original;
     }
     if compensated {
         let why = if both {
-            "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
+            text!(
+                "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
+            )
         } else {
-            "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
+            text!(
+                "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
+            )
         };
-        let message = format!("{why}: the default ball of 6 mm is taken off the used points");
+        let message = text!("{why}: the default ball of 6 mm is taken off the used points", why);
         checker.warning("ball-unknown", "stylus.diameter", message);
         return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * RADIUS, ..pick }).collect();
     }
     if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
-        let message = "The used points (-100 and following) differ from the original ones (-200): the used ones are taken";
+        let message =
+            text!("The used points (-100 and following) differ from the original ones (-200): the used ones are taken");
         checker.info("points-differ", "cycle.touches", message);
     }
     used
@@ -361,11 +374,15 @@ fn report_plane<'a>(fits: impl Iterator<Item = &'a Trial>, checker: &mut Checker
     match planes.as_slice() {
         [] | ["G17"] => {}
         [one] => {
-            let message = format!("The target vectors are those of a feature in {one}: that plane is taken");
+            let message = text!("The target vectors are those of a feature in {one}: that plane is taken", (*one).to_owned());
             checker.info("plane-from-dump", "plane", message);
         }
         [first, ..] => {
-            let message = format!("The touches are those of this feature in {}: {first} is taken", planes.join(" and in "));
+            let message = text!(
+                "The touches are those of this feature in {planes}: {first} is taken",
+                planes.join(", "),
+                first.to_owned()
+            );
             checker.warning("plane-unknown", "plane", message);
         }
     }

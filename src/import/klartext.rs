@@ -4,6 +4,7 @@ use crate::form::{Checker, Value};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
 use crate::job::default_job_in;
+use crate::text::text;
 
 /// Which parameter is which key of the cycle, and its default on the control.
 const PARAMETERS: &[(u32, &str, f64)] = &[
@@ -59,8 +60,9 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         }
     }
     let mut checker = Checker::default();
-    let message =
-        "The blocks are not those that the job of the header makes: what the blocks say is taken, the rest is the header's";
+    let message = text!(
+        "The blocks are not those that the job of the header makes: what the blocks say is taken, the rest is the header's"
+    );
     checker.warning("program-differs", "", message);
     let findings =
         checker.findings().into_iter().chain(blocks.findings.into_iter().filter(|f| f.code != "not-in-program")).collect();
@@ -131,7 +133,7 @@ impl Reader {
             // Only a spindle speed: the tool stays.
             Some(Err(_)) if words[0].starts_with('S') && crate::num::read(&words[0][1..]).is_some() => {}
             _ => {
-                let message = "The tool is called by its name: its number is not known, and no tool is called";
+                let message = text!("The tool is called by its name: its number is not known, and no tool is called");
                 self.checker.warning("tool-by-name", "control.tool", message);
             }
         }
@@ -149,7 +151,7 @@ impl Reader {
     fn two_circles(&mut self, block: &str) {
         self.found += 1;
         if self.found > 1 {
-            let message = "The program holds cycle 1411 more than once: the first one is taken";
+            let message = text!("The program holds cycle 1411 more than once: the first one is taken");
             self.checker.warning("several-cycles", "", message);
             return;
         }
@@ -158,8 +160,9 @@ impl Reader {
             match (predefined, value) {
                 (Some((number, flag)), Value::Flag(_)) => {
                     set(&mut self.job, &format!("cycle.{flag}"), Value::Flag(true));
-                    let message = format!(
-                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the picture shows"
+                    let message = text!(
+                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the picture shows",
+                        number.to_string()
                     );
                     self.checker.warning("predefined", format!("cycle.{key}"), message);
                 }
@@ -193,24 +196,31 @@ impl Reader {
         let Reader { mut job, mut checker, extrusion, found, passed_over } = self;
         let klartext = blocks.iter().any(|b| b.to_ascii_uppercase().starts_with("BEGIN PGM"));
         if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
-            let message = "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken";
+            let message = text!("The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken");
             checker.warning("units-unknown", "units", message);
         }
         if found == 0 {
-            let message = "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
-                           cycle 1411, nor one that this project wrote for SINUMERIK";
+            let message = text!(
+                "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
+                           cycle 1411, nor one that this project wrote for SINUMERIK"
+            );
             checker.error("nothing-to-import", "", message);
             return Err(JobError { findings: checker.findings() });
         }
         set(&mut job, "cycle.extrusion", extrusion);
         raise_start(&mut job);
         if passed_over > 0 {
-            let blocks =
-                if passed_over == 1 { "1 other block is".to_owned() } else { format!("{passed_over} other blocks are") };
-            checker.info("passed-over", "", format!("{blocks} passed over"));
+            let message = if passed_over == 1 {
+                text!("1 other block is passed over")
+            } else {
+                text!("{count} other blocks are passed over", passed_over)
+            };
+            checker.info("passed-over", "", message);
         }
-        let unknown = "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
-                       the defaults are taken, and for the stylus at least the clearance height";
+        let unknown = text!(
+            "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
+                       the defaults are taken, and for the stylus at least the clearance height"
+        );
         checker.info("not-in-program", "stylus", unknown);
         Ok(Imported { job, trace: None, findings: checker.findings() })
     }
@@ -301,7 +311,7 @@ fn values<'a>(block: &str, known: &'a [(u32, &'a str, f64)], cycle: &str, checke
     let given = assignments(block, cycle, checker);
     for (number, _) in &given {
         if !known.iter().any(|(n, ..)| n == number) {
-            let message = format!("Cycle {cycle} has no Q{number}: it is passed over");
+            let message = text!("Cycle {cycle} has no Q{number}: it is passed over", cycle.to_string(), number.to_string());
             checker.warning("unknown-parameter", "", message);
         }
     }
@@ -310,7 +320,7 @@ fn values<'a>(block: &str, known: &'a [(u32, &'a str, f64)], cycle: &str, checke
         .map(|(number, key, default)| {
             let value = given.iter().rev().find(|(n, _)| n == number).map(|(_, value)| value.clone());
             if value.is_none() {
-                let message = format!("Q{number} is not given: the control's default is taken");
+                let message = text!("Q{number} is not given: the control's default is taken", number.to_string());
                 checker.warning("missing-parameter", format!("cycle.{key}"), message);
             }
             (*key, value.unwrap_or(Value::Number(*default)))
@@ -343,7 +353,11 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
                 found.push((number, Value::Flag(true)));
             }
             _ => {
-                let message = format!("Q{number} of cycle {cycle} is not a number: the control's default is taken");
+                let message = text!(
+                    "Q{number} of cycle {cycle} is not a number: the control's default is taken",
+                    number.to_string(),
+                    cycle.to_owned()
+                );
                 checker.warning("not-a-number", "", message);
             }
         }

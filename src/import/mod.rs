@@ -13,6 +13,7 @@ pub use toolpath::{Toolpath, read_program};
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
+use crate::text::text;
 
 /// A job made of a text, and what had to be said about it.
 #[derive(Debug)]
@@ -45,9 +46,10 @@ pub fn too_long(bytes: usize) -> JobError {
 
 fn longer_than(most: usize, bytes: usize) -> JobError {
     let most = most / 1_000_000;
-    let message = format!(
-        "This text has {} million characters: at most {most} million are read",
-        crate::num::decimal(bytes as f64 / 1e6, 1)
+    let message = text!(
+        "This text has {size} million characters: at most {most} million are read",
+        crate::num::decimal(bytes as f64 / 1e6, 1),
+        most
     );
     JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
 }

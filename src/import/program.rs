@@ -12,6 +12,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Value, printable};
 use crate::import::{Imported, has_place, set};
 use crate::job::{FORMAT, JobError, Plan, SECTIONS};
+use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
 const MOST_LISTED: usize = 20;
@@ -50,36 +51,38 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let said = header::read(text);
     let Some(mut job) = job_of(&said, &mut checker) else {
-        checker.error("nothing-to-import", "", "The header says a job of a cycle that is not known here");
+        checker.error("nothing-to-import", "", text!("The header says a job of a cycle that is not known here"));
         return Err(JobError { findings: checker.findings() });
     };
     if let Some(name) = said.name {
         set(&mut job, "name", Value::Text(name.to_owned()));
     }
     if let Some(version) = said.version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
-        let message = format!(
-            "Version {} wrote this program, and {} reads it: blocks may differ where only the versions do",
+        let message = text!(
+            "Version {version} wrote this program, and {own} reads it: blocks may differ where only the versions do",
             printable(version),
-            env!("CARGO_PKG_VERSION")
+            env!("CARGO_PKG_VERSION").to_owned()
         );
         checker.info("other-version", "", message);
     }
     let plan = crate::job::plan(&job);
     match crate::job::examine(&job, text) {
         Some(Err(faults)) if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) => {
-            let message = "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
-                           job's, and may have been changed";
+            let message = text!(
+                "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
+                           job's, and may have been changed"
+            );
             checker.warning("program-differs", "control.post", message);
             return Ok(Imported { job, trace: None, findings: checker.findings() });
         }
         Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
             for fault in faults.iter().take(MOST_LISTED) {
-                checker.warning("unsafe-program", "", with_line(fault.line, &fault.message));
+                checker.warning("unsafe-program", "", with_line(fault.line, fault.message.clone()));
             }
         }
         Some(Err(faults)) => {
             for fault in faults.iter().filter(|fault| !fault.understood).take(MOST_LISTED) {
-                checker.error("not-understood", "", with_line(fault.line, &fault.message));
+                checker.error("not-understood", "", with_line(fault.line, fault.message.clone()));
             }
             return Err(JobError { findings: checker.findings() });
         }
@@ -89,22 +92,25 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                 plan.as_ref().is_ok_and(|p| p.safety.iter().any(|own| own.rule == rule && own.holds == Some(false)))
             };
             for rule in rules.iter().filter(|rule| rule.holds == Some(false) && !asked(rule.rule)).take(MOST_LISTED) {
-                let message = format!("{} (rule {})", rule.message, rule.rule);
-                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), &message));
+                let message = text!("{message} (rule {rule})", rule.message.clone(), rule.rule.to_owned());
+                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), message));
             }
         }
         None => {}
     }
     match plan {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
-        Err(_) => checker.warning("header-unsound", "", "The job that the header says has errors: see its findings"),
+        Err(_) => checker.warning("header-unsound", "", text!("The job that the header says has errors: see its findings")),
     }
-    checker.info("part-not-in-program", "part", "A program does not say how the part lies: the nominal one is taken");
+    checker.info("part-not-in-program", "part", text!("A program does not say how the part lies: the nominal one is taken"));
     Ok(Imported { job, trace: None, findings: checker.findings() })
 }
 
-fn with_line(line: Option<usize>, message: &str) -> String {
-    line.map_or_else(|| message.to_owned(), |line| format!("Line {}: {message}", line + 1))
+fn with_line(line: Option<usize>, message: Text) -> Text {
+    match line {
+        Some(line) => text!("Line {line}: {message}", line + 1, message),
+        None => message,
+    }
 }
 
 /// Whether another control than the job's understands the program.
@@ -134,7 +140,7 @@ fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
     }
     if unknown > 0 {
         let message =
-            format!("The header has {unknown} values that a job of this cycle has no place for: they are passed over");
+            text!("The header has {unknown} values that a job of this cycle has no place for: they are passed over", unknown);
         checker.warning("header-unknown", "", message);
     }
     Some(job)
@@ -223,23 +229,27 @@ fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
     let differs = given.iter().zip(&wanted).find(|((_, a), (_, b))| a != b).map(|((line, _), _)| *line);
     let line = differs.or_else(|| given.get(wanted.len()).map(|(line, _)| *line));
     let by_hash = match said.unchanged {
-        Some(true) => " The hash in the header is that of these blocks: the header was changed, or another version wrote them.",
-        Some(false) => " The hash in the header is that of other blocks: they were changed.",
-        None => "",
+        Some(true) => {
+            text!(" The hash in the header is that of these blocks: the header was changed, or another version wrote them.")
+        }
+        Some(false) => text!(" The hash in the header is that of other blocks: they were changed."),
+        None => Text::words(""),
     };
     let message = match line {
-        Some(line) => format!(
-            "Line {} is not what the job of the header makes there.{by_hash} The job is the header's, and what was changed in the program \
+        Some(line) => text!(
+            "Line {line} is not what the job of the header makes there.{by_hash} The job is the header's, and what was changed in the program \
              is not in it",
-            line + 1
+            line + 1,
+            by_hash
         ),
         None if given.len() < wanted.len() => {
-            format!("The end of the program is missing.{by_hash} The job is the header's")
+            text!("The end of the program is missing.{by_hash} The job is the header's", by_hash)
         }
         None => {
             if said.unchanged == Some(false) {
-                let message =
-                    "The blocks are those that the job makes, and lines between them were changed: comments, or their order";
+                let message = text!(
+                    "The blocks are those that the job makes, and lines between them were changed: comments, or their order"
+                );
                 checker.info("lines-differ", "", message);
             }
             return;
@@ -335,12 +345,21 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         }
     }
     if let Some((post, trace)) = read {
-        checker.info("no-job-in-program", "", "The program says no job: its moves are read, and a job cannot be made of them");
+        checker.info(
+            "no-job-in-program",
+            "",
+            text!("The program says no job: its moves are read, and a job cannot be made of them"),
+        );
         return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings: checker.findings() }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;
     for trouble in troubles.iter().take(MOST_LISTED) {
-        let message = format!("Line {}, read as a program for {}: {}", trouble.line + 1, post.title, trouble.message);
+        let message = text!(
+            "Line {line}, read as a program for {title}: {message}",
+            trouble.line + 1,
+            post.title.to_owned(),
+            trouble.message.clone()
+        );
         checker.error("not-understood", "", message);
     }
     Some(Err(JobError { findings: checker.findings() }))

@@ -8,6 +8,7 @@ use crate::form::{Checker, Finding};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
 use crate::num::read;
+use crate::text::{Text, text};
 
 /// The longest program that is read, in bytes.
 pub const LONGEST_PROGRAM: usize = 20_000_000;
@@ -540,32 +541,42 @@ impl Reader {
 
     fn finish(mut self) -> Toolpath {
         let mut checker = Checker::default();
-        let mut say = |count: Count, code: &str, what: &str| {
+        let mut say = |count: Count, code: &str, what: Text| {
             if count.times > 0 {
-                let times = if count.times == 1 { "once,".to_owned() } else { format!("{} times, the first", count.times) };
-                checker.warning(code, "", format!("{what}: {times} in line {}", count.first + 1));
+                let message = if count.times == 1 {
+                    text!("{what}: once, in line {line}", what, count.first + 1)
+                } else {
+                    text!("{what}: {times} times, the first in line {line}", what, count.times, count.first + 1)
+                };
+                checker.warning(code, "", message);
             }
         };
         say(
             self.skipped,
             "lines-skipped",
-            "Lines that jump, call, compute or run a cycle of the control's own are not followed",
+            text!("Lines that jump, call, compute or run a cycle of the control's own are not followed"),
         );
-        say(self.computed, "places-computed", "Places that the control computes are not known here, until a number is given");
-        say(self.machine, "machine-places", "Places in the machine's own system are not known in the work system");
+        say(
+            self.computed,
+            "places-computed",
+            text!("Places that the control computes are not known here, until a number is given"),
+        );
+        say(self.machine, "machine-places", text!("Places in the machine's own system are not known in the work system"));
         say(
             self.transformed,
             "places-transformed",
-            "Shifts, turns, mirrors, scales, polar places and other work offsets are not followed: later places are as written",
+            text!(
+                "Shifts, turns, mirrors, scales, polar places and other work offsets are not followed: later places are as written"
+            ),
         );
         say(
             self.from_unknown,
             "start-unknown",
-            "Incremental moves begin at a place that is not known: they are counted from 0",
+            text!("Incremental moves begin at a place that is not known: they are counted from 0"),
         );
-        say(self.arcs_unsolved, "arc-unsolved", "Arcs whose centre or begin is not known are straight here");
+        say(self.arcs_unsolved, "arc-unsolved", text!("Arcs whose centre or begin is not known are straight here"));
         if self.path.metric.is_none() && !self.path.is_empty() {
-            checker.info("no-units", "", "The program does not say its units");
+            checker.info("no-units", "", text!("The program does not say its units"));
         }
         self.path.findings = checker.findings();
         self.path.plane = self.plane.unwrap_or_default();

@@ -3,6 +3,7 @@
 use crate::form::{Checker, Choice, Code, Field, Section, Value, form};
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
+use crate::text::text;
 use crate::tool_length::{Query, Step};
 
 /// The most frame steps a query may have.
@@ -68,7 +69,7 @@ pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
         None => return Vec::new(),
         Some(Value::List(steps)) if steps.len() <= MOST_STEPS => steps,
         Some(_) => {
-            let message = format!("The frame must be a list of at most {MOST_STEPS} steps {{ rot, angle }} or {{ mirror }}");
+            let message = text!("The frame must be a list of at most {most} steps { rot, angle } or { mirror }", MOST_STEPS);
             section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
@@ -82,7 +83,7 @@ fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<
         _ => None,
     };
     let Value::Map(entries) = step else {
-        section.checker.error("wrong-type", path, "A frame step is { rot, angle } or { mirror }");
+        section.checker.error("wrong-type", path, text!("A frame step is { rot, angle } or { mirror }"));
         return None;
     };
     match (axis("rot"), axis("mirror"), entries.len()) {
@@ -93,7 +94,7 @@ fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<
         }
         (None, Some(axis), 1) => Some(Step::Mirror { axis }),
         _ => {
-            section.checker.error("wrong-type", path, "A frame step is { rot, angle } or { mirror }; axes are X, Y, Z");
+            section.checker.error("wrong-type", path, text!("A frame step is { rot, angle } or { mirror }; axes are X, Y, Z"));
             None
         }
     }

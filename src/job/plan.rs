@@ -13,6 +13,7 @@ use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
+use crate::text::{Text, text};
 
 /// The surfaces of the actual part where it really lies.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
@@ -67,20 +68,22 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
         let n = k + 1;
         let (code, message) = match fault {
             TouchFault::Missing => {
-                ("touch-missing", format!("Touch {n} is not in the path once: nothing would assign its trigger"))
+                ("touch-missing", text!("Touch {touch} is not in the path once: nothing would assign its trigger", n))
             }
             TouchFault::Short(way) => (
                 "touch-too-short",
-                format!(
-                    "Touch {n} begins {} before its nominal contact: at least {} are needed, or the ball begins in contact",
+                text!(
+                    "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, or the ball begins in contact",
+                    n,
                     checker.length(way),
                     checker.length(SHORTEST_TOUCH)
                 ),
             ),
             TouchFault::Askew(angle) => (
                 "touch-askew",
-                format!(
-                    "Touch {n} would run askew by {}° of its inverted target vector: at most {}° are taken",
+                text!(
+                    "Touch {touch} would run askew by {angle}° of its inverted target vector: at most {most}° are taken",
+                    n,
                     decimal(angle, 2),
                     decimal(MOST_ASKEW, 1)
                 ),
@@ -95,12 +98,12 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
     for (field, label) in job.cycle.set_on_the_control() {
-        let what = format!("The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here");
+        let what = text!("The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here", label);
         if job.form == Form::Moves {
-            let message = format!("{what}. A program of moves needs the value: clear the flag and give it");
+            let message = text!("{what}. A program of moves needs the value: clear the flag and give it", what);
             checker.error("not-known", field, message);
         } else {
-            let message = format!("{what}. Moves, triggers and collisions are shown with the form's number in its place");
+            let message = text!("{what}. Moves, triggers and collisions are shown with the form's number in its place", what);
             checker.warning("predefined", field, message);
         }
     }
@@ -160,15 +163,22 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
     match refusal {
         Refusal::NotProven(faults) => {
             for fault in faults.iter().take(MOST) {
-                let line = fault.line.map_or(String::new(), |line| format!("Line {}: ", line + 1));
-                let message =
-                    format!("The program that was made is refused. Read back, it is not the path. {line}{}", fault.message);
+                let fault_text = fault.message.clone();
+                let message = match fault.line {
+                    Some(line) => text!(
+                        "The program that was made is refused. Read back, it is not the path. Line {line}: {fault}",
+                        line + 1,
+                        fault_text
+                    ),
+                    None => text!("The program that was made is refused. Read back, it is not the path. {fault}", fault_text),
+                };
                 checker.error("not-proven", "control.post", message);
             }
         }
         Refusal::Broken(verdicts) => {
             for verdict in verdicts.iter().take(MOST) {
-                let message = format!("The program breaks the rule {}: {}", verdict.rule, verdict.message);
+                let message =
+                    text!("The program breaks the rule {rule}: {message}", verdict.rule.to_owned(), verdict.message.clone());
                 checker.error("rule-broken", "control.post", message);
             }
         }
@@ -204,8 +214,11 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     let before = checker.count();
     let points = part::read_measured(&mut checker, measured);
     if checker.count() == before && points.len() != path.touches.len() {
-        let message =
-            format!("{} points are given for {} touches: one ball centre a touch, in order", points.len(), path.touches.len());
+        let message = text!(
+            "{count} points are given for {touches} touches: one ball centre a touch, in order",
+            points.len(),
+            path.touches.len()
+        );
         checker.error("wrong-count", "measured", message);
     }
     for (k, (point, touch)) in points.iter().zip(&path.touches).enumerate() {
@@ -217,8 +230,8 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
         let aside = (away - touch.vector * in_front).length();
         let reach = touch.search + 1e-6;
         if aside > reach || in_front < -reach || in_front > reach.max(way_to(&path, k) + 1e-6) {
-            let message = format!(
-                "Point {} lies {} from the nominal contact of its touch, more than it can reach (it searches {} past it): is it \
+            let message = text!(
+                "Point {point} lies {away} from the nominal contact of its touch, more than it can reach (it searches {search} past it): is it \
                  of this job, a ball centre, in order?",
                 k + 1,
                 checker.length(away.length()),
@@ -248,14 +261,15 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
         let step = &path.moves[index];
         let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
         let what = match step.purpose {
-            Purpose::Position => "positioning".to_owned(),
-            Purpose::Back(k) => format!("back from touch {}", k + 1),
-            Purpose::Touch(k) => format!("touch {}", k + 1),
+            Purpose::Position => text!("positioning"),
+            Purpose::Back(k) => text!("back from touch {touch}", k + 1),
+            Purpose::Touch(k) => text!("touch {touch}", k + 1),
         };
-        let message = format!(
-            "Move {} (step {}, {what}) meets the part with the ball centre at {}",
+        let message = text!(
+            "Move {move} (step {step}, {purpose}) meets the part with the ball centre at {place}",
             index + 1,
             step.step,
+            what,
             place.join(", ")
         );
         checker.error("collision", field, message);
@@ -263,8 +277,8 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     }
     for (k, trigger) in run.triggers.iter().enumerate() {
         if trigger.is_none() {
-            let message = format!(
-                "Touch {} meets nothing within {} past its nominal contact: the control stops there, and \
+            let message = text!(
+                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and \
                  what needs it is not known",
                 k + 1,
                 checker.length(path.touches[k].search)
@@ -273,13 +287,19 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
         }
     }
     for &k in &run.edges {
-        let message =
-            format!("Touch {} meets an edge of the part, not the face of its wall: its trigger says little of the wall", k + 1);
+        let message = text!(
+            "Touch {touch} meets an edge of the part, not the face of its wall: its trigger says little of the wall",
+            k + 1
+        );
         checker.warning("edge-contact", field, message);
     }
     for &(k, wall) in &run.strays {
-        let message =
-            format!("Touch {} is meant for wall {} and meets wall {} first", k + 1, path.touches[k].group + 1, wall + 1);
+        let message = text!(
+            "Touch {touch} is meant for wall {wall} and meets wall {other} first",
+            k + 1,
+            path.touches[k].group + 1,
+            wall + 1
+        );
         checker.warning("wrong-wall", field, message);
     }
 }
@@ -301,16 +321,18 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     };
     let unit = if worst.unit == "deg" { "°".to_owned() } else { format!(" {}", worst.unit) };
     let places = if job.scale == 1.0 { 3 } else { 4 };
+    let shown = |x: f64| format!("{}{unit}", decimal(x, places));
     let others = match untrue.len() {
-        1 => String::new(),
-        n => format!(" ({} of the results are off by more than {})", n, checker.length(MISLEADING)),
+        1 => Text::words(""),
+        n => text!(" ({count} of the results are off by more than {limit})", n, checker.length(MISLEADING)),
     };
-    let message = format!(
-        "On this part the control stores {}{unit} as {}, and {}{unit} is true: off by {}{unit}{others}",
-        decimal(worst.value.unwrap_or(0.0), places),
-        worst.code,
-        decimal(worst.truth.unwrap_or(0.0), places),
-        decimal(*off, places),
+    let message = text!(
+        "On this part the control stores {value} as {code}, and {truth} is true: off by {off}{others}",
+        shown(worst.value.unwrap_or(0.0)),
+        worst.code.clone(),
+        shown(worst.truth.unwrap_or(0.0)),
+        shown(*off),
+        others
     );
     checker.warning("result-untrue", "part", message);
 }

@@ -11,6 +11,7 @@ use crate::job::Job;
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, Path, Purpose};
+use crate::text::{Text, text};
 
 /// A point or vector as a list.
 pub type Triple = [f64; 3];
@@ -50,6 +51,8 @@ pub struct SafetyRow {
     pub holds: Option<bool>,
     /// What the rule asks, what is wrong, or why the control cannot.
     pub message: String,
+    /// The same as a template and its values.
+    pub said: Text,
     /// The 0-based lines that break it.
     pub lines: Vec<usize>,
 }
@@ -136,6 +139,8 @@ pub struct ParameterRow {
     pub value: ParameterValue,
     /// What it means.
     pub meaning: String,
+    /// The same as a template and its values.
+    pub said: Text,
     /// Path of the job's field it comes from.
     pub field: Option<String>,
     /// The touch it comes from.
@@ -179,11 +184,30 @@ pub struct ResultRow {
     pub truth: Option<f64>,
     /// Why the value is not the truth, where it is not.
     pub note: Option<String>,
+    /// Its words as templates and their values.
+    pub said: ResultWords,
+}
+
+/// The words of a result.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ResultWords {
+    /// What it is.
+    pub meaning: Text,
+    /// Good, rework or scrap, where a tolerance is given.
+    pub verdict: Option<Text>,
+    /// Why the value is not the truth, where it is not.
+    pub note: Option<Text>,
 }
 
 impl From<Verdict> for SafetyRow {
     fn from(verdict: Verdict) -> Self {
-        SafetyRow { rule: verdict.rule, holds: verdict.holds, message: verdict.message, lines: verdict.lines }
+        SafetyRow {
+            rule: verdict.rule,
+            holds: verdict.holds,
+            message: verdict.message.english(),
+            said: verdict.message,
+            lines: verdict.lines,
+        }
     }
 }
 
@@ -203,19 +227,21 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
             let note = off.and_then(|off| {
                 let reason = job.cycle.turned_error(&row.code).filter(|_| job.lie.turn != 0.0)?;
                 let sign = if off > 0.0 { "+" } else { "" };
-                Some(format!("{sign}{} {} from the truth: {reason}", decimal(off / scale, 5), job.unit))
+                let off = format!("{sign}{} {}", decimal(off / scale, 5), job.unit);
+                Some(text!("{off} from the truth: {reason}", off, reason))
             });
             ResultRow {
                 code: row.code,
-                meaning: row.meaning,
+                meaning: row.meaning.english(),
                 unit,
                 nominal: convert(row.nominal),
                 value: convert(row.value),
                 deviation: convert(row.deviation),
                 uncertainty: convert(row.uncertainty),
-                verdict: row.verdict,
+                verdict: row.verdict.as_ref().map(Text::english),
                 truth: convert(row.truth),
-                note,
+                note: note.as_ref().map(Text::english),
+                said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
             }
         })
         .collect()
@@ -255,7 +281,8 @@ pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterR
             path::ParameterValue::Text(text) => ParameterValue::Text(text),
             path::ParameterValue::Word(word) => ParameterValue::Text(word.to_owned()),
         },
-        meaning: parameter.meaning,
+        meaning: parameter.meaning.english(),
+        said: parameter.meaning,
         field: parameter.field,
         touch: parameter.touch,
     }

@@ -7,6 +7,7 @@ use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::part::Lie;
 use crate::path::{Feeds, Setup};
+use crate::text::{Text, text};
 use crate::tool_length::{self, Query, lentoax, sentence};
 
 /// The format this crate writes and reads.
@@ -236,7 +237,7 @@ impl Job {
     /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {
-            checker.error("wrong-type", "", format!("A job must be an object, not {}", value.noun()));
+            checker.error("wrong-type", "", text!("A job must be an object, not {given}", value.noun()));
             return None;
         }
         read_format(checker, value);
@@ -316,36 +317,36 @@ fn read_format(checker: &mut Checker, value: &Value) {
     match value.get("format") {
         Some(Value::Number(n)) if *n == FORMAT => {}
         Some(Value::Number(n)) if *n > FORMAT => {
-            checker.error("newer-format", "format", "This job is of a newer format than 1: a newer Touchpath is needed");
+            checker.error("newer-format", "format", text!("This job is of a newer format than 1: a newer Touchpath is needed"));
         }
-        None => checker.error("missing", "format", "The job must say its format: 1"),
-        Some(_) => checker.error("unknown-value", "format", "The format must be 1"),
+        None => checker.error("missing", "format", text!("The job must say its format: 1")),
+        Some(_) => checker.error("unknown-value", "format", text!("The format must be 1")),
     }
 }
 
 fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef, Box<dyn Cycle>)> {
     let known = || CYCLES.iter().map(|c| format!("\"{}\"", c.key)).collect::<Vec<_>>().join(", ");
     let Some(given) = value.get("cycle") else {
-        checker.error("missing", "cycle", "The job must have a cycle");
+        checker.error("missing", "cycle", text!("The job must have a cycle"));
         return None;
     };
     if !matches!(given, Value::Map(_)) {
-        checker.error("wrong-type", "cycle", format!("cycle must be an object, not {}", given.noun()));
+        checker.error("wrong-type", "cycle", text!("cycle must be an object, not {given}", given.noun()));
         return None;
     }
     let def = match given.get("type") {
         Some(Value::Text(key)) => cycle::find(key),
         Some(other) => {
-            checker.error("wrong-type", "cycle.type", format!("The cycle's type must be text, not {}", other.noun()));
+            checker.error("wrong-type", "cycle.type", text!("The cycle's type must be text, not {given}", other.noun()));
             return None;
         }
         None => {
-            checker.error("missing", "cycle.type", format!("The cycle must say its type: one of {}", known()));
+            checker.error("missing", "cycle.type", text!("The cycle must say its type: one of {known}", known()));
             return None;
         }
     };
     let Some(def) = def else {
-        checker.error("unknown-value", "cycle.type", format!("The cycle's type must be one of {}", known()));
+        checker.error("unknown-value", "cycle.type", text!("The cycle's type must be one of {known}", known()));
         return None;
     };
     let mut section = Section::new(checker, Some(given), "cycle");
@@ -363,19 +364,33 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         && let Err(why) = (post.serves)(def.probes, Form::named(&control.form))
     {
         let other = Form::named(&control.form).other();
-        let advice = match (post.serves)(def.probes, other) {
-            Ok(()) => format!(". Use the form \"{}\"", other.word()),
-            Err(_) => String::new(),
+        let (title, form) = (post.title.to_owned(), control.form.clone());
+        let message = match (post.serves)(def.probes, other) {
+            Ok(()) => {
+                let other = other.word().to_owned();
+                text!(
+                    "{title} does not take this cycle in the form \"{form}\": {why}. Use the form \"{other}\"",
+                    title,
+                    form,
+                    why,
+                    other
+                )
+            }
+            Err(_) => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
         };
-        let message = format!("{} does not take this cycle in the form \"{}\": {why}{advice}", post.title, control.form);
         checker.error("form-unsupported", "control.form", message);
     }
     if let Some(n) = control.work_offset {
         if post.work_offsets == 0 {
-            checker.error("work-offset-unsupported", "control.workOffset", post.no_work_offset);
+            checker.error("work-offset-unsupported", "control.workOffset", Text::words(post.no_work_offset));
         } else if n > post.work_offsets {
             let last = (post.work_offset_word)(post.work_offsets);
-            let message = format!("{} has work offsets 1 (G54) to {} ({last})", post.title, post.work_offsets);
+            let message = text!(
+                "{title} has work offsets 1 (G54) to {work_offsets} ({last})",
+                post.title.to_owned(),
+                post.work_offsets,
+                last
+            );
             checker.error("work-offset-unsupported", "control.workOffset", message);
         }
     }
@@ -406,17 +421,17 @@ fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
     let answer = lentoax(query);
     let axis = query.plane.axes()[2];
     if tool_length::frame(&query.frame).0.col(axis)[axis] < -1e-9 {
-        let message = format!(
-            "The frame mirrors the tool axis {} or turns it over: up in the program would be down on the machine",
+        let message = text!(
+            "The frame mirrors the tool axis {axis} or turns it over: up in the program would be down on the machine",
             AXIS_NAMES[axis]
         );
         checker.error("tool-axis-reversed", "tool.frame", message);
         return;
     }
     if (answer.matrix[2][0] - 1.0).abs() > 1e-9 {
-        let message = format!(
-            "The probe's length L1 must act along the tool axis of {}, +{}, or the control takes the ball to be somewhere else. With \
-             this tool type, frame and setting data {}",
+        let message = text!(
+            "The probe's length L1 must act along the tool axis of {plane}, +{axes}, or the control takes the ball to be somewhere else. With \
+             this tool type, frame and setting data {answer}",
             query.plane.word(),
             AXIS_NAMES[query.plane.axes()[2]],
             sentence(query.plane, &answer)
@@ -429,7 +444,7 @@ fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
     let written = (post.name)(name);
     if written != name {
         let message =
-            format!("In the program the name stands as \"{written}\": some characters could break a comment or a line");
+            text!("In the program the name stands as \"{written}\": some characters could break a comment or a line", written);
         checker.info("name-changed", "name", message);
     }
 }
@@ -452,7 +467,7 @@ fn read_sizes(
     let (def, cycle) = cycle?;
     let sizes = value.get("part")?.get("sizes")?;
     let Value::Map(entries) = sizes else {
-        checker.error("wrong-type", "part.sizes", format!("part.sizes must be an object, not {}", sizes.noun()));
+        checker.error("wrong-type", "part.sizes", text!("part.sizes must be an object, not {given}", sizes.noun()));
         return None;
     };
     let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
@@ -475,7 +490,7 @@ fn read_sizes(
         }
         match actual.as_deref().unwrap_or(&**cycle).resized(setup, key, delta) {
             Some(resized) => actual = Some(resized),
-            None => checker.error("out-of-range", path, format!("Nothing would be left of {}", field.label)),
+            None => checker.error("out-of-range", path, text!("Nothing would be left of {label}", field.label)),
         }
     }
     actual

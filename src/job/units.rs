@@ -4,6 +4,7 @@ use crate::cycle;
 use crate::form::{Field, Finding, Kind, Level, Value};
 use crate::job::JobError;
 use crate::job::sections::{SECTIONS, Units};
+use crate::text::text;
 use crate::tolerance;
 
 /// Where a number goes: how much it is multiplied by, and the decimals it keeps.
@@ -25,7 +26,7 @@ impl Target {
 /// what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     let Some(units) = Units::named(units) else {
-        let message = "Units are \"mm\" or \"inch\"";
+        let message = text!("Units are \"mm\" or \"inch\"");
         return Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] });
     };
     let mut job = job.clone();

@@ -5,6 +5,7 @@ use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
 use crate::path::Path;
+use crate::text::{Text, text};
 
 /// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
 /// probing direction.
@@ -21,7 +22,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
             let dual = def.variable.map(|v| values[v]).filter(|d| d.value.is_finite());
             ResultRow {
                 code: def.code.to_owned(),
-                meaning: def.meaning.to_owned(),
+                meaning: Text::words(def.meaning),
                 unit: if def.role.is_angle() { Unit::Angle } else { Unit::Length },
                 nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
@@ -96,7 +97,8 @@ pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, 
         let Some((Expr::Variable(variable), _)) = &datum.place[i] else { continue };
         let Some(at) = formula.results.iter().position(|r| r.variable == Some(*variable)) else { continue };
         let (row, nominal) = (&rows[at], formula.results[at].nominal);
-        let meaning = format!("Shift of {name} in {} that the program writes", crate::geom::AXIS_NAMES[axes[i]]);
+        let meaning =
+            text!("Shift of {offset} in {axis} that the program writes", name.to_owned(), crate::geom::AXIS_NAMES[axes[i]]);
         let row = ResultRow {
             code: code.to_owned(),
             meaning,

@@ -2,6 +2,7 @@
 
 use crate::form::{Checker, Value};
 use crate::geom::Vec3;
+use crate::text::text;
 
 /// Ball centres, one a touch, mm.
 pub type Measured = Vec<Option<Vec3>>;
@@ -18,7 +19,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Measured {
         Value::Text(text) => lines(checker, text),
         other => {
             let message =
-                format!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {}", other.noun());
+                text!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {given}", other.noun());
             checker.error("wrong-type", "measured", message);
             Vec::new()
         }
@@ -30,7 +31,7 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
         Value::List(items) if items.len() == 3 || items.len() == 9 => items[..3].iter().map(Some).collect(),
         Value::Map(_) => ["x", "y", "z"].iter().map(|k| value.get(k).or_else(|| value.get(&k.to_ascii_uppercase()))).collect(),
         _ => {
-            checker.error("wrong-type", path, "A measured point is [X, Y, Z]: three numbers");
+            checker.error("wrong-type", path, text!("A measured point is [X, Y, Z]: three numbers"));
             return None;
         }
     };
@@ -39,7 +40,7 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
         match part {
             Some(Value::Number(x)) if x.is_finite() && x.abs() <= 1e6 => *number = *x,
             _ => {
-                checker.error("not-a-number", path, "A measured point is [X, Y, Z]: three finite numbers");
+                checker.error("not-a-number", path, text!("A measured point is [X, Y, Z]: three finite numbers"));
                 return None;
             }
         }
@@ -63,13 +64,16 @@ fn lines(checker: &mut Checker, text: &str) -> Measured {
         let parsed = match parts.as_deref() {
             Some(p @ ([_, _, _] | [_, _, _, _, _, _, _, _, _])) => Some(Vec3::new(p[0], p[1], p[2]) * checker.scale),
             Some(p) => {
-                let message =
-                    format!("Line {} holds {} numbers; a point is 3 of them, a line of LinuxCNC's log 9", index + 1, p.len());
+                let message = text!(
+                    "Line {line} holds {count} numbers; a point is 3 of them, a line of LinuxCNC's log 9",
+                    index + 1,
+                    p.len()
+                );
                 checker.error("wrong-count", path, message);
                 None
             }
             None => {
-                checker.error("not-a-number", path, format!("Line {} is not made of finite numbers", index + 1));
+                checker.error("not-a-number", path, text!("Line {line} is not made of finite numbers", index + 1));
                 None
             }
         };

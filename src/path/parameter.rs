@@ -1,5 +1,6 @@
 //! The rows of the source's parameter table.
 
+use crate::text::Text;
 /// How a parameter is addressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accessor {
@@ -40,7 +41,7 @@ pub struct Parameter {
     /// The value.
     pub value: ParameterValue,
     /// What it means.
-    pub meaning: String,
+    pub meaning: Text,
     /// The path of the job's field it comes from.
     pub field: Option<String>,
     /// The touch it comes from.

@@ -7,6 +7,7 @@
 mod iso286;
 
 use crate::num::decimal;
+use crate::text::{Text, text};
 use iso286::{GRADES, HOLE_J, MAIN_BANDS, NONE, SHAFT_J, SHAFT_K, SHAFTS, SUB_BANDS};
 
 /// The forms a value may have, for people.
@@ -48,9 +49,9 @@ impl Nominal {
 }
 
 /// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
-pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, String> {
+pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     let whole = text.trim();
-    let wrong = || format!("\"{}\" is no value: the forms are {FORMS}", shown(whole));
+    let wrong = || text!("\"{value}\" is no value: the forms are {forms}", shown(whole), FORMS.to_owned());
     let mut value = Nominal { text: Some(whole.to_owned()), ..Nominal::default() };
     let (rest, actual) = match whole.split_once('@') {
         Some((left, right)) => (left, Some(right)),
@@ -82,7 +83,7 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, String> {
     let (low, high) = if tolerance.starts_with(['+', '-']) {
         signed(tolerance).ok_or_else(wrong)?
     } else {
-        let (low, high) = standard(tolerance, nominal * to_mm).map_err(|why| format!("\"{}\": {why}", shown(whole)))?;
+        let (low, high) = standard(tolerance, nominal * to_mm).map_err(|why| text!("\"{value}\": {why}", shown(whole), why))?;
         (low / to_mm, high / to_mm)
     };
     value.limits = Some((nominal + low, nominal + high));
@@ -138,14 +139,14 @@ fn signed(text: &str) -> Option<(f64, f64)> {
 }
 
 /// Lower and upper deviation in mm of a letter class.
-fn standard(text: &str, nominal: f64) -> Result<(f64, f64), String> {
+fn standard(text: &str, nominal: f64) -> Result<(f64, f64), Text> {
     let letters = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
     let (class, grade) = text.split_at(letters);
     if grade.is_empty() && ["f", "m", "c", "v"].contains(&class) {
         return general(class, nominal.abs());
     }
     if class.is_empty() || grade.is_empty() || !grade.bytes().all(|b| b.is_ascii_digit()) {
-        return Err(format!("\"{}\" is neither an ISO 286 class such as H7 nor an ISO 2768 letter f, m, c, v", shown(text)));
+        return Err(text!("\"{text}\" is neither an ISO 286 class such as H7 nor an ISO 2768 letter f, m, c, v", shown(text)));
     }
     iso_286(class, grade, nominal)
 }
@@ -154,7 +155,7 @@ fn standard(text: &str, nominal: f64) -> Result<(f64, f64), String> {
 const AT_BAND_END: f64 = 2e-5;
 
 /// ISO 2768-1, linear sizes.
-fn general(class: &str, size: f64) -> Result<(f64, f64), String> {
+fn general(class: &str, size: f64) -> Result<(f64, f64), Text> {
     const BANDS: [f64; 8] = [3.0, 6.0, 30.0, 120.0, 400.0, 1000.0, 2000.0, 4000.0];
     const NO: f64 = f64::NAN;
     let row = match class {
@@ -166,13 +167,20 @@ fn general(class: &str, size: f64) -> Result<(f64, f64), String> {
     let band = BANDS.iter().position(|upper| size <= *upper + AT_BAND_END).filter(|_| size >= 0.5 - AT_BAND_END);
     match band.map(|b| row[b]).filter(|t| t.is_finite()) {
         Some(t) => Ok((-t, t)),
-        None => Err(format!("ISO 2768-1 gives no {class} for a size of {} mm", decimal(size, 4))),
+        None => Err(text!("ISO 2768-1 gives no {class} for a size of {size} mm", class.to_owned(), decimal(size, 4))),
     }
 }
 
 /// ISO 286-1: lower and upper deviation in mm of a class for a size in mm. Capital letters are holes.
-fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), String> {
-    let unknown = || format!("ISO 286 has no {class}{grade_text} for a size of {} mm", decimal(size, 4));
+fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text> {
+    let unknown = || {
+        text!(
+            "ISO 286 has no {class}{grade_text} for a size of {size} mm",
+            class.to_owned(),
+            grade_text.to_owned(),
+            decimal(size, 4)
+        )
+    };
     let grade = match grade_text {
         "01" => -1,
         "0" => 0,
@@ -184,7 +192,7 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Strin
         return Err(unknown());
     }
     if !(size > 0.0 && size <= 500.0 + AT_BAND_END) {
-        return Err(format!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {} mm", decimal(size, 4)));
+        return Err(text!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {size} mm", decimal(size, 4)));
     }
     let main = MAIN_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");
     let sub = SUB_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");

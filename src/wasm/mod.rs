@@ -23,6 +23,7 @@ use crate::describe;
 use crate::form::{Finding, Level, Value};
 use crate::import::{self, toolpath};
 use crate::job::{self, JobError, Planned};
+use crate::text::text;
 use crate::tool_length;
 use crate::view::scene::Projection;
 use crate::wasm::input::decoded;
@@ -38,7 +39,7 @@ pub fn catalog() -> Result<JsValue, JsValue> {
 pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
     let key = input::text_of(kind, 100).unwrap_or_default();
     job::default_job(&key).map(|value| value_to_js(&value)).ok_or_else(|| {
-        let message = "There is no cycle of this type; catalog() lists them";
+        let message = text!("There is no cycle of this type; catalog() lists them");
         thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)], message)
     })
 }
@@ -126,7 +127,7 @@ pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<Strin
 pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue> {
     let name = input::text_of(view, 100).unwrap_or_default();
     let Some(projection) = Projection::named(&name) else {
-        let message = "A picture is looked at from top, front, side or isometric";
+        let message = text!("A picture is looked at from top, front, side or isometric");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)], message));
     };
     let value = decoded(codes, text);
@@ -174,7 +175,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     let wanted = input::text_of(dialect, 100);
     let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
-        let message = "A program is read as iso or as sinumerik";
+        let message = text!("A program is read as iso or as sinumerik");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)], message));
     }
     // JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.

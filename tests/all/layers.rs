@@ -6,7 +6,7 @@ use touchpath::describe::DefaultEntry;
 
 /// Layers from the bottom up; modules of one layer do not import each other, except where listed.
 const LAYERS: &[&[&str]] = &[
-    &["num"],
+    &["num", "text"],
     &["geom"],
     &["tolerance"],
     &["form", "formula"],

@@ -25,6 +25,7 @@ use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{Plane, Vec3};
 use crate::num::{Digits, count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
+use crate::text::{text, words};
 
 /// Fanuc 30i, 31i, 32i, 0i-F.
 pub static FANUC: PostDef = PostDef {
@@ -49,8 +50,14 @@ pub static HAAS: PostDef = PostDef {
     work_offsets: 99,
     work_offset_word: |n| if n <= 6 { format!("G{}", 53 + n) } else { format!("G154 P{}", n - 6) },
     cannot: &[
-        (safety::CONTACT_LIFTS, "M78 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
-        (safety::MISS_LIFTS, "M79 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+        (
+            safety::CONTACT_LIFTS,
+            words!("M78 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+        ),
+        (
+            safety::MISS_LIFTS,
+            words!("M79 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+        ),
     ],
     emit: |request| emit(request, &WITH_ALARMS),
     read: Some(read::haas),
@@ -171,33 +178,39 @@ fn push_variable(text: &mut String, n: usize) {
 }
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
-    let unverified = "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
-                      was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override";
+    let unverified = text!(
+        "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
+                      was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override"
+    );
     checker.info("not-verified", "control.post", unverified);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = format!("G31 moves at a stated feed: rapids run as watched moves at {}/min", checker.length(RAPID_RATE));
+        let message =
+            text!("G31 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
         checker.info("rapid-at-feed", "feeds", message);
     }
     if !request.protected && !request.path.moves.is_empty() {
-        let message = "Without watched positioning a probe that is deflected from the start would be taken for a touch: this control takes watched \
-                       programs only";
+        let message = text!(
+            "Without watched positioning a probe that is deflected from the start would be taken for a touch: this control takes watched \
+                       programs only"
+        );
         checker.error("protection-unsupported", "control.protection", message);
     }
     check_plain_moves(request, checker);
-    check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
-        let message = "The length of the tool is taken to act along Z: programs for another plane than G17 are not printed";
+        let message =
+            text!("The length of the tool is taken to act along Z: programs for another plane than G17 are not printed");
         checker.error("plane-unsupported", "plane", message);
     }
     let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
-        let message = "A work offset of this control has no rotation: none can be written";
+        let message = text!("A work offset of this control has no rotation: none can be written");
         checker.error("rotation-unsupported", "cycle.confirmRotation", message);
     }
     if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
-        let message = format!(
-            "Touch {} searches {} past its nominal contact: at least {} are needed, so that its contact differs from its end",
+        let message = text!(
+            "Touch {touch} searches {search} past its nominal contact: at least {least} are needed, so that its contact differs from its end",
             k + 1,
             checker.length(request.path.touches[k].search),
             checker.length(SHORTEST_SEARCH)
@@ -206,9 +219,11 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     let last = FIRST + request.registers().last;
     if last > LAST {
-        let message = format!(
-            "The program would need #{FIRST} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \
-             touches"
+        let message = text!(
+            "The program would need #{first} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \
+             touches",
+            FIRST,
+            last
         );
         checker.error("too-many-registers", "control.post", message);
     }

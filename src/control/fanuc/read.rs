@@ -5,6 +5,7 @@ use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
 use crate::control::iso::script::{Expr, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
+use crate::text::text;
 
 static FANUC: Grammar =
     Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
@@ -101,7 +102,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     let mut cursor = Cursor::new(code);
     let here = script.blocks.len();
     if cursor.eat("N") {
-        targets.known.push((cursor.label().ok_or("a label without its number")?, here));
+        targets.known.push((cursor.label().ok_or_else(|| text!("a label without its number"))?, here));
         if cursor.is_done() {
             script.push(line, What::Nothing);
             return Ok(());
@@ -110,10 +111,10 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     let what = if cursor.eat("IF") {
         let condition = cursor.bracketed(grammar, script)?;
         cursor.expect("GOTO")?;
-        targets.wanted.push((here, cursor.label().ok_or("a jump without a label")?));
+        targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
         What::JumpIf(condition, 0)
     } else if cursor.eat("GOTO") {
-        targets.wanted.push((here, cursor.label().ok_or("a jump without a label")?));
+        targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
         What::Jump(0)
     } else if let Some(name) = cursor.variable(Names::Hash) {
         cursor.expect("=")?;
@@ -122,7 +123,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
             _ if name == "#3000" && matches!(script.nodes[value as usize], Expr::Number(_)) => What::Alarm,
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return Err("the control's own values are not written".to_owned()),
+            Some(_) => return Err(text!("the control's own values are not written")),
         }
     } else {
         let what = words::words(&mut cursor, grammar, script)?;

@@ -14,6 +14,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Formula};
 use crate::geom::Vec3;
 use crate::path::{Move, Touch};
+use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
     key: "grbl",
@@ -22,7 +23,9 @@ pub static DEF: PostDef = PostDef {
     extension: "nc",
     work_offsets: 0,
     work_offset_word: |_| String::new(),
-    no_work_offset: "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it",
+    no_work_offset: words!(
+        "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
+    ),
     first_length: false,
     computes: false,
     watches: false,
@@ -64,16 +67,16 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info(
         "no-results-in-program",
         "control.post",
-        "grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
-         those points give",
+        text!("grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
+         those points give"),
     );
     checker.info(
         "positioning-not-watched",
         "control.protection",
-        "grbl does not watch the probe in positioning moves: a contact there goes unnoticed",
+        text!("grbl does not watch the probe in positioning moves: a contact there goes unnoticed"),
     );
     if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = "grbl does not watch positioning moves: a rapid that goes down runs at the feed of the touches";
+        let message = text!("grbl does not watch positioning moves: a rapid that goes down runs at the feed of the touches");
         checker.info("rapid-at-feed", "feeds", message);
     }
 }
@@ -99,10 +102,8 @@ impl Moves for Grbl<'_> {
         w.header("Measures only: each touch is reported as PRB in machine coordinates");
         if let (Some(first), None) = (path.moves.first(), path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
-            w.comment(&format!(
-                "The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
-                 down to {place}. That way must be free"
-            ));
+            w.comment(&format!("The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
+                 down to {place}. That way must be free"));
         }
         w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
         w.says_job();

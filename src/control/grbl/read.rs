@@ -5,6 +5,7 @@ use crate::control::iso::lines;
 use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS};
 use crate::control::iso::script::{Script, Trouble};
 use crate::control::iso::words;
+use crate::text::text;
 
 static GRAMMAR: Grammar = Grammar {
     brackets: (b'[', b']'),
@@ -20,7 +21,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {
         if code.contains(['#', '[', '=']) {
-            return Err("grbl has no variables".to_owned());
+            return Err(text!("grbl has no variables"));
         }
         if code.is_empty() || code == "%" {
             return Ok(());

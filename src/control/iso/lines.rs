@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use crate::control::iso::parse::Parsed;
 use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
+use crate::text::text;
 
 /// The code of a line and its comment, without its brackets or sign. A sign inside a text begins none.
 pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
@@ -17,9 +18,10 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = line[at + 1..].trim_end();
-                let inner = inner.strip_suffix(')').ok_or("a comment is not closed, or code stands behind it")?;
+                let inner =
+                    inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands behind it"))?;
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
-                    return Err("two comments are in one line, or one in another".to_owned());
+                    return Err(text!("two comments are in one line, or one in another"));
                 }
                 return Ok((&line[..at], Some(inner)));
             }
@@ -59,7 +61,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         // A tape sign stands before a program and behind it: what stands behind another is not loaded.
         if trimmed.starts_with('%') {
             if begun && rest.lines().any(|line| code(line.trim())) {
-                troubles.push(Trouble { line, message: "% ends the program here".to_owned(), understood: false });
+                troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
         }
@@ -129,11 +131,11 @@ impl Targets<'_> {
                     }
                     continue;
                 }
-                Some((_, false)) => "a jump down finds its label above only",
-                None => "the target of this jump is nowhere",
-                Some((_, true)) => "the target of this jump is there more than once",
+                Some((_, false)) => text!("a jump down finds its label above only"),
+                None => text!("the target of this jump is nowhere"),
+                Some((_, true)) => text!("the target of this jump is there more than once"),
             };
-            troubles.push(Trouble { line: script.blocks[*from].line, message: message.to_owned(), understood: true });
+            troubles.push(Trouble { line: script.blocks[*from].line, message, understood: true });
         }
         if troubles.is_empty() { Ok(()) } else { Err(troubles) }
     }

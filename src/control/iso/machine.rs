@@ -3,6 +3,7 @@
 use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Part, Script, System, Trouble, Unary, What, Words};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write, Written};
 use crate::geom::Plane;
+use crate::text::{Text, text};
 
 /// The most blocks that are followed after a probing move that went the other way: an exit is short.
 const LONGEST_EXIT: usize = 200;
@@ -102,7 +103,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     let mut budget = BUDGET;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         let work = if matches!(block.what, What::Words(_)) { 1 + script.slots.len() / 8 } else { 1 };
-        budget = budget.checked_sub(work).ok_or_else(|| trouble(block.line, "the program does not come to an end"))?;
+        budget = budget.checked_sub(work).ok_or_else(|| trouble(block.line, text!("the program does not come to an end")))?;
         let line = machine.line(block.line);
         match machine.step()? {
             Flow::Next => {}
@@ -114,7 +115,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
             }
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok(trace),
-            Flow::Alarm => return Err(trouble(line, "the program stops here with an alarm though nothing is wrong")),
+            Flow::Alarm => return Err(trouble(line, text!("the program stops here with an alarm though nothing is wrong"))),
             Flow::End => {
                 trace.ends = true;
                 break;
@@ -145,8 +146,8 @@ pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, true)
 }
 
-fn trouble(line: usize, message: &str) -> Trouble {
-    Trouble { line, message: message.to_owned(), understood: true }
+fn trouble(line: usize, message: Text) -> Trouble {
+    Trouble { line, message, understood: true }
 }
 
 /// Whether two places are as near as this along every axis.
@@ -213,7 +214,7 @@ impl<'s, 't> Machine<'s, 't> {
                     .collect();
                 let before = values.iter().map(|(slot, _)| (*slot, self.state.slots[*slot])).collect();
                 if self.state.stack.len() >= ARGUMENTS.len() {
-                    return Err(trouble(block.line, "subroutines call each other too deeply"));
+                    return Err(trouble(block.line, text!("subroutines call each other too deeply")));
                 }
                 let called = Called { back: self.state.pc, line: self.line(block.line), arguments: before };
                 self.state.stack.push(called);
@@ -222,7 +223,7 @@ impl<'s, 't> Machine<'s, 't> {
             }
             What::Return => {
                 let Some(called) = self.state.stack.pop() else {
-                    return Err(trouble(block.line, "a subroutine ends that was not called"));
+                    return Err(trouble(block.line, text!("a subroutine ends that was not called")));
                 };
                 called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
                 self.state.pc = called.back;
@@ -264,14 +265,14 @@ impl<'s, 't> Machine<'s, 't> {
             }
         }
         if to.iter().any(|x| !x.is_finite()) {
-            return Err(trouble(line, "this motion has a place that is no number"));
+            return Err(trouble(line, text!("this motion has a place that is no number")));
         }
         if let Some(node) = words.feed {
             self.state.feed = Some(self.value(node));
         }
         let feed = if motion == Motion::Rapid { None } else { self.state.feed };
         if feed.is_some_and(|feed| feed.is_nan() || feed <= 0.0) {
-            return Err(trouble(line, "a feed must be more than 0"));
+            return Err(trouble(line, text!("a feed must be more than 0")));
         }
         let arc = match motion {
             Motion::Clockwise | Motion::Counter => {
@@ -316,8 +317,8 @@ impl<'s, 't> Machine<'s, 't> {
             (None, _) => (Kind::Watched, ending, Ending::GoesOn),
         };
         match (motion, met) {
-            (Motion::MustTouch, None) => return Err(trouble(step.line, "this touch meets nothing")),
-            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, "this move meets something")),
+            (Motion::MustTouch, None) => return Err(trouble(step.line, text!("this touch meets nothing"))),
+            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, text!("this move meets something"))),
             _ => self.arrive(step.to, met),
         }
         Ok(())

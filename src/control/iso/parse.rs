@@ -1,6 +1,7 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
 use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Script, System, Unary};
+use crate::text::{Text, text};
 
 /// Deepest nesting of brackets and signs.
 const DEEPEST: usize = 40;
@@ -90,7 +91,7 @@ pub struct Cursor<'t> {
 }
 
 /// What went wrong, without its line.
-pub type Parsed<T> = Result<T, String>;
+pub type Parsed<T> = Result<T, Text>;
 
 impl<'t> Cursor<'t> {
     /// The beginning of a text.
@@ -126,12 +127,12 @@ impl<'t> Cursor<'t> {
 
     /// Goes past a sign that must be next.
     pub fn expect(&mut self, sign: &str) -> Parsed<()> {
-        if self.eat(sign) { Ok(()) } else { Err(format!("{sign} is missing before \"{}\"", self.left())) }
+        if self.eat(sign) { Ok(()) } else { Err(text!("{sign} is missing before \"{left}\"", sign.to_owned(), self.left())) }
     }
 
     /// Nothing must be left.
     pub fn end(&self) -> Parsed<()> {
-        if self.is_done() { Ok(()) } else { Err(format!("\"{}\" is left over", self.left())) }
+        if self.is_done() { Ok(()) } else { Err(text!("\"{left}\" is left over", self.left())) }
     }
 
     /// A name: letters, digits and underscores.
@@ -158,7 +159,7 @@ impl<'t> Cursor<'t> {
                 self.take(end);
                 Ok(number)
             }
-            _ => Err(format!("a number is missing before \"{}\"", self.left())),
+            _ => Err(text!("a number is missing before \"{left}\"", self.left())),
         }
     }
 
@@ -194,7 +195,7 @@ impl<'t> Cursor<'t> {
             self.take(word.len());
             self.operators += 1;
             if self.operators > LONGEST {
-                return Err("this value is too long".to_owned());
+                return Err(text!("this value is too long"));
             }
             let right = self.bound(binds + 1, grammar, script)?;
             left = script.node(Expr::Binary(*binary, left, right));
@@ -221,7 +222,7 @@ impl<'t> Cursor<'t> {
     pub fn operand(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err("brackets are nested too deeply".to_owned());
+            return Err(text!("brackets are nested too deeply"));
         }
         let node = self.inner(grammar, script)?;
         self.depth -= 1;
@@ -231,7 +232,7 @@ impl<'t> Cursor<'t> {
     fn inner(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
         let (open, close) = grammar.brackets;
         match self.rest.bytes().next() {
-            None => Err("a value is missing".to_owned()),
+            None => Err(text!("a value is missing")),
             Some(b'-') => {
                 self.take(1);
                 let inner = self.operand(grammar, script)?;
@@ -251,7 +252,7 @@ impl<'t> Cursor<'t> {
                     return self.call(name, close, grammar, script);
                 }
                 let Some(name) = self.variable(grammar.names) else {
-                    return Err(format!("\"{}\" is not understood", Cursor::new(before).left()));
+                    return Err(text!("\"{left}\" is not understood", Cursor::new(before).left()));
                 };
                 Ok(match (grammar.system)(name) {
                     Some(System::Fixed(x)) => script.node(Expr::Number(x)),
@@ -295,7 +296,7 @@ impl<'t> Cursor<'t> {
             self.expect(sign(close))?;
             (y, x)
         } else {
-            return Err(format!("the function {} is not understood", crate::form::printable(name)));
+            return Err(text!("the function {name} is not understood", crate::form::printable(name)));
         };
         Ok(script.node(Expr::Binary(Binary::Atan, y, x)))
     }

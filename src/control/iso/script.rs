@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use rustc_hash::FxBuildHasher;
 
 use crate::geom::Plane;
+use crate::text::Text;
 
 /// A line that is not understood, or does not work where it stands.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +13,7 @@ pub struct Trouble {
     /// 0-based.
     pub line: usize,
     /// What is wrong with it.
-    pub message: String,
+    pub message: Text,
     /// Whether the line itself is understood, and does not work where it stands.
     pub understood: bool,
 }

@@ -2,6 +2,7 @@
 
 use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed};
 use crate::control::iso::script::{Motion, Node, Script, What, Words};
+use crate::text::text;
 
 /// The words of a block, put together.
 #[derive(Debug, Default)]
@@ -25,7 +26,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
     while !cursor.is_done() {
         let letter = cursor.rest.as_bytes()[0].to_ascii_uppercase();
         if !letter.is_ascii_uppercase() {
-            return Err(format!("\"{}\" is not understood", cursor.left()));
+            return Err(text!("\"{left}\" is not understood", cursor.left()));
         }
         let word = cursor.rest;
         cursor.take(1);
@@ -33,9 +34,11 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         let written = &word[1..word.len() - cursor.rest.len()];
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
         if counted && !written.contains('.') {
-            return Err(format!("a number has no point: \"{}\"", Cursor::new(word).left()));
+            return Err(text!("a number has no point: \"{left}\"", Cursor::new(word).left()));
         }
-        block.add(letter, value, grammar, script).map_err(|reason| format!("{reason}: \"{}\"", Cursor::new(word).left()))?;
+        block
+            .add(letter, value, grammar, script)
+            .map_err(|reason| text!("{reason}: \"{word}\"", reason, Cursor::new(word).left()))?;
     }
     block.finish(script)
 }
@@ -43,7 +46,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
 impl Block {
     fn add(&mut self, letter: u8, value: Node, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
         let twice = |place: &mut Option<Node>| {
-            if place.replace(value).is_some() { Err("a word stands twice".to_owned()) } else { Ok(()) }
+            if place.replace(value).is_some() { Err(text!("a word stands twice")) } else { Ok(()) }
         };
         match letter {
             b'X' | b'Y' | b'Z' => {
@@ -56,7 +59,7 @@ impl Block {
                 let tenths = script.number(value).map(|x| (x * 10.0).round()).filter(|x| (0.0..100_000.0).contains(x));
                 match tenths.and_then(|tenths| (grammar.code)(letter, tenths as i32)) {
                     Some(code) => self.code(code),
-                    None => Err("this code is not understood".to_owned()),
+                    None => Err(text!("this code is not understood")),
                 }
             }
             _ => twice(&mut self.others[usize::from(letter - b'A')]),
@@ -71,7 +74,7 @@ impl Block {
                     (None, motion) => motion,
                     (Some(Motion::MayTouch), Motion::MustTouch | Motion::MustBeFree) => motion,
                     (Some(Motion::MustTouch | Motion::MustBeFree), Motion::MayTouch) => self.words.motion.unwrap_or(motion),
-                    _ => return Err("two motions are in one block".to_owned()),
+                    _ => return Err(text!("two motions are in one block")),
                 });
             }
             Code::Mode(modes) => self.words.modes = self.words.modes.then(modes),
@@ -89,7 +92,8 @@ impl Block {
     fn finish(mut self, script: &mut Script<'_>) -> Parsed<What> {
         if let Some(from) = self.extended {
             let number = self.others[usize::from(b'P' - b'A')].and_then(|node| script.number(node));
-            let number = number.filter(|n| (1.0..=99.0).contains(n)).ok_or("a work offset without its number")?;
+            let number =
+                number.filter(|n| (1.0..=99.0).contains(n)).ok_or_else(|| text!("a work offset without its number"))?;
             self.words.modes.offset = Some(from + number as i32);
         }
         let other = |letter: u8| self.others[usize::from(letter - b'A')];
@@ -97,24 +101,26 @@ impl Block {
         for (i, _) in self.others.iter().enumerate().filter(|(_, value)| value.is_some()) {
             let letter = (b'A' + i as u8) as char;
             if !allowed.contains(letter) {
-                return Err(format!("the word {letter} is not understood here"));
+                return Err(text!("the word {letter} is not understood here", letter));
             }
         }
         if self.setting {
             let whole = |letter: u8| other(letter).and_then(|node| script.number(node)).map(|x| x as i32);
-            let number = whole(b'P').filter(|n| (1..=999).contains(n)).ok_or("G10 without the number of a work offset")?;
+            let number = whole(b'P')
+                .filter(|n| (1..=999).contains(n))
+                .ok_or_else(|| text!("G10 without the number of a work offset"))?;
             return match whole(b'L') {
                 Some(20) if other(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
                 Some(2) => Ok(What::Origin(number, self.words.to, other(b'R'))),
-                _ => Err("G10 is understood with L2 and L20".to_owned()),
+                _ => Err(text!("G10 is understood with L2 and L20")),
             };
         }
         match (self.moves, self.words.motion) {
-            (true, None) => Err("a block with axis words must name its motion".to_owned()),
-            (false, Some(_)) => Err("a motion without axis words".to_owned()),
-            (false, None) if self.words.feed.is_some() => Err("a feed without a motion".to_owned()),
+            (true, None) => Err(text!("a block with axis words must name its motion")),
+            (false, Some(_)) => Err(text!("a motion without axis words")),
+            (false, None) if self.words.feed.is_some() => Err(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(What::End),
-            (true, _) if self.ends => Err("a motion in the last block".to_owned()),
+            (true, _) if self.ends => Err(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),
         }
     }

@@ -24,6 +24,7 @@ use crate::formula::{Datum, Expr, Formula};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, count, decimal};
 use crate::path::{Move, Purpose, RAPID_RATE, Touch};
+use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
     key: "linuxcnc",
@@ -41,7 +42,7 @@ pub static DEF: PostDef = PostDef {
     dialect: Some(&DIALECT),
     cannot: &[(
         safety::MISS_LIFTS,
-        "G38.2 itself stops the program with an error where the ball stands: nothing behind it runs",
+        words!("G38.2 itself stops the program with an error where the ball stands: nothing behind it runs"),
     )],
     name: crate::control::comment_text,
     rate,
@@ -75,12 +76,12 @@ const SHORTEST_PROBE: f64 = 0.3;
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_watched(request, checker);
-    check_rotary(request, checker, "LinuxCNC has no rotary table that a program could know of");
+    check_rotary(request, checker, text!("LinuxCNC has no rotary table that a program could know of"));
     check_write(request, checker);
     check_short(request, checker);
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
     if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
-        let message = "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane";
+        let message = text!("LinuxCNC turns a work offset about Z only: no rotation can be written in this plane");
         checker.error("rotation-unsupported", "cycle.confirmRotation", message);
     }
 }
@@ -93,8 +94,8 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
         if let (Purpose::Touch(k), Some(from)) = (step.purpose, at) {
             let way = from.distance(step.to) + path.touches[k].search;
             if way < SHORTEST_PROBE {
-                let message = format!(
-                    "LinuxCNC refuses probe moves this short: touch {} searches {} in all, at least {} are needed. Use a larger clearance or \
+                let message = text!(
+                    "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} are needed. Use a larger clearance or \
                      overtravel",
                     k + 1,
                     checker.length(way),

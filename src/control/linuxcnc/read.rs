@@ -5,6 +5,7 @@ use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
 use crate::control::iso::script::{Part, Script, System, Trouble, What};
 use crate::control::iso::words;
+use crate::text::text;
 
 static GRAMMAR: Grammar = Grammar {
     brackets: (b'[', b']'),
@@ -66,7 +67,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if let Some(name) = cursor.variable(Names::Hash) {
             cursor.expect("=")?;
             if system(name).is_some() {
-                return Err("the control's own parameters are not written".to_owned());
+                return Err(text!("the control's own parameters are not written"));
             }
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
@@ -80,7 +81,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     })?;
     if !open.is_empty() {
         let line = text.lines().count().saturating_sub(1);
-        let message = "a subroutine or an if is not closed".to_owned();
+        let message = text!("a subroutine or an if is not closed");
         return Err(vec![Trouble { line, message, understood: true }]);
     }
     targets.resolve(&mut script, false)?;
@@ -90,7 +91,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 /// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`.
 fn active<'t>(script: &mut Script<'t>, line: usize, comment: &'t str) -> Parsed<()> {
     if let Some(rest) = comment.strip_prefix("PRINT,") {
-        let (code, value) = rest.split_once('=').ok_or("a PRINT without its value")?;
+        let (code, value) = rest.split_once('=').ok_or_else(|| text!("a PRINT without its value"))?;
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
@@ -110,7 +111,7 @@ fn o_word<'t>(
     targets: &mut Targets<'t>,
 ) -> Parsed<()> {
     cursor.expect("o")?;
-    let label = cursor.label().ok_or("an O word without a name")?;
+    let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
     match cursor.name().unwrap_or("").to_ascii_lowercase().as_str() {
         "sub" => {
@@ -121,7 +122,7 @@ fn o_word<'t>(
         }
         "endsub" => {
             script.push(line, What::Return);
-            let Some(Open::Sub) = open.pop() else { return Err("an endsub without its sub".to_owned()) };
+            let Some(Open::Sub) = open.pop() else { return Err(text!("an endsub without its sub")) };
             let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
             script.blocks[begin].what = What::Jump(here + 1);
         }
@@ -145,17 +146,17 @@ fn o_word<'t>(
                     jump_to(script, *begin, here + 1);
                     *middle = Some(here);
                 }
-                _ => return Err("an else without its if".to_owned()),
+                _ => return Err(text!("an else without its if")),
             }
         }
         "endif" => {
             script.push(line, What::Nothing);
             match open.pop() {
                 Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
-                _ => return Err("an endif without its if".to_owned()),
+                _ => return Err(text!("an endif without its if")),
             }
         }
-        _ => return Err("this O word is not understood".to_owned()),
+        _ => return Err(text!("this O word is not understood")),
     }
     cursor.end()
 }

@@ -9,6 +9,7 @@ use crate::control::sinumerik::{DIALECT, begin, end, position};
 use crate::control::{Program, Request};
 use crate::form::Checker;
 use crate::path::{self, Feature, Move, Purpose};
+use crate::text::{text, words};
 
 /// The shortest measuring path that CYCLE977 is called with, mm.
 const SHORTEST_PATH: f64 = 0.1;
@@ -41,45 +42,48 @@ impl Rectangle {
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some(rectangle) = Rectangle::of(request) else { return };
     let [a, _, _] = request.plane.basis();
-    let advice = ". Use the form \"moves\"";
+    let advice = words!(". Use the form \"moves\"");
     if request.path.frame.u.distance(a) > 1e-9 {
-        let message = format!("CYCLE977 measures rectangles that are parallel to the axes only{advice}");
+        let message = text!("CYCLE977 measures rectangles that are parallel to the axes only{advice}", advice);
         checker.error("cycle-not-parallel", "cycle.rotation", message);
     }
     if request.path.feature.picked() {
-        let message = format!("CYCLE977 chooses its own touch points{advice}");
+        let message = text!("CYCLE977 chooses its own touch points{advice}", advice);
         checker.error("cycle-chooses-points", "cycle.touches", message);
     }
     if request.plane != crate::geom::Plane::G17 {
-        let message = format!(
-            "No source at hand shows how CYCLE977 selects another plane than G17: it could probe in the wrong one{advice}"
+        let message = text!(
+            "No source at hand shows how CYCLE977 selects another plane than G17: it could probe in the wrong one{advice}",
+            advice
         );
         checker.error("cycle-plane", "plane", message);
     }
     if rectangle.path < SHORTEST_PATH {
-        let message = format!(
-            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {}: it searches so far before and behind \
-             each wall, and {} are the least that make sense{advice}",
+        let message = text!(
+            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {path}: it searches so far before and behind \
+             each wall, and {least} are the least that make sense{advice}",
             checker.length(rectangle.path),
-            checker.length(SHORTEST_PATH)
+            checker.length(SHORTEST_PATH),
+            advice
         );
         checker.error("cycle-path-short", "cycle.sideClearance1", message);
     }
     let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
     if (clearances[0] - clearances[1]).abs() > 1e-9 {
         let message =
-            format!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}");
+            text!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}", advice);
         checker.error("cycle-one-path", "cycle.sideClearance2", message);
     }
     for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
         if rectangle.zone[i] <= 0.0 {
-            let message = format!("Between the places where the ball goes down nothing is left for a protection zone{advice}");
+            let message =
+                text!("Between the places where the ball goes down nothing is left for a protection zone{advice}", advice);
             checker.error("cycle-no-zone", path, message);
         }
     }
-    let message = format!(
-        "The cycle moves by itself: it searches {0} before and behind each wall (side clearance less ball radius), not the job's \
-         overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {1} is written \
+    let message = text!(
+        "The cycle moves by itself: it searches {path} before and behind each wall (side clearance less ball radius), not the job's \
+         overtravel, and measures at its own feed; the moves shown are the documented ones. That the infeed of {infeed} is written \
          positive is not verified: sources disagree on its sign",
         checker.length(rectangle.path),
         checker.length(rectangle.infeed)

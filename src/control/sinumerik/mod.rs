@@ -26,6 +26,7 @@ use crate::formula::{Datum, Expr, Formula};
 use crate::geom::AXIS_NAMES;
 use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
+use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
     key: "sinumerik",
@@ -83,12 +84,14 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
 }
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
-    let unverified = "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
-                      it was run on a control: try it with a hand on the feed override";
+    let unverified = text!(
+        "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
+                      it was run on a control: try it with a hand on the feed override"
+    );
     checker.info("not-verified", "control.post", unverified);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = format!(
-            "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {}/min",
+        let message = text!(
+            "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {rate}/min",
             checker.length(RAPID_RATE)
         );
         checker.info("rapid-at-feed", "feeds", message);
@@ -98,14 +101,16 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         return cycle977::check(request, checker);
     }
     check_plain_moves(request, checker);
-    check_rotary(request, checker, "The program does not know the rotary axis of the machine");
+    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
     let registers = request.registers();
     let last = registers.last + frame_registers(request, &request.path.formula);
     if last > LAST_REGISTER {
-        let message = format!(
-            "The program would need R1 to R{last}; a control has R parameters up to R{LAST_REGISTER} unless it was set up for more: take \
-             fewer touches"
+        let message = text!(
+            "The program would need R1 to R{last}; a control has R parameters up to R{limit} unless it was set up for more: take \
+             fewer touches",
+            last,
+            LAST_REGISTER
         );
         checker.error("too-many-registers", "control.post", message);
     }

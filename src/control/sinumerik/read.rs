@@ -6,6 +6,7 @@ use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPER
 use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
+use crate::text::text;
 
 static GRAMMAR: Grammar =
     Grammar { brackets: (b'(', b')'), points: false, names: Names::Words, operators: SIGN_OPERATORS, system, code };
@@ -96,7 +97,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
     let here = script.blocks.len();
     if let Some(label) = code.strip_suffix(':') {
         if Cursor::new(label).name() != Some(label) {
-            return Err("this is no label".to_owned());
+            return Err(text!("this is no label"));
         }
         targets.known.push((label, here));
         script.push(line, What::Nothing);
@@ -106,15 +107,15 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
     let what = if cursor.eat("STOPRE") || cursor.eat("TRANS") {
         What::Nothing
     } else if cursor.eat("DEF INT ") {
-        cursor.name().ok_or("a declaration without a name")?;
+        cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
         What::Nothing
     } else if cursor.eat("GOTOF ") {
-        targets.wanted.push((here, cursor.name().ok_or("a jump without a label")?));
+        targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
         What::Jump(0)
     } else if cursor.eat("IF ") {
         let condition = cursor.value(&GRAMMAR, script)?;
         cursor.expect("GOTOF ")?;
-        targets.wanted.push((here, cursor.name().ok_or("a jump without a label")?));
+        targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
         What::JumpIf(condition, 0)
     } else if cursor.eat("MEAS=1 ") {
         match words::words(&mut cursor, &GRAMMAR, script)? {
@@ -122,24 +123,24 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
                 words.motion = Some(Motion::MayTouch);
                 What::Words(words)
             }
-            _ => return Err("MEAS=1 stands in a block with G1".to_owned()),
+            _ => return Err(text!("MEAS=1 stands in a block with G1")),
         }
     } else if let Some((name, arguments)) = code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name)) {
         return call(script, line, name, arguments);
     } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
-        let name = cursor.variable(Names::Words).ok_or("nothing can be assigned to this")?;
+        let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
         cursor.expect("=")?;
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
-            None if name.starts_with('$') => return Err("this is not understood".to_owned()),
+            None if name.starts_with('$') => return Err(text!("this is not understood")),
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return Err("the control's own values are not written".to_owned()),
+            Some(_) => return Err(text!("the control's own values are not written")),
         }
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
             What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
-                return Err("arcs are not understood".to_owned());
+                return Err(text!("arcs are not understood"));
             }
             what => what,
         }
@@ -151,12 +152,12 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
 
 /// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)` with its 29 arguments.
 fn call(script: &mut Script<'_>, line: usize, name: &str, arguments: &str) -> Parsed<()> {
-    let arguments = arguments.strip_suffix(')').ok_or("a bracket is not closed")?;
+    let arguments = arguments.strip_suffix(')').ok_or_else(|| text!("a bracket is not closed"))?;
     let what = match name {
         "MSG" => What::Nothing,
         "SETAL" => What::Warned,
         "CYCLE977" if arguments.split(',').count() == 29 => What::Native,
-        _ => return Err("this call is not known, or not with so many arguments".to_owned()),
+        _ => return Err(text!("this call is not known, or not with so many arguments")),
     };
     script.push(line, what);
     Ok(())

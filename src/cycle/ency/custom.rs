@@ -2,6 +2,7 @@
 
 use crate::form::{Section, Value};
 use crate::path::{Accessor, Parameter, ParameterValue};
+use crate::text::text;
 
 /// The most own codes a cycle may carry.
 pub const MOST: usize = 200;
@@ -28,7 +29,7 @@ impl Custom {
                 Accessor::Flt | Accessor::Q => "Double",
             },
             value: self.value.clone(),
-            meaning: "The user's own code".to_owned(),
+            meaning: text!("The user's own code"),
             field: Some("cycle.custom".to_owned()),
             touch: None,
         }
@@ -42,7 +43,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         None | Some(Value::Null) => return Vec::new(),
         Some(Value::List(items)) if items.len() <= MOST => items,
         Some(_) => {
-            let message = format!("custom must be a list of at most {MOST} own codes {{ code, type, value }}");
+            let message = text!("custom must be a list of at most {most} own codes { code, type, value }", MOST);
             section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
@@ -52,14 +53,14 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         let path = format!("{place}[{i}]");
         if let Value::Map(entries) = item {
             for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
-                let message = format!("An own code has code, type and value, and no \"{}\"", crate::form::printable(key));
+                let message = text!("An own code has code, type and value, and no \"{key}\"", crate::form::printable(key));
                 section.checker.error("unknown-key", path.clone(), message);
             }
         }
         let code = match item.get("code") {
             Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=HIGHEST).contains(n) => *n as i32,
             _ => {
-                let message = "An own code is a whole number from 1 to 1000000: negative ones are the system's";
+                let message = text!("An own code is a whole number from 1 to 1000000: negative ones are the system's");
                 section.checker.error("wrong-code", format!("{path}.code"), message);
                 continue;
             }
@@ -75,14 +76,15 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             (Some(Accessor::Flt), Some(Value::Number(x))) if x.is_finite() => ParameterValue::Number(*x),
             (Some(Accessor::Bol), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
             _ => {
-                let message =
-                    "An own code has a type, Int, Flt or Bol, and a value of it: a whole number, a number, true or false";
+                let message = text!(
+                    "An own code has a type, Int, Flt or Bol, and a value of it: a whole number, a number, true or false"
+                );
                 section.checker.error("wrong-type", path, message);
                 continue;
             }
         };
         if codes.iter().any(|c| c.code == code) {
-            section.checker.error("code-twice", format!("{path}.code"), format!("Code {code} is there twice"));
+            section.checker.error("code-twice", format!("{path}.code"), text!("Code {code} is there twice", code));
             continue;
         }
         codes.push(Custom { code, accessor: accessor.unwrap_or(Accessor::Flt), value });

@@ -1,6 +1,7 @@
 //! Fields that several cycles of the family have.
 
 use crate::form::{Code, Field, form};
+use crate::text::words;
 
 /// The smallest size, step or clearance, mm: less would be lost in a program's last decimals.
 const SMALLEST: f64 = 0.001;
@@ -98,9 +99,9 @@ pub const fn sub_code() -> Field {
 /// How a wall's touches are counted, where both walls share the table's 16.
 pub const fn count(key: &'static str, label: &'static str, default: i32, code: &'static str) -> Field {
     Field::count(key, label, default, 1, 15)
-        .because(
-            "the parameter table holds 16 touch points (the 17th would run into the -200 block), and the other wall needs one",
-        )
+        .because(words!(
+            "the parameter table holds 16 touch points (the 17th would run into the -200 block), and the other wall needs one"
+        ))
         .code(code)
         .group("Touches")
 }
@@ -145,7 +146,7 @@ pub const fn angular_step() -> Field {
 pub const fn step_count() -> Field {
     Field::count("stepCount", "Step count", 4, 1, 16)
         .help("Angular variant: how many touches.")
-        .because("the parameter table holds 16 touch points")
+        .because(words!("the parameter table holds 16 touch points"))
         .code("CmdPrm.Int[-62]")
         .group("Touches")
 }

@@ -28,6 +28,7 @@ use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Surface, Touch, Tracer};
+use crate::text::text;
 
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
@@ -227,15 +228,15 @@ impl Cycle for Ency {
                 continue;
             };
             if !field.hard.nearly_holds(if *key == "angle" { size.abs() } else { *size }) {
-                let message = format!("The picked touches give {} a value that it must not have", field.label);
+                let message = text!("The picked touches give {label} a value that it must not have", field.label);
                 checker.error("picks-out-of-range", "cycle.touches", message);
             } else if (size - given).abs() > 1e-3 && !field.code.is_empty() {
                 let shown = |x: f64| match field.kind {
                     Kind::Angle => format!("{}°", crate::num::decimal(x, 4)),
                     _ => checker.length(x),
                 };
-                let message = format!(
-                    "{} is {} in the form, and {} between the picked touches: the touches count, the table has the form's",
+                let message = text!(
+                    "{label} is {given} in the form, and {size} between the picked touches: the touches count, the table has the form's",
                     field.label,
                     shown(given),
                     shown(*size)
@@ -316,8 +317,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
     let highest = heights.iter().copied().fold(*end, f64::max);
     // Picks that are level within the rounding of a dump are level.
     if highest > end + ONE_LEVEL + ROUNDING {
-        let message = format!(
-            "The path goes {} higher than it ends: a touch lies too high above the others",
+        let message = text!(
+            "The path goes {height} higher than it ends: a touch lies too high above the others",
             checker.rounded_up(highest - end)
         );
         checker.error("path-not-above", if path.feature.picked() { "cycle.touches" } else { "cycle" }, message);
@@ -327,8 +328,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
         Some(top) => {
             let missing = top + setup.radius - begin.min(*end);
             if missing > ROUNDING {
-                let message = format!(
-                    "The path would begin and end inside the feature: with these clearances the feed distance must be at least {}, so that the ball is clear of the top side",
+                let message = text!(
+                    "The path would begin and end inside the feature: with these clearances the feed distance must be at least {least}, so that the ball is clear of the top side",
                     checker.rounded_up(feed_distance + missing)
                 );
                 checker.error("start-in-feature", field, message);
@@ -336,8 +337,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
         }
         // Our choice of what is small: the source says nothing of the wall above the touches.
         None if feed_distance < (2.0 * setup.radius).max(5.0) - ROUNDING => {
-            let message = format!(
-                "This cycle knows no top side: the path begins and ends {} above the touches, which may be inside the feature",
+            let message = text!(
+                "This cycle knows no top side: the path begins and ends {height} above the touches, which may be inside the feature",
                 checker.length(feed_distance)
             );
             checker.warning("low-start", field, message);

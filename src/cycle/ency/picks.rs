@@ -3,6 +3,7 @@
 use crate::form::{Checker, Field, Section, Value};
 use crate::geom::{Plane, Vec3};
 use crate::path::{MAX_TOUCHES, ONE_LEVEL};
+use crate::text::{text, words};
 
 /// How far a target vector may be from unit length, and a picked touch from what it has to go with (mm, or as a sine).
 pub const NEAR: f64 = 1e-3;
@@ -42,16 +43,17 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
         Value::Null => return None,
         Value::List(items) => items,
         other => {
-            let message = format!("touches must be a list of {{ point, vector }} or null, not {}", other.noun());
+            let message = text!("touches must be a list of { point, vector } or null, not {given}", other.noun());
             section.checker.error("wrong-type", place, message);
             return None;
         }
     };
     if items.is_empty() || items.len() > MAX_TOUCHES {
-        let message = format!(
-            "{} touches are given; the parameter table holds 1 to {MAX_TOUCHES}: touch {} would start at code {} and run into the \
+        let message = text!(
+            "{count} touches are given; the parameter table holds 1 to {most}: touch {touch} would start at code {code} and run into the \
              -200 block of original points",
             items.len(),
+            MAX_TOUCHES,
             MAX_TOUCHES + 1,
             -100 - 6 * MAX_TOUCHES as i32
         );
@@ -65,7 +67,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             let path = format!("{place}[{k}]");
             if let Value::Map(entries) = item {
                 for (key, _) in entries.iter().filter(|(key, _)| key != "point" && key != "vector") {
-                    let message = format!("A touch has a point and a vector, and no \"{}\"", crate::form::printable(key));
+                    let message = text!("A touch has a point and a vector, and no \"{key}\"", crate::form::printable(key));
                     section.checker.error("unknown-key", path.clone(), message);
                 }
             }
@@ -76,11 +78,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             let vector = triple(section, item.get("vector"), "Target vector", &format!("{path}.vector"), component);
             let length = vector.length();
             if section.checker.sound(&[&path]) && (length - 1.0).abs() > NEAR {
-                let message = format!(
-                    "The target vector of touch {} has the length {}: it must be a unit vector (1, give or take 0.001)",
-                    k + 1,
-                    crate::num::decimal(length, 4)
-                );
+                let message = text!("The target vector of touch {touch} has the length {length}: it must be a unit vector (1, give or take 0.001)", k + 1, crate::num::decimal(length, 4));
                 section.checker.error("vector-not-unit", format!("{path}.vector"), message);
             }
             Pick { point, vector: vector.normalize_or(Vec3::Z) }
@@ -94,11 +92,11 @@ fn component(section: &mut Section<'_, '_>, value: &Value, path: &str) -> Option
     match *value {
         Value::Number(x) if x.abs() <= f64::from(LONGEST_VECTOR) => return Some(x),
         Value::Number(_) => {
-            let message = format!("A number of a target vector must be from -{LONGEST_VECTOR} to {LONGEST_VECTOR}");
+            let message = text!("A number of a target vector must be from -{most} to {most}", LONGEST_VECTOR);
             section.checker.error("out-of-range", path, message);
         }
         _ => {
-            let message = format!("A target vector must be three numbers, not {}", value.noun());
+            let message = text!("A target vector must be three numbers, not {given}", value.noun());
             section.checker.error("wrong-type", path, message);
         }
     }
@@ -108,7 +106,7 @@ fn component(section: &mut Section<'_, '_>, value: &Value, path: &str) -> Option
 fn triple(
     section: &mut Section<'_, '_>,
     value: Option<&Value>,
-    label: &str,
+    label: &'static str,
     path: &str,
     read: impl Fn(&mut Section<'_, '_>, &Value, &str) -> Option<f64>,
 ) -> Vec3 {
@@ -121,7 +119,7 @@ fn triple(
             v
         }
         _ => {
-            section.checker.error("wrong-type", path, format!("{label} must be a list of three numbers"));
+            section.checker.error("wrong-type", path, text!("{label} must be a list of three numbers", label));
             Vec3::ZERO
         }
     }
@@ -130,7 +128,7 @@ fn triple(
 /// Whether there are as many touches as the cycle has.
 pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
     if picks.len() != count {
-        let message = format!("This cycle, as its form says, has {count} touches, and {} are given", picks.len());
+        let message = text!("This cycle, as its form says, has {count} touches, and {given} are given", count, picks.len());
         checker.error("wrong-count", "cycle.touches", message);
     }
     picks.len() == count
@@ -141,7 +139,7 @@ pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut C
     let up = plane.basis()[2];
     for &k in touches {
         if picks[k].vector.dot(up).abs() > NEAR {
-            let message = format!("The target vector of touch {} must lie in the plane {}", k + 1, plane.word());
+            let message = text!("The target vector of touch {touch} must lie in the plane {plane}", k + 1, plane.word());
             checker.error("vector-not-in-plane", format!("cycle.touches[{k}].vector"), message);
         }
     }
@@ -156,11 +154,11 @@ pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut 
     for &k in rest {
         let off = picks[k].point.dot(up) - level;
         if off.abs() > ONE_LEVEL {
-            let message = format!(
-                "Touch {} lies {} {} touch {}: the touches of one feature must be at one level",
+            let message = text!(
+                "Touch {touch} lies {way} {below} touch {first}: the touches of one feature must be at one level",
                 k + 1,
                 checker.length(off.abs()),
-                if off > 0.0 { "above" } else { "below" },
+                if off > 0.0 { words!("above") } else { words!("below") },
                 first + 1
             );
             checker.error("touches-not-level", format!("cycle.touches[{k}].point"), message);
@@ -173,7 +171,7 @@ pub fn below_top(picks: &[Pick], touches: &[usize], top: usize, plane: Plane, ch
     let up = plane.basis()[2];
     for &k in touches {
         if (picks[top].point - picks[k].point).dot(up) < SMALLEST / 2.0 {
-            let message = format!("Touch {} must lie below touch {}, which is on the top side", k + 1, top + 1);
+            let message = text!("Touch {touch} must lie below touch {top}, which is on the top side", k + 1, top + 1);
             checker.error("touch-above-top", format!("cycle.touches[{k}].point"), message);
         }
     }
@@ -185,8 +183,8 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
         let away = start - pick.point;
         let aside = (away - pick.vector * away.dot(pick.vector)).length();
         if aside > NEAR * (1.0 + 2.0 * away.length()) {
-            let message = format!(
-                "Touch {} is not straight in front of the middle that this cycle touches from: it lies {} aside. A protected cycle \
+            let message = text!(
+                "Touch {touch} is not straight in front of the middle that this cycle touches from: it lies {aside} aside. A protected cycle \
                  takes such touches",
                 k + 1,
                 checker.length(aside)
@@ -198,11 +196,14 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
 
 /// Reports a vector that points into the material: the sign check.
 pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
-    let (kind, where_to) = if internal { ("internal", "into the feature") } else { ("external", "away from it") };
-    let message = format!(
-        "The target vector of touch {} points the wrong way: it is the outward normal of the surface, and of an {kind} feature it \
+    let (kind, where_to) =
+        if internal { (words!("internal"), words!("into the feature")) } else { (words!("external"), words!("away from it")) };
+    let message = text!(
+        "The target vector of touch {touch} points the wrong way: it is the outward normal of the surface, and of an {kind} feature it \
          points {where_to}",
-        k + 1
+        k + 1,
+        kind,
+        where_to
     );
     checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
 }
@@ -214,8 +215,8 @@ pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checke
     // Vectors may be off by a thousandth: over the clearances that is so much.
     let near = NEAR * (1.0 + 2.0 * farthest);
     if let Some((k, other)) = readings.iter().find(|(_, p)| p.distance(readings[0].1) > near) {
-        let message = format!(
-            "The start is not one point: touch {} and its clearance put it at {}, touch {} and its clearance at {}",
+        let message = text!(
+            "The start is not one point: touch {first} and its clearance put it at {place}, touch {other} and its clearance at {place2}",
             readings[0].0 + 1,
             place(readings[0].1, checker),
             k + 1,

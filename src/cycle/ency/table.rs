@@ -2,8 +2,8 @@
 
 use crate::cycle::ency::{Filled, Properties};
 use crate::form::{Field, Kind, Shown, Values};
-use crate::geom::AXIS_NAMES;
 use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
+use crate::text::{Text, text};
 
 /// The code of the variant, and those that say something only of the angular one.
 const VARIANT: i32 = -59;
@@ -31,7 +31,7 @@ pub(super) fn table(
     properties: Option<&Properties>,
     touches: &[Touch],
     setup: &Setup,
-    name: impl Fn(usize) -> String,
+    name: impl Fn(usize) -> Text,
 ) -> Vec<Parameter> {
     let (number, kind_name) = form.kind();
     let kind = Parameter {
@@ -39,7 +39,7 @@ pub(super) fn table(
         accessor: Accessor::Int,
         type_name: "Integer",
         value: ParameterValue::Whole(number),
-        meaning: format!("Probing cycle type: {number} = {kind_name}"),
+        meaning: text!("Probing cycle type: {number} = {name}", number, kind_name.to_owned()),
         field: Some("cycle.type".to_owned()),
         touch: None,
     };
@@ -57,7 +57,7 @@ pub(super) fn table(
         rows.push(Parameter {
             code: -2,
             value: ParameterValue::Whole(-500),
-            meaning: "SubCode of probe on/off".to_owned(),
+            meaning: text!("SubCode of probe on/off"),
             field: None,
             ..rows[0].clone()
         });
@@ -103,9 +103,9 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
     };
     let first = field.help.split_once(". ").map_or(field.help, |(first, _)| first).trim_end_matches('.');
     let meaning = if code == -66 {
-        "Compensate dimensions: 0 off, 1 on".to_owned()
+        text!("Compensate dimensions: 0 off, 1 on")
     } else {
-        format!("{}, {}", field.label, crate::num::lowered(first))
+        text!("{label}, {help}", field.label, crate::num::lowered(first))
     };
     Some(Parameter { code, accessor, type_name, value, meaning, field: Some(format!("{section}.{}", field.key)), touch: None })
 }
@@ -113,13 +113,13 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
 /// The blocks from −100 (used by the cycle) and from −200 (as given in the Job Assignment), six codes a touch. `shift` moves the
 /// used points along their vectors: the ball radius where dimensions are compensated. Our reading: the source only says
 /// "toolpath shift with tool compensation".
-fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: impl Fn(usize) -> String) {
-    for (base, word, shift) in [(-100, "touch", shift), (-200, "original touch", 0.0)] {
+fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: impl Fn(usize) -> Text) {
+    for (base, used, shift) in [(-100, true, shift), (-200, false, 0.0)] {
         for (k, touch) in touches.iter().enumerate() {
             let point = touch.point + touch.vector * shift;
             let first = base - 6 * k as i32;
             let name = name(k);
-            let mut push = |code: i32, value: ParameterValue, meaning: String| {
+            let mut push = |code: i32, value: ParameterValue, meaning: Text| {
                 rows.push(Parameter {
                     code,
                     accessor: Accessor::Flt,
@@ -130,12 +130,20 @@ fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: 
                     touch: Some(k),
                 });
             };
-            for (axis, axis_name) in AXIS_NAMES.iter().enumerate() {
-                let meaning = format!("{name}: {word} point, {axis_name}");
+            for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+                let meaning = if used {
+                    text!("{name}: touch point, {axis}", name.clone(), letter)
+                } else {
+                    text!("{name}: original touch point, {axis}", name.clone(), letter)
+                };
                 push(first - axis as i32, ParameterValue::Length(point[axis]), meaning);
             }
-            for (axis, axis_name) in AXIS_NAMES.iter().enumerate() {
-                let meaning = format!("{name}: {} vector, {axis_name}", word.replace("touch", "target"));
+            for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+                let meaning = if used {
+                    text!("{name}: target vector, {axis}", name.clone(), letter)
+                } else {
+                    text!("{name}: original target vector, {axis}", name.clone(), letter)
+                };
                 push(first - 3 - axis as i32, ParameterValue::Number(touch.vector[axis]), meaning);
             }
         }

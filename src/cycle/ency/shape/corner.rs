@@ -10,6 +10,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Name, Role, Value, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::text::{Text, text, words};
 
 /// A corner of two walls. Indices are those of the walls.
 #[derive(Clone, Debug)]
@@ -128,10 +129,10 @@ impl Shape for Corner {
         touches
     }
 
-    fn name(&self, k: usize) -> String {
+    fn name(&self, k: usize) -> Text {
         match self.wall_of(k) {
-            0 => format!("Point {} on the first side", k + 1),
-            _ => format!("Point {} on the second side", k - self.counts[0] + 1),
+            0 => text!("Point {number} on the first side", k + 1),
+            _ => text!("Point {number} on the second side", k - self.counts[0] + 1),
         }
     }
 
@@ -155,15 +156,21 @@ impl Shape for Corner {
             let angle = crate::num::decimal(self.angle, 4);
             let (first, n1, other1) = (sides[n].first, n + 1, other + 1);
             let message = if first <= 0.0 {
-                format!(
-                    "The first touch of wall {n1} would fall {} beyond the corner: at {angle}° clearance {other1} must be larger than {}",
+                text!(
+                    "The first touch of wall {wall} would fall {way} beyond the corner: at {angle}° clearance {other} must be larger than {least}",
+                    n1,
                     checker.length(-first),
+                    angle,
+                    other1,
                     checker.length(-self.clearances[n] * cos)
                 )
             } else if free <= setup.radius {
-                format!(
-                    "In the first touch of wall {n1} the ball would meet wall {other1} first: at {angle}° clearance {other1} must be \
-                     larger than {}",
+                text!(
+                    "In the first touch of wall {wall} the ball would meet wall {other} first: at {angle}° clearance {other} must be \
+                     larger than {least}",
+                    n1,
+                    other1,
+                    angle,
                     checker.length(setup.radius - (self.clearances[n] - setup.radius) * cos)
                 )
             } else {
@@ -189,11 +196,12 @@ impl Shape for Corner {
             let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
             if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) < NEAR / 2.0) {
                 let message =
-                    format!("Touch {} lies on another of its wall: only touches that are apart give its direction", k + 1);
+                    text!("Touch {touch} lies on another of its wall: only touches that are apart give its direction", k + 1);
                 checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);
             }
             if !same {
-                let message = format!("Touch {} does not lie on the same wall as touch {}", k + 1, firsts[self.wall_of(k)] + 1);
+                let message =
+                    text!("Touch {touch} does not lie on the same wall as touch {other}", k + 1, firsts[self.wall_of(k)] + 1);
                 checker.error("not-on-one-wall", format!("cycle.touches[{k}]"), message);
             }
         }
@@ -202,7 +210,7 @@ impl Shape for Corner {
         }
         let [one, two] = firsts.map(|k| picks[k]);
         if meeting(plane, &one, &two).is_none() {
-            checker.error("walls-parallel", "cycle.touches", "The two walls are parallel: they make no corner");
+            checker.error("walls-parallel", "cycle.touches", text!("The two walls are parallel: they make no corner"));
             return;
         }
         sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
@@ -286,11 +294,11 @@ impl Shape for Corner {
             let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
             formula.set("angle", sum)
         });
-        formula.result("corner.x", Role::Abscissa, "Corner, abscissa", origin[a], Some(x));
-        formula.result("corner.y", Role::Ordinate, "Corner, ordinate", origin[o], Some(y));
+        formula.result("corner.x", Role::Abscissa, words!("Corner, abscissa"), origin[a], Some(x));
+        formula.result("corner.y", Role::Ordinate, words!("Corner, ordinate"), origin[o], Some(y));
         formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-        formula.result("angle", Role::Angle, "Angle between the walls", nominal, angle);
-        formula.result("rotation", Role::Direction, "Wall 1 against its nominal direction", 0.0, rotation);
+        formula.result("angle", Role::Angle, words!("Angle between the walls"), nominal, angle);
+        formula.result("rotation", Role::Direction, words!("Wall 1 against its nominal direction"), 0.0, rotation);
         formula
     }
 
@@ -324,9 +332,9 @@ impl Shape for Corner {
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
-        (self.counts.contains(&1) && code.starts_with("corner.")).then_some(
-            "a wall with one touch is taken to have its nominal direction, which a turned part has not: give it a second touch",
-        )
+        (self.counts.contains(&1) && code.starts_with("corner.")).then_some(words!(
+            "a wall with one touch is taken to have its nominal direction, which a turned part has not: give it a second touch"
+        ))
     }
 }
 

@@ -19,6 +19,7 @@ use crate::form::Checker;
 use crate::formula::{Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
+use crate::text::{Text, text};
 
 /// A feature with its dimensions, and how it is probed.
 pub trait Shape {
@@ -26,7 +27,7 @@ pub trait Shape {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
 
     /// What a touch is called in the parameter table.
-    fn name(&self, k: usize) -> String;
+    fn name(&self, k: usize) -> Text;
 
     /// Reports dimensions that do not go together.
     fn rules(&self, setup: &Setup, checker: &mut Checker);
@@ -118,11 +119,12 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
 
 /// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
 /// to the ball centre.
-pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &str, clearance: f64, path: &str) {
+pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &'static str, clearance: f64, path: &str) {
     if checker.sound(&[path, "stylus.diameter"]) && clearance < setup.radius + SHORTEST_TOUCH - 1e-6 {
-        let message = format!(
-            "{label} ({}) must be larger than the ball radius ({}) by at least {}: it is measured from the wall to the ball centre, \
+        let message = text!(
+            "{label} ({clearance}) must be larger than the ball radius ({radius}) by at least {least}: it is measured from the wall to the ball centre, \
              and the ball would touch before the touch begins",
+            label,
             checker.length(clearance),
             checker.length(setup.radius),
             checker.length(SHORTEST_TOUCH)
@@ -134,9 +136,11 @@ pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &str, clearan
 /// No more touches than the parameter table can hold.
 pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
     if count > MAX_TOUCHES {
-        let message = format!(
-            "{count} touches are more than the {MAX_TOUCHES} that the parameter table holds: touch {} would start at code {} \
+        let message = text!(
+            "{count} touches are more than the {most} that the parameter table holds: touch {touch} would start at code {code} \
              and run into the -200 block of original points",
+            count,
+            MAX_TOUCHES,
             MAX_TOUCHES + 1,
             -100 - 6 * MAX_TOUCHES as i32
         );
@@ -147,8 +151,8 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
 /// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself stands in the way.
 pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: Option<f64>, outside: bool) {
     if checker.sound(&["cycle.depth", "stylus.diameter"]) && depth < setup.radius {
-        let message = format!(
-            "At a depth of {} the ball (radius {}) stands out above the top side: an edge break or burr there is part of the touch",
+        let message = text!(
+            "At a depth of {depth} the ball (radius {radius}) stands out above the top side: an edge break or burr there is part of the touch",
             checker.length(depth),
             checker.length(setup.radius)
         );
@@ -160,15 +164,19 @@ pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: O
     }
     let (clearance, radius) = (checker.length(top), checker.length(setup.radius));
     if outside {
-        let message = format!(
+        let message = text!(
             "With a top clearance of {clearance} the ball (radius {radius}) would meet the top side when it crosses, since heights \
-             are of the ball centre: it must be larger than the radius"
+             are of the ball centre: it must be larger than the radius",
+            clearance,
+            radius
         );
         checker.error("crossing-too-low", "cycle.topClearance", message);
     } else {
-        let message = format!(
+        let message = text!(
             "With a top clearance of {clearance} the ball (radius {radius}) crosses below the top side, since heights are of the \
-             ball centre: an island as high as the top side would be hit"
+             ball centre: an island as high as the top side would be hit",
+            clearance,
+            radius
         );
         checker.warning("low-crossing", "cycle.topClearance", message);
     }

@@ -6,6 +6,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Name, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
+use crate::text::{Text, text, words};
 
 /// One pair of walls.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +34,8 @@ pub struct Pairs {
     pub middle: Option<f64>,
 }
 
-const ORDINALS: [&str; 4] = ["First", "Second", "Third", "Fourth"];
-const THREE: [&str; 3] = ["Left", "Right", "Middle"];
+const ORDINALS: [&str; 4] = [words!("First"), words!("Second"), words!("Third"), words!("Fourth")];
+const THREE: [&str; 3] = [words!("Left"), words!("Right"), words!("Middle")];
 
 impl Pairs {
     fn protected(&self) -> bool {
@@ -74,8 +75,8 @@ impl Shape for Pairs {
         touches
     }
 
-    fn name(&self, k: usize) -> String {
-        if self.middle.is_some() { THREE[k] } else { ORDINALS[k] }.to_owned()
+    fn name(&self, k: usize) -> Text {
+        Text::words(if self.middle.is_some() { THREE[k] } else { ORDINALS[k] })
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
@@ -89,8 +90,9 @@ impl Shape for Pairs {
                 continue;
             }
             if checker.sound(&[&width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
-                let message = format!(
-                    "{label} ({}) must be larger than the ball ({}): the ball does not go in",
+                let message = text!(
+                    "{label} ({width}) must be larger than the ball ({ball}): the ball does not go in",
+                    label,
                     checker.length(side.width),
                     checker.length(2.0 * setup.radius)
                 );
@@ -99,10 +101,11 @@ impl Shape for Pairs {
                 && checker.sound(&[&width_path, &format!("cycle.{key}"), "stylus.diameter"])
                 && clearance + setup.radius >= side.width
             {
-                let message = format!(
-                    "{clearance_label} ({}) puts the ball into the opposite wall: with {} of {} it must be less than {}",
+                let message = text!(
+                    "{clearance_label} ({clearance}) puts the ball into the opposite wall: with {label} of {width} it must be less than {limit}",
+                    clearance_label,
                     checker.length(clearance),
-                    crate::num::lowered(label),
+                    label,
                     checker.length(side.width),
                     checker.length(side.width - setup.radius)
                 );
@@ -132,7 +135,7 @@ impl Shape for Pairs {
             let (first, second) = (2 * i, 2 * i + 1);
             if (pair[0].vector + pair[1].vector).length() > NEAR {
                 let message =
-                    format!("Touches {} and {} must be opposite: their target vectors are not", first + 1, second + 1);
+                    text!("Touches {first} and {second} must be opposite: their target vectors are not", first + 1, second + 1);
                 checker.error("vectors-not-opposite", format!("cycle.touches[{second}].vector"), message);
                 continue;
             }
@@ -142,8 +145,9 @@ impl Shape for Pairs {
             }
         }
         if walls == 4 && picks[0].vector.dot(picks[2].vector).abs() > NEAR {
-            let message =
-                "The two pairs of a rectangle must be square to each other: the target vectors of touches 1 and 3 are not";
+            let message = text!(
+                "The two pairs of a rectangle must be square to each other: the target vectors of touches 1 and 3 are not"
+            );
             checker.error("pairs-not-square", "cycle.touches[2].vector", message);
         }
         if !self.protected() && checker.sound(&["cycle.touches"]) {
@@ -151,7 +155,7 @@ impl Shape for Pairs {
             picks::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
         }
         if self.middle.is_some() && (picks[2].vector - plane.basis()[2]).length() > NEAR {
-            let message = "The middle touch is on the top side: its target vector must be along the tool axis";
+            let message = text!("The middle touch is on the top side: its target vector must be along the tool axis");
             checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
         }
     }
@@ -220,12 +224,12 @@ impl Shape for Pairs {
             let (across, width2, v) = pair(2, ["width2", "middle_v"]);
             let x = formula.set("center_x", project(u, v, (along.0, across.0)));
             let y = formula.set("center_y", project(u, v, (along.1, across.1)));
-            formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], Some(x));
-            formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], Some(y));
+            formula.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], Some(x));
+            formula.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], Some(y));
             formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-            formula.result("width1", Role::Size, "Width 1", self.sides[0].width, Some(width1));
-            formula.result("width2", Role::Size, "Width 2", self.sides[1].width, Some(width2));
-            formula.result("rotation", Role::Direction, "Rotation: one touch a wall gives no angle", 0.0, None);
+            formula.result("width1", Role::Size, words!("Width 1"), self.sides[0].width, Some(width1));
+            formula.result("width2", Role::Size, words!("Width 2"), self.sides[1].width, Some(width2));
+            formula.result("rotation", Role::Direction, words!("Rotation: one touch a wall gives no angle"), 0.0, None);
             return formula;
         }
         let (along, width, u) = pair(0, ["width", "middle"]);
@@ -241,13 +245,13 @@ impl Shape for Pairs {
             formula.result(code, Role::Reading, meaning, nominal, Some(value));
             value.into()
         };
-        let x = place("center_x", "center.x", "Middle, abscissa", origin[a], along.0, across.0);
-        let y = place("center_y", "center.y", "Middle, ordinate", origin[o], along.1, across.1);
-        formula.result("width", Role::Size, "Width", self.sides[0].width, Some(width));
+        let x = place("center_x", "center.x", words!("Middle, abscissa"), origin[a], along.0, across.0);
+        let y = place("center_y", "center.y", words!("Middle, ordinate"), origin[o], along.1, across.1);
+        formula.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
         let mut datum = Datum::point((x, origin[a]), (y, origin[o]));
         if self.middle.is_some() {
             let top = formula.set("top", Expr::trigger(2, w) - Expr::Length(on.setup.radius));
-            formula.result("height", Role::Level, "Height of the top side", on.touches[2].point[w], Some(top));
+            formula.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
             datum.place[2] = Some((top.into(), on.touches[2].point[w]));
         }
         formula.datum = Some(datum);
@@ -300,18 +304,18 @@ impl Shape for Pairs {
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
         match code {
-            "width1" | "width2" | "width" if self.internal => Some(
+            "width1" | "width2" | "width" if self.internal => Some(words!(
                 "cosine error: the walls are turned against the probing direction, so the width reads (W - d)(1/cos - 1) too \
-                 wide, d being the ball diameter",
-            ),
-            "width1" | "width2" | "width" => Some(
+                 wide, d being the ball diameter"
+            )),
+            "width1" | "width2" | "width" => Some(words!(
                 "cosine error: the walls are turned against the probing direction, so the width reads (W + d)(1/cos - 1) too \
-                 wide, d being the ball diameter",
-            ),
-            "center.x" | "center.y" => Some(
+                 wide, d being the ball diameter"
+            )),
+            "center.x" | "center.y" => Some(words!(
                 "the walls are turned against the probing lines, which miss the shifted centre: the middle is found where a \
-                 line crosses the turned middle",
-            ),
+                 line crosses the turned middle"
+            )),
             _ => None,
         }
     }

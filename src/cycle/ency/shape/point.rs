@@ -6,6 +6,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::text::{Text, text, words};
 
 /// A surface, touched once.
 #[derive(Clone, Debug)]
@@ -25,8 +26,8 @@ impl Shape for Point {
         vec![(frame.origin, (frame.u * cos + frame.w * sin).normalize(), 0)]
     }
 
-    fn name(&self, _k: usize) -> String {
-        "Point".to_owned()
+    fn name(&self, _k: usize) -> Text {
+        text!("Point")
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
@@ -35,7 +36,8 @@ impl Shape for Point {
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
         if picks::counted(picks, 1, checker) && picks[0].vector.dot(plane.basis()[2]) < -picks::NEAR {
-            let message = "The target vector must not point down: the ball cannot come from below and be lifted afterwards";
+            let message =
+                text!("The target vector must not point down: the ball cannot come from below and be lifted afterwards");
             checker.error("vector-wrong-way", "cycle.touches[0].vector", message);
         }
     }
@@ -65,9 +67,9 @@ impl Shape for Point {
         let reach = reach.unwrap_or(Expr::Number(0.0)) - Expr::Length(n.dot(nominal));
         let off = formula.set("off", reach);
         let codes = [
-            ("point.x", "point_x", "Point on the surface, abscissa"),
-            ("point.y", "point_y", "Point on the surface, ordinate"),
-            ("point.z", "point_z", "Point on the surface, along the tool axis"),
+            ("point.x", "point_x", words!("Point on the surface, abscissa")),
+            ("point.y", "point_y", words!("Point on the surface, ordinate")),
+            ("point.z", "point_z", words!("Point on the surface, along the tool axis")),
         ];
         let mut place = [None, None, None];
         for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
@@ -83,7 +85,13 @@ impl Shape for Point {
         if place[..2].iter().flatten().all(|(e, _)| matches!(e, Expr::Length(_))) {
             (place[0], place[1]) = (None, None);
         }
-        formula.result("deviation", Role::Shift, "How far the surface is displaced along the target vector", 0.0, Some(off));
+        formula.result(
+            "deviation",
+            Role::Shift,
+            words!("How far the surface is displaced along the target vector"),
+            0.0,
+            Some(off),
+        );
         formula.datum = Some(Datum { place, rotation: None, told: false });
         formula
     }

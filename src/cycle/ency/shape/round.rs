@@ -6,6 +6,7 @@ use crate::form::Checker;
 use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
 use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+use crate::text::{Text, text, words};
 
 /// How the touches are spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,8 +83,8 @@ impl Shape for Circle {
         self.angles().into_iter().map(touch).collect()
     }
 
-    fn name(&self, k: usize) -> String {
-        format!("Point {}", k + 1)
+    fn name(&self, k: usize) -> Text {
+        text!("Point {number}", k + 1)
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
@@ -93,8 +94,8 @@ impl Shape for Circle {
         if self.internal && checker.sound(&["cycle.diameter", "stylus.diameter"]) {
             let ball = 2.0 * setup.radius;
             if self.diameter < ball + 2.0 * SHORTEST_TOUCH - 1e-6 {
-                let message = format!(
-                    "Diameter ({}) must be larger than the ball ({}): the ball does not go in",
+                let message = text!(
+                    "Diameter ({diameter}) must be larger than the ball ({ball}): the ball does not go in",
                     checker.length(self.diameter),
                     checker.length(ball)
                 );
@@ -103,8 +104,8 @@ impl Shape for Circle {
                 && checker.sound(&["cycle.sideClearance"])
                 && clearance + setup.radius >= self.diameter
             {
-                let message = format!(
-                    "Side clearance ({}) puts the ball into the opposite wall: with a diameter of {} it must be less than {}",
+                let message = text!(
+                    "Side clearance ({clearance}) puts the ball into the opposite wall: with a diameter of {diameter} it must be less than {limit}",
                     checker.length(clearance),
                     checker.length(self.diameter),
                     checker.length(self.diameter - setup.radius)
@@ -115,7 +116,8 @@ impl Shape for Circle {
         level_rules(checker, setup, self.depth, self.top.filter(|_| self.clearance.is_some()), !self.internal);
         let apart = |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
         if checker.sound(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
-            let message = "Fewer than three touches stand apart: they give no circle, and centre and diameter are not known";
+            let message =
+                text!("Fewer than three touches stand apart: they give no circle, and centre and diameter are not known");
             checker.warning("no-circle", "cycle.stepCount", message);
         }
     }
@@ -135,9 +137,9 @@ impl Shape for Circle {
             let (first, third) = (picks[0].vector, up.cross(picks[0].vector));
             let wanted = [first, -first, third, -third];
             if let Some(k) = (0..4).find(|&k| (picks[k].vector - wanted[k]).length() > 2.0 * NEAR) {
-                let message = format!(
+                let message = text!(
                     "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 \
-                     opposite touch 3: touch {} is not there. The angular variant takes any",
+                     opposite touch 3: touch {touch} is not there. The angular variant takes any",
                     k + 1
                 );
                 checker.error("not-rectangular", format!("cycle.touches[{k}].vector"), message);
@@ -156,7 +158,7 @@ impl Shape for Circle {
             let radius = self.radius(picks, center, plane);
             let aside = (out.normalize_or_zero() * self.sign() - pick.vector).length();
             if (out.length() - radius).abs() > NEAR || aside > NEAR * 10.0 {
-                let message = format!("Touch {} does not lie on one circle with the others, square to it", k + 1);
+                let message = text!("Touch {touch} does not lie on one circle with the others, square to it", k + 1);
                 checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
             }
         }
@@ -205,9 +207,9 @@ impl Shape for Circle {
         let y = value("center_y", part(CirclePart::Ordinate));
         let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);
         let diameter = value("diameter", Expr::Number(2.0) * wall);
-        formula.result("center.x", Role::Abscissa, "Centre, abscissa", origin[a], x);
-        formula.result("center.y", Role::Ordinate, "Centre, ordinate", origin[o], y);
-        formula.result("diameter", Role::Size, "Diameter", self.diameter, diameter);
+        formula.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
+        formula.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
+        formula.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);
         formula.datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
         formula
     }

@@ -5,6 +5,7 @@ use crate::form::Checker;
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Setup, Surface, Tracer};
+use crate::text::Text;
 
 /// Nothing is touched, nothing moves.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,8 @@ impl Shape for Still {
         Vec::new()
     }
 
-    fn name(&self, _k: usize) -> String {
-        String::new()
+    fn name(&self, _k: usize) -> Text {
+        Text::words("")
     }
 
     fn rules(&self, _setup: &Setup, _checker: &mut Checker) {}

@@ -7,6 +7,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::text::{Text, text, words};
 
 /// A corner of two walls and a floor, or of two walls and a top side.
 #[derive(Clone, Debug)]
@@ -79,14 +80,13 @@ impl Shape for Triple {
         }
     }
 
-    fn name(&self, k: usize) -> String {
+    fn name(&self, k: usize) -> Text {
         match (k, self.internal()) {
-            (0, _) => "First wall",
-            (1, _) => "Second wall",
-            (_, true) => "Third wall",
-            (_, false) => "Top side",
+            (0, _) => text!("First wall"),
+            (1, _) => text!("Second wall"),
+            (_, true) => text!("Third wall"),
+            (_, false) => text!("Top side"),
         }
-        .to_owned()
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
@@ -106,8 +106,8 @@ impl Shape for Triple {
         for (n, other) in [(0, 1), (1, 0)] {
             let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
             if free <= setup.radius {
-                let message = format!(
-                    "In the touch of wall {} the ball would meet wall {} first: at {}° clearance {} must be larger than {}",
+                let message = text!(
+                    "In the touch of wall {n} the ball would meet wall {other} first: at {angle}° clearance {other2} must be larger than {least}",
                     n + 1,
                     other + 1,
                     crate::num::decimal(self.angle, 4),
@@ -127,7 +127,7 @@ impl Shape for Triple {
             checker.error(
                 "walls-parallel",
                 "cycle.touches",
-                "The three surfaces do not meet in one point: they make no corner",
+                text!("The three surfaces do not meet in one point: they make no corner"),
             );
             return;
         }
@@ -146,7 +146,7 @@ impl Shape for Triple {
             picks::one_level(picks, &[0, 1], plane, checker);
             picks::below_top(picks, &[0, 1], 2, plane, checker);
             if (picks[2].vector - up).length() > NEAR {
-                let message = "The third touch is on the top side: its target vector must be along the tool axis";
+                let message = text!("The third touch is on the top side: its target vector must be along the tool axis");
                 checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
             }
         }
@@ -208,9 +208,9 @@ impl Shape for Triple {
         let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];
         let nominal: Vec3 = (0..3).map(|k| weights[k] * n[k].dot(on.touches[k].point)).sum();
         let codes = [
-            ("corner.x", "corner_x", "Corner, abscissa", Role::Abscissa),
-            ("corner.y", "corner_y", "Corner, ordinate", Role::Ordinate),
-            ("corner.z", "corner_z", "Corner, along the tool axis", Role::Level),
+            ("corner.x", "corner_x", words!("Corner, abscissa"), Role::Abscissa),
+            ("corner.y", "corner_y", words!("Corner, ordinate"), Role::Ordinate),
+            ("corner.z", "corner_z", words!("Corner, along the tool axis"), Role::Level),
         ];
         let mut place = [None, None, None];
         for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
@@ -268,7 +268,8 @@ impl Shape for Triple {
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
-        code.starts_with("corner.")
-            .then_some("each surface is touched once and is taken to have its nominal direction, which a turned part has not")
+        code.starts_with("corner.").then_some(words!(
+            "each surface is touched once and is taken to have its nominal direction, which a turned part has not"
+        ))
     }
 }

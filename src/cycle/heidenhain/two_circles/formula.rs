@@ -3,34 +3,36 @@
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::formula::{CirclePart, Datum, Expr, Formula, Name, Role, Value};
 use crate::path::Setup;
+use crate::text::words;
 
 /// Codes and meanings of one object's rows, by object.
 const CENTRES: [[(&str, &str); 3]; 2] = [
     [
-        ("Q950", "Measured centre 1, main axis"),
-        ("Q951", "Measured centre 1, minor axis"),
-        ("Q952", "Measured centre 1, tool axis"),
+        ("Q950", words!("Measured centre 1, main axis")),
+        ("Q951", words!("Measured centre 1, minor axis")),
+        ("Q952", words!("Measured centre 1, tool axis")),
     ],
     [
-        ("Q953", "Measured centre 2, main axis"),
-        ("Q954", "Measured centre 2, minor axis"),
-        ("Q955", "Measured centre 2, tool axis"),
+        ("Q953", words!("Measured centre 2, main axis")),
+        ("Q954", words!("Measured centre 2, minor axis")),
+        ("Q955", words!("Measured centre 2, tool axis")),
     ],
 ];
 const OFFSETS: [[(&str, &str); 3]; 2] = [
     [
-        ("Q980", "Deviation of centre 1, main axis"),
-        ("Q981", "Deviation of centre 1, minor axis"),
-        ("Q982", "Deviation of centre 1, tool axis"),
+        ("Q980", words!("Deviation of centre 1, main axis")),
+        ("Q981", words!("Deviation of centre 1, minor axis")),
+        ("Q982", words!("Deviation of centre 1, tool axis")),
     ],
     [
-        ("Q983", "Deviation of centre 2, main axis"),
-        ("Q984", "Deviation of centre 2, minor axis"),
-        ("Q985", "Deviation of centre 2, tool axis"),
+        ("Q983", words!("Deviation of centre 2, main axis")),
+        ("Q984", words!("Deviation of centre 2, minor axis")),
+        ("Q985", words!("Deviation of centre 2, tool axis")),
     ],
 ];
-const DIAMETERS: [(&str, &str); 2] = [("Q966", "Measured diameter 1"), ("Q967", "Measured diameter 2")];
-const DIAMETER_OFFSETS: [(&str, &str); 2] = [("Q996", "Deviation of diameter 1"), ("Q997", "Deviation of diameter 2")];
+const DIAMETERS: [(&str, &str); 2] = [("Q966", words!("Measured diameter 1")), ("Q967", words!("Measured diameter 2"))];
+const DIAMETER_OFFSETS: [(&str, &str); 2] =
+    [("Q996", words!("Deviation of diameter 1")), ("Q997", words!("Deviation of diameter 2"))];
 
 /// What is known of one object: centre and diameter, each where it is.
 struct Measured {
@@ -66,8 +68,8 @@ impl TwoCircles {
             }
         }
         let turned = rotation.map(|r| f.set("q965", Expr::Number(0.0) - r));
-        f.result("Q964", Role::Direction, "Measured basic rotation", 0.0, rotation);
-        f.result("Q965", Role::Turn, "Measured table rotation", 0.0, turned);
+        f.result("Q964", Role::Direction, words!("Measured basic rotation"), 0.0, rotation);
+        f.result("Q965", Role::Turn, words!("Measured table rotation"), 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETERS) {
             f.result(code, Role::Size, meaning, object.nominal_diameter(), known.diameter);
             f.referred_to(object.diameter.reference().unwrap_or(f64::NAN));
@@ -80,8 +82,8 @@ impl TwoCircles {
                 f.result(code, Role::Shift, meaning, 0.0, off);
             }
         }
-        f.result("Q994", Role::Turn, "Angle deviation of the basic rotation", 0.0, rotation);
-        f.result("Q995", Role::Turn, "Angle deviation of the table rotation", 0.0, turned);
+        f.result("Q994", Role::Turn, words!("Angle deviation of the basic rotation"), 0.0, rotation);
+        f.result("Q995", Role::Turn, words!("Angle deviation of the table rotation"), 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETER_OFFSETS) {
             let off = known.diameter.zip(object.diameter.reference());
             let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
@@ -154,24 +156,30 @@ impl TwoCircles {
             };
             let (x, y) = (axis(0, ["mean_a", "preset_a"]), axis(1, ["mean_o", "preset_o"]));
             let shift = |axis: Option<(Value, f64, Value)>| axis.map(|a| a.2);
-            f.result("preset.x", Role::Shift, "Shift of the preset in the main axis (Q1120)", 0.0, shift(x));
-            f.result("preset.y", Role::Shift, "Shift of the preset in the minor axis (Q1120)", 0.0, shift(y));
+            f.result("preset.x", Role::Shift, words!("Shift of the preset in the main axis (Q1120)"), 0.0, shift(x));
+            f.result("preset.y", Role::Shift, words!("Shift of the preset in the minor axis (Q1120)"), 0.0, shift(y));
             if let Some((x, y)) = x.zip(y) {
                 place = [Some((x.0.into(), x.1)), Some((y.0.into(), y.1)), None];
             }
         }
         let turned = |r: Value| Expr::Number(0.0) - r;
         match form.confirm_rotation {
-            1 => f.result("preset.rotation", Role::Turn, "Basic rotation written to the preset (Q1121)", 0.0, rotation),
+            1 => f.result("preset.rotation", Role::Turn, words!("Basic rotation written to the preset (Q1121)"), 0.0, rotation),
             2 => {
                 let offset = rotation.map(|r| f.set("table_offset", turned(r)));
-                f.result("preset.table", Role::Turn, "Offset of the rotary table written to the preset (Q1121)", 0.0, offset);
+                f.result(
+                    "preset.table",
+                    Role::Turn,
+                    words!("Offset of the rotary table written to the preset (Q1121)"),
+                    0.0,
+                    offset,
+                );
             }
             _ => {}
         }
         if form.align_rotary_axis != 0 {
             let turn = rotation.map(|r| f.set("table_turn", turned(r)));
-            f.result("table.turn", Role::Turn, "Turn of the rotary table (Q1126)", 0.0, turn);
+            f.result("table.turn", Role::Turn, words!("Turn of the rotary table (Q1126)"), 0.0, turn);
         }
         f.datum = Some(Datum { place, told: true, rotation: rotation.filter(|_| form.confirm_rotation == 1).map(Expr::from) });
     }

@@ -4,6 +4,7 @@ use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::formula::{CircleFit, ResultRow, Unit, fit_circle};
 use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Setup};
+use crate::text::{Text, text, words};
 use crate::tolerance::Nominal;
 
 /// Adds verdicts, Q183, the extrusion's deviations, and the form error of each circle (ours).
@@ -42,34 +43,42 @@ fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: b
     } else {
         0
     };
-    row.verdict = Some(["good", "rework", "scrap"][verdict as usize].to_owned());
+    row.verdict = Some(word(verdict));
     *worst = Some(worst.map_or(verdict, |w| w.max(verdict)));
     true
 }
 
 /// Q183 where a value with a tolerance was not measured.
 fn unknown() -> ResultRow {
-    let mut row = row("Q183", "Workpiece status", Unit::None, 0.0);
+    let mut row = row("Q183", words!("Workpiece status"), Unit::None, 0.0);
     row.value = None;
-    row.with_verdict("not known: a value with a tolerance was not measured".to_owned())
+    row.with_verdict(text!("not known: a value with a tolerance was not measured"))
 }
 
 /// Q183, and what Q309 makes of it.
 fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
     let status = worst.unwrap_or(-1);
-    let word = match status {
-        0 => "good",
-        1 => "rework",
-        2 => "scrap",
-        _ => "undefined",
-    };
     let stops = match reaction {
         1 => status > 0,
         2 => status == 2,
         _ => false,
     };
-    let deed = if stops { "the control stops and shows the results" } else { "the program continues" };
-    row("Q183", "Workpiece status", Unit::None, f64::from(status)).with_verdict(format!("{word}: {deed}"))
+    let verdict = if stops {
+        text!("{status}: the control stops and shows the results", word(status))
+    } else {
+        text!("{status}: the program continues", word(status))
+    };
+    row("Q183", words!("Workpiece status"), Unit::None, f64::from(status)).with_verdict(verdict)
+}
+
+/// What a status is called.
+fn word(status: i32) -> Text {
+    match status {
+        0 => text!("good"),
+        1 => text!("rework"),
+        2 => text!("scrap"),
+        _ => text!("undefined"),
+    }
 }
 
 /// The form error of one circle, and with an extrusion the largest deviations of its single circles.
@@ -109,16 +118,16 @@ fn single_rows(
         };
         let off = largest(&|j, fit| fit.center.distance(Vec2::new(place[0] + shifts[j][0], place[1] + shifts[j][1])));
         let wide = largest(&|_, fit| (2.0 * (fit.radius + object.outward() * setup.radius) - object.nominal_diameter()).abs());
-        let centre = ["Largest deviation from centre 1", "Largest deviation from centre 2"][i];
-        let diameter = ["Largest deviation from diameter 1", "Largest deviation from diameter 2"][i];
+        let centre = [words!("Largest deviation from centre 1"), words!("Largest deviation from centre 2")][i];
+        let diameter = [words!("Largest deviation from diameter 1"), words!("Largest deviation from diameter 2")][i];
         rows.push(maybe(["Q970", "Q971"][i], centre, off));
         rows.push(maybe(["Q973", "Q974"][i], diameter, wide));
     }
-    let meaning = ["Form error of circle 1 (Touchpath's own)", "Form error of circle 2 (Touchpath's own)"][i];
+    let meaning = [words!("Form error of circle 1 (Touchpath's own)"), words!("Form error of circle 2 (Touchpath's own)")][i];
     rows.push(maybe(["form1", "form2"][i], meaning, form_error));
 }
 
-fn maybe(code: &str, meaning: &str, value: Option<f64>) -> ResultRow {
+fn maybe(code: &str, meaning: &'static str, value: Option<f64>) -> ResultRow {
     let mut row = row(code, meaning, Unit::Length, 0.0);
     row.nominal = Some(0.0);
     row.value = value.map(crate::num::tidy);
@@ -126,10 +135,10 @@ fn maybe(code: &str, meaning: &str, value: Option<f64>) -> ResultRow {
     row
 }
 
-fn row(code: &str, meaning: &str, unit: Unit, value: f64) -> ResultRow {
+fn row(code: &str, meaning: &'static str, unit: Unit, value: f64) -> ResultRow {
     ResultRow {
         code: code.to_owned(),
-        meaning: meaning.to_owned(),
+        meaning: Text::words(meaning),
         unit,
         nominal: None,
         value: Some(value),
@@ -141,7 +150,7 @@ fn row(code: &str, meaning: &str, unit: Unit, value: f64) -> ResultRow {
 }
 
 impl ResultRow {
-    fn with_verdict(mut self, verdict: String) -> Self {
+    fn with_verdict(mut self, verdict: Text) -> Self {
         self.verdict = Some(verdict);
         self
     }

@@ -17,6 +17,7 @@ use crate::path::{
     self, Accessor, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject,
     Surface, Touch,
 };
+use crate::text::{text, words};
 use crate::tolerance::Nominal;
 
 pub static DEF: CycleDef = CycleDef {
@@ -423,7 +424,7 @@ fn rows(settings: [Vec<(Setting, &'static str)>; 2]) -> Vec<Parameter> {
         accessor: Accessor::Q,
         type_name: "",
         value: setting.value,
-        meaning: setting.dialog,
+        meaning: text!("{dialog}", setting.dialog),
         field: Some(field.to_owned()),
         touch: None,
     };
@@ -436,8 +437,10 @@ impl Cycle for TwoCircles {
     }
 
     fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
-        let set_up = self.form.set_up_clearance_predef.then_some(("cycle.setUpClearancePredef", "set-up clearance (Q320)"));
-        let height = self.form.clearance_height_predef.then_some(("cycle.clearanceHeightPredef", "clearance height (Q260)"));
+        let set_up =
+            self.form.set_up_clearance_predef.then_some(("cycle.setUpClearancePredef", words!("set-up clearance (Q320)")));
+        let height =
+            self.form.clearance_height_predef.then_some(("cycle.clearanceHeightPredef", words!("clearance height (Q260)")));
         set_up.into_iter().chain(height).collect()
     }
 

@@ -4,6 +4,7 @@ use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
 use crate::form::Checker;
 use crate::geom::Vec2;
 use crate::path::{SHORTEST_TOUCH, Setup};
+use crate::text::{text, words};
 
 impl TwoCircles {
     /// Reports every rule that does not hold.
@@ -21,14 +22,15 @@ impl TwoCircles {
             }
         }
         if form.angular_length == 0.0 {
-            checker.error("no-arc", "cycle.angularLength", "An angular length of 0° puts every touch on one spot");
+            checker.error("no-arc", "cycle.angularLength", text!("An angular length of 0° puts every touch on one spot"));
         }
         if form.angular_length != 0.0 && checker.sound(&["cycle.angularLength", "cycle.probePoints"]) {
             self.spread_rules(checker);
         }
         if form.align_rotary_axis != 0 && form.confirm_rotation == 0 {
-            let message =
-                "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise";
+            let message = text!(
+                "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise"
+            );
             checker.error("align-needs-confirm", "cycle.alignRotaryAxis", message);
         }
         let [one, two] = self.objects();
@@ -36,7 +38,7 @@ impl TwoCircles {
             && checker.sound(&points)
             && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
         {
-            let message = "Both circles are in one place: the line through their centres has no direction";
+            let message = text!("Both circles are in one place: the line through their centres has no direction");
             checker.error("no-direction", "cycle.point2", message);
         }
         if let (Some(p), Some(q)) = (one.place(), two.place())
@@ -47,8 +49,8 @@ impl TwoCircles {
             let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
             for (outer, inner, path) in [(&one, &two, diameters[0]), (&two, &one, diameters[1])] {
                 if apart + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
-                    let message = format!(
-                        "Circle {} (diameter {}) contains circle {} wholly: is a diameter in other units?",
+                    let message = text!(
+                        "Circle {number} (diameter {nominal_diameter}) contains circle {number2} wholly: is a diameter in other units?",
                         outer.number,
                         checker.length(outer.nominal_diameter()),
                         inner.number
@@ -63,7 +65,7 @@ impl TwoCircles {
             && checker.sound(&points)
             && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
         {
-            let message = "Both circles are given in one place: the line through their centres has no direction";
+            let message = text!("Both circles are given in one place: the line through their centres has no direction");
             checker.error("no-direction", "cycle.point2", message);
         }
         if let Some(extrusion) = &self.extrusion
@@ -71,15 +73,16 @@ impl TwoCircles {
             && extrusion.length != 0.0
             && extrusion.direction != 3
         {
-            let message =
-                "Along the main or minor axis repeated touches would run off a round object: only the tool axis (3) is planned";
+            let message = text!(
+                "Along the main or minor axis repeated touches would run off a round object: only the tool axis (3) is planned"
+            );
             checker.error("extrusion-direction", "cycle.extrusion.direction", message);
         }
         if let Some(extrusion) = &self.extrusion
             && extrusion.points > 1
             && extrusion.length == 0.0
         {
-            let message = "An extrusion of length 0 repeats every touch on the same spot";
+            let message = text!("An extrusion of length 0 repeats every touch on the same spot");
             checker.warning("no-extrusion", "cycle.extrusion.length", message);
         }
         self.height_rules(checker);
@@ -94,8 +97,8 @@ impl TwoCircles {
         let pairs = angles.iter().enumerate().flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
         let nearest = pairs.fold(360.0, f64::min);
         if nearest < NEAREST {
-            let message = format!(
-                "Two touches of a circle would lie {}° apart: at least {}° are needed, or there is no circle to compute",
+            let message = text!(
+                "Two touches of a circle would lie {nearest}° apart: at least {least}° are needed, or there is no circle to compute",
                 crate::num::decimal(nearest, 4),
                 crate::num::decimal(NEAREST, 1)
             );
@@ -110,8 +113,8 @@ impl TwoCircles {
         };
         let worst = worth(0).max(worth(1));
         if worst > DOUBTFUL {
-            let message = format!(
-                "Over so short an arc a centre is {} times as uncertain as a single touch: give the touches more of the circle",
+            let message = text!(
+                "Over so short an arc a centre is {worst} times as uncertain as a single touch: give the touches more of the circle",
                 crate::num::decimal(worst, 0)
             );
             checker.warning("short-arc", "cycle.angularLength", message);
@@ -122,8 +125,9 @@ impl TwoCircles {
     fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
         let (number, diameter) = (object.number, object.nominal_diameter());
         if object.hole && diameter < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
-            let message = format!(
-                "Hole {number} ({}) must be larger than the ball ({})",
+            let message = text!(
+                "Hole {number} ({diameter}) must be larger than the ball ({ball})",
+                number,
                 checker.length(diameter),
                 checker.length(2.0 * setup.radius)
             );
@@ -131,31 +135,33 @@ impl TwoCircles {
             return;
         }
         if !object.hole && diameter <= 0.0 {
-            checker.error("out-of-range", diameter_path, format!("Stud {number} must have a diameter above 0"));
+            checker.error("out-of-range", diameter_path, text!("Stud {number} must have a diameter above 0", number));
             return;
         }
         let reachable = diameter / 2.0 - setup.radius;
         let small = object.hole && diameter / 2.0 < self.stand_off(setup);
         if small {
-            let message = format!(
+            let message = text!(
                 "Hole {number} is too small for the set-up clearance: the control asks, and continues from the centre with the \
-                 reachable clearance of {}",
+                 reachable clearance of {reachable}",
+                number,
                 checker.length(reachable)
             );
             checker.warning("small-hole", diameter_path, message);
         }
         let way = if small { reachable } else { self.stand_off(setup) - setup.radius };
         if way + 0.01 > self.probe.dist {
-            let message = format!(
-                "DIST ({}) must be longer than the way from the start of a touch to object {number} ({}), or no touch reaches it",
+            let message = text!(
+                "DIST ({dist}) must be longer than the way from the start of a touch to object {number} ({way}), or no touch reaches it",
                 checker.length(self.probe.dist),
+                number,
                 checker.length(way)
             );
             checker.error("dist-too-short", "cycle.probe.dist", message);
         }
         if way < SHORTEST_TOUCH - 1e-6 {
-            let message = format!(
-                "Q320 and SET_UP together ({}) must be at least {}: the ball would stand at the wall before the touch begins",
+            let message = text!(
+                "Q320 and SET_UP together ({way}) must be at least {least}: the ball would stand at the wall before the touch begins",
                 checker.length(way),
                 checker.length(SHORTEST_TOUCH)
             );
@@ -172,8 +178,8 @@ impl TwoCircles {
             if mode >= 0 && object.state == State::Probed && checker.sound(&[path, "cycle.clearanceHeight"]) {
                 let highest = height + extrusion;
                 if highest >= self.form.clearance_height {
-                    let message = format!(
-                        "The clearance height ({}) must lie above the measuring height of object {} ({})",
+                    let message = text!(
+                        "The clearance height ({clearance_height}) must lie above the measuring height of object {number} ({highest})",
                         checker.length(self.form.clearance_height),
                         object.number,
                         checker.length(highest)
@@ -183,10 +189,12 @@ impl TwoCircles {
             }
         }
         if mode < 2 {
-            let what = if mode == 1 { "the touch points of an object" } else { "the objects and their touch points" };
-            let message = format!(
-                "Danger of collision: between {what} the probe is not retracted to the clearance height; the manual says always \
-                 to do so"
+            let what =
+                if mode == 1 { words!("the touch points of an object") } else { words!("the objects and their touch points") };
+            let message = text!(
+                "Danger of collision: between {places} the probe is not retracted to the clearance height; the manual says always \
+                 to do so",
+                what
             );
             checker.warning("no-retract", "cycle.clearanceHeightMode", message);
         }
@@ -201,24 +209,25 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
     let number = object.number;
     let given = object.point.iter().filter(|v| v.actual.is_some()).count();
     if given > 0 && given < 3 {
-        let message = format!("Point {number}: a given position (@) needs all three axes; {given} of 3 are given");
+        let message = text!("Point {number}: a given position (@) needs all three axes; {given} of 3 are given", number, given);
         checker.error("given-incomplete", point, message);
     }
     if object.diameter.unknown || object.diameter.actual.is_some() {
-        let message = format!("Diameter {number} takes a number or a tolerance, not ? or @");
+        let message = text!("Diameter {number} takes a number or a tolerance, not ? or @", number);
         checker.error("not-a-value", diameter, message);
     }
     match object.state {
         State::Semi => {
-            let message = format!(
+            let message = text!(
                 "Object {number} is semi-automatic: the control stops there and the operator moves the probe to it; no path can \
-                 be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it"
+                 be shown, and results that need it are not known. Clearance height modes 1 and 2 are not used for it",
+                number
             );
             checker.info("semi-automatic", point, message);
         }
         State::Given => {
             let message =
-                format!("The position of object {number} is given: it is not probed, and its diameter is not measured");
+                text!("The position of object {number} is given: it is not probed, and its diameter is not measured", number);
             checker.info("given-position", point, message);
         }
         State::Probed => {}
