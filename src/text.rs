@@ -23,9 +23,12 @@ pub enum Part {
 /// A [`Text`]: `text!("{label} must be a whole number", field.label)`. The values fill the names in braces in the order in which these first
 /// appear. A `&'static str` is looked up among the words, a `String` and a number are not.
 macro_rules! text {
-    ($template:literal $(, $value:expr)* $(,)?) => {
-        $crate::text::Text::new($template, vec![$($crate::text::Part::from($value)),*])
-    };
+    ($template:literal $(, $value:expr)* $(,)?) => {{
+        #[allow(unused_mut)]
+        let mut text = $crate::text::Text::words($template);
+        $(text.fill($value);)*
+        text
+    }};
 }
 pub(crate) use text;
 
@@ -38,30 +41,26 @@ macro_rules! words {
 pub(crate) use words;
 
 impl Text {
-    /// A text from its template and the values of its names, in the order in which these first appear.
-    pub fn new(template: &'static str, values: Vec<Part>) -> Self {
-        debug_assert!(names(template).len() == values.len(), "each name of \"{template}\" has its value");
-        Text { template, values }
-    }
-
     /// Words that stand somewhere as data: the label of a field, what a rule asks.
     pub fn words(words: &'static str) -> Self {
         Text { template: words, values: Vec::new() }
     }
 
+    /// Puts a value in place of the next name that has none. A call each, so that a text costs few bytes where it is made.
+    #[inline(never)]
+    pub fn fill(&mut self, value: impl Into<Part>) {
+        self.values.push(value.into());
+        debug_assert!(self.values.len() <= names(self.template).len(), "each value of \"{}\" has its name", self.template);
+    }
+
     /// Writes it in English.
     fn write(&self, out: &mut String) {
-        let mut known: [&str; MOST_VALUES] = [""; MOST_VALUES];
-        let mut count = 0;
+        let names = names(self.template);
+        debug_assert!(names.len() == self.values.len(), "each name of \"{}\" has its value", self.template);
         for (before, name) in pieces(self.template) {
             out.push_str(before);
-            let Some(name) = name else { continue };
-            let place = known[..count].iter().position(|known| *known == name).unwrap_or_else(|| {
-                known[count.min(MOST_VALUES - 1)] = name;
-                count += 1;
-                count - 1
-            });
-            match self.values.get(place) {
+            let place = names.iter().position(|known| Some(*known) == name);
+            match place.and_then(|place| self.values.get(place)) {
                 Some(Part::Verbatim(text)) => out.push_str(text),
                 Some(Part::Text(text)) => text.write(out),
                 None => {}
@@ -87,24 +86,26 @@ impl Text {
     }
 }
 
-/// The most values that a text has.
-const MOST_VALUES: usize = 8;
-
 /// A template as text before each name, and the name; the last piece has none. Braces around anything but a name are text.
 fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
     let mut rest = Some(template);
     std::iter::from_fn(move || {
         let text = rest?;
-        let name = |open: usize| {
-            let length = text[open + 1..].find(|c: char| !c.is_ascii_alphanumeric() && c != '_')?;
-            (length > 0 && text[open + 1 + length..].starts_with('}')).then_some((open, open + 1 + length))
-        };
-        let Some((open, close)) = text.match_indices('{').find_map(|(open, _)| name(open)) else {
-            rest = None;
-            return Some((text, None));
-        };
-        rest = Some(&text[close + 1..]);
-        Some((&text[..open], Some(&text[open + 1..close])))
+        // The open brace that has had nothing but a name behind it.
+        let mut open = None;
+        for (at, byte) in text.bytes().enumerate() {
+            match (byte, open) {
+                (b'{', _) => open = Some(at),
+                (b'}', Some(open)) if at > open + 1 => {
+                    rest = Some(&text[at + 1..]);
+                    return Some((&text[..open], Some(&text[open + 1..at])));
+                }
+                (byte, _) if !byte.is_ascii_alphanumeric() && byte != b'_' => open = None,
+                _ => {}
+            }
+        }
+        rest = None;
+        Some((text, None))
     })
 }
 
@@ -117,6 +118,15 @@ pub fn names(template: &str) -> Vec<&str> {
         }
     }
     names
+}
+
+/// Whether a text has words: numbers, codes and single letters are the same in every language.
+pub fn is_for_people(template: &str) -> bool {
+    let has_word = |text: &str| {
+        text.split(|c: char| !c.is_ascii_alphabetic())
+            .any(|word| word.len() > 1 && word.chars().any(|c| c.is_ascii_lowercase()))
+    };
+    pieces(template).any(|(text, _)| has_word(text))
 }
 
 impl fmt::Display for Text {
@@ -166,18 +176,43 @@ impl From<usize> for Part {
 
 impl From<u8> for Part {
     fn from(n: u8) -> Self {
-        Part::Verbatim(n.to_string())
+        Part::from(usize::from(n))
     }
 }
 
 impl From<char> for Part {
     fn from(sign: char) -> Self {
-        Part::Verbatim(sign.to_string())
+        Part::Verbatim(String::from(sign))
     }
 }
 
 impl From<i32> for Part {
     fn from(n: i32) -> Self {
         Part::Verbatim(n.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Text, is_for_people, names};
+
+    #[test]
+    fn values_stand_in_place_of_names() {
+        let inner = text!("a list of {count}", 3_usize);
+        let said = text!("{label} must be { x, y } of {n}, {label}, not {given}{n}", "Point", 2, inner);
+        assert_eq!(said.english(), "Point must be { x, y } of 2, Point, not a list of 32");
+        assert_eq!(names("{a}{b}{a} {} {c d} {e_1}"), ["a", "b", "e_1"]);
+        assert_eq!(Text::words("}{ {").english(), "}{ {");
+        let json = serde_json::to_string(&said).unwrap();
+        assert_eq!(
+            json,
+            r#"["{label} must be { x, y } of {n}, {label}, not {given}{n}",["Point"],"2",["a list of {count}","3"]]"#
+        );
+    }
+
+    #[test]
+    fn codes_and_numbers_need_no_words() {
+        assert!(is_for_people("Width 1") && is_for_people("{a} mm at {b}") && is_for_people("not {a}"));
+        assert!(!is_for_people("G54 X{x}") && !is_for_people("{touch}: {status}") && !is_for_people("SET_UP"));
     }
 }

@@ -7,7 +7,7 @@
 use glam::DMat3;
 
 use crate::geom::{Plane, Vec3};
-use crate::text::words;
+use crate::text::{Text, text, words};
 
 /// How near a matrix element must be to 0 or ±1 to count as that: "parallel".
 const PARALLEL: f64 = 1e-9;
@@ -194,29 +194,27 @@ pub fn meaning(status: i32) -> &'static str {
 }
 
 /// What the answer says in a sentence, axis names being those of the plane: "L1 acts along +Z, …".
-pub fn sentence(plane: Plane, answer: &Answer) -> String {
+pub fn sentence(plane: Plane, answer: &Answer) -> Text {
     if answer.status < 0 {
-        return meaning(answer.status).to_owned();
+        return Text::words(meaning(answer.status));
     }
     let names = plane.axes().map(|axis| crate::geom::AXIS_NAMES[axis]);
-    let lengths: Vec<String> = (0..3)
-        .map(|length| {
-            let parts: Vec<String> = (0..3)
-                .filter(|&row| answer.matrix[row][length].abs() > PARALLEL)
-                .map(|row| {
-                    let part = answer.matrix[row][length];
-                    let sign = if part < 0.0 { '-' } else { '+' };
-                    if answer.status == 0 {
-                        format!("{sign}{}", names[row])
-                    } else {
-                        format!("{sign}{}·{}", crate::num::decimal(part.abs(), 4), names[row])
-                    }
-                })
-                .collect();
-            format!("L{} acts along {}", length + 1, parts.join(" "))
-        })
-        .collect();
-    lengths.join(", ")
+    let [first, second, third] = [0, 1, 2].map(|length| {
+        let parts: Vec<String> = (0..3)
+            .filter(|&row| answer.matrix[row][length].abs() > PARALLEL)
+            .map(|row| {
+                let part = answer.matrix[row][length];
+                let sign = if part < 0.0 { '-' } else { '+' };
+                if answer.status == 0 {
+                    format!("{sign}{}", names[row])
+                } else {
+                    format!("{sign}{}·{}", crate::num::decimal(part.abs(), 4), names[row])
+                }
+            })
+            .collect();
+        text!("L{length} acts along {axes}", length + 1, parts.join(" "))
+    });
+    text!("{first}, {second}, {third}", first, second, third)
 }
 
 /// NC lines that ask the control itself, and stop where the first length (the probe's) is not along the tool axis.

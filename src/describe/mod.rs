@@ -5,6 +5,6 @@ mod catalog;
 mod schema;
 mod table;
 
-pub use catalog::{Catalog, DefaultEntry, catalog};
+pub use catalog::{Catalog, DefaultEntry, FieldEntry, catalog};
 pub use schema::job_schema;
 pub use table::export_table;

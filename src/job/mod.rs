@@ -26,7 +26,6 @@ pub use sections::{FORMAT, Job, SECTIONS, Units, size_reach};
 pub use units::convert_units;
 
 use crate::form::{Checker, Finding, Value};
-use crate::text::text;
 
 /// The longest text that is read, in bytes. A longer one is refused: half of a program would be another.
 pub const LONGEST_TEXT: usize = 2_000_000;
@@ -95,8 +94,12 @@ pub fn from_json(text: &str) -> Result<Value, JobError> {
     match serde_json::from_str::<serde_json::Value>(text) {
         Ok(json) => Ok(Value::from(&json)),
         Err(error) => {
-            let finding =
-                Finding::new(crate::form::Level::Error, "not-json", "", text!("This is not JSON: {error}", error.to_string()));
+            let finding = Finding::new(
+                crate::form::Level::Error,
+                "not-json",
+                "",
+                crate::text::text!("This is not JSON: {error}", error.to_string()),
+            );
             Err(JobError { findings: vec![finding] })
         }
     }

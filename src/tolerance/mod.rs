@@ -467,10 +467,10 @@ mod tests {
             "2v",
         ] {
             let error = parse(text, 1.0).expect_err(text);
-            assert!(!error.is_empty());
+            assert!(!error.english().is_empty());
         }
-        assert!(parse("10H", 1.0).unwrap_err().contains("H7"));
-        assert!(parse("?x", 1.0).unwrap_err().contains("?10"));
+        assert!(parse("10H", 1.0).unwrap_err().english().contains("H7"));
+        assert!(parse("?x", 1.0).unwrap_err().english().contains("?10"));
     }
 
     #[test]

@@ -40,7 +40,7 @@ pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
     let key = input::text_of(kind, 100).unwrap_or_default();
     job::default_job(&key).map(|value| value_to_js(&value)).ok_or_else(|| {
         let message = text!("There is no cycle of this type; catalog() lists them");
-        thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)], message)
+        thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)])
     })
 }
 
@@ -128,7 +128,7 @@ pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue>
     let name = input::text_of(view, 100).unwrap_or_default();
     let Some(projection) = Projection::named(&name) else {
         let message = text!("A picture is looked at from top, front, side or isometric");
-        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)], message));
+        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)]));
     };
     let value = decoded(codes, text);
     job::svg(&value, projection).map_err(refused)
@@ -176,7 +176,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
         let message = text!("A program is read as iso or as sinumerik");
-        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)], message));
+        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
     }
     // JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
     let path = match std::str::from_utf8(text) {
@@ -217,7 +217,9 @@ pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let answer = tool_length::lentoax(&query);
     let result = Object::new();
     set(&result, "meaning", &JsValue::from_str(tool_length::meaning(answer.status)));
-    set(&result, "sentence", &JsValue::from_str(&tool_length::sentence(query.plane, &answer)));
+    let sentence = tool_length::sentence(query.plane, &answer);
+    set(&result, "sentence", &JsValue::from_str(&sentence.english()));
+    set(&result, "said", &to_js(&sentence)?);
     set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query.coord)));
     Ok(result.into())
 }
@@ -235,10 +237,15 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 
 fn refused(error: JobError) -> JsValue {
     let message = error.to_string();
-    thrown(&error.findings, &message)
+    thrown_as(&error.findings, &message)
 }
 
-fn thrown(findings: &[Finding], message: &str) -> JsValue {
+/// A refusal with one finding, whose message is the error's.
+fn thrown(finding: &[Finding; 1]) -> JsValue {
+    thrown_as(finding, &finding[0].message)
+}
+
+fn thrown_as(findings: &[Finding], message: &str) -> JsValue {
     let error = js_sys::Error::new(message);
     error.set_name("JobError");
     match to_js(&findings) {

@@ -4,6 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::form::{Finding, Level};
 use crate::job::{Move, ParameterRow, ParameterValue, Plan, ResultRow};
+use crate::text::{Part, Text};
 
 #[wasm_bindgen]
 extern "C" {
@@ -67,6 +68,28 @@ impl Packed {
         }
     }
 
+    /// How many values it has, its template, then each of them: a text as this one, what is the same in every language behind a −1.
+    fn said(&mut self, text: &Text) {
+        self.count(text.values().len());
+        self.text(text.template());
+        for value in text.values() {
+            match value {
+                Part::Text(text) => self.said(text),
+                Part::Verbatim(text) => {
+                    self.number(-1.0);
+                    self.text(text);
+                }
+            }
+        }
+    }
+
+    fn said_or_none(&mut self, text: Option<&Text>) {
+        match text {
+            Some(text) => self.said(text),
+            None => self.number(-1.0),
+        }
+    }
+
     /// A word as its place in a list.
     fn word(&mut self, word: &str, words: &[&str]) {
         self.index(words.iter().position(|known| *known == word));
@@ -122,7 +145,7 @@ pub fn give(plan: &Plan, sink: &Sink) {
     out.list(&plan.safety, |out, row| {
         out.text(row.rule);
         out.flag(row.holds);
-        out.text(&row.message);
+        out.said(&row.said);
         out.list(&row.lines, |out, line| out.count(*line));
     });
     sink.take(&out.numbers, &out.text);
@@ -146,21 +169,21 @@ fn moves(out: &mut Packed, moves: &[Move]) {
 
 fn result(out: &mut Packed, row: &ResultRow) {
     out.text(&row.code);
-    out.text(&row.meaning);
+    out.said(&row.said.meaning);
     out.word(row.unit, &UNITS);
     for x in [row.nominal, row.value, row.deviation, row.uncertainty] {
         out.optional(x);
     }
-    out.text_or_none(row.verdict.as_deref());
+    out.said_or_none(row.said.verdict.as_ref());
     out.optional(row.truth);
-    out.text_or_none(row.note.as_deref());
+    out.said_or_none(row.said.note.as_ref());
 }
 
 fn finding(out: &mut Packed, finding: &Finding) {
     out.index(LEVELS.iter().position(|level| *level == finding.level));
-    for text in [finding.code.as_ref(), finding.path.as_str(), finding.message.as_str()] {
-        out.text(text);
-    }
+    out.text(&finding.code);
+    out.text(&finding.path);
+    out.said(&finding.said);
 }
 
 /// Hands a parameter table out.
@@ -187,7 +210,7 @@ pub fn give_table(rows: &[ParameterRow], sink: &Sink) {
                 out.text(text);
             }
         }
-        out.text(&row.meaning);
+        out.said(&row.said);
         out.text_or_none(row.field.as_deref());
         out.index(row.touch);
     });

@@ -4,6 +4,7 @@ mod controls;
 mod structs;
 mod surface;
 mod typescript;
+mod words;
 
 use std::fmt::Write;
 use std::path::Path;
@@ -194,6 +195,11 @@ fn every_code_of_a_finding_is_listed() {
 #[test]
 fn the_types_of_what_comes_out_are_those_of_the_crate() {
     keep("www/core/plan-types.ts", &structs::types());
+}
+
+#[test]
+fn every_text_that_needs_words_is_listed() {
+    keep("www/words/core.json", &words::words());
 }
 
 #[test]

@@ -97,10 +97,10 @@ fn nearly_a_quarter_turn_is_one_and_a_tie_goes_to_the_lower_length() {
 
 #[test]
 fn words_and_nc_lines() {
-    assert_eq!(sentence(Plane::G17, &lentoax(&mill())), "L1 acts along +Z, L2 acts along +Y, L3 acts along +X");
+    assert_eq!(sentence(Plane::G17, &lentoax(&mill())).english(), "L1 acts along +Z, L2 acts along +Y, L3 acts along +X");
     let turned = lentoax(&Query { frame: vec![rot('Z', 60.0)], ..mill() });
     assert_eq!(
-        sentence(Plane::G17, &turned),
+        sentence(Plane::G17, &turned).english(),
         "L1 acts along +1·Z, L2 acts along +0.866·X +0.5·Y, L3 acts along +0.5·X -0.866·Y"
     );
     assert!(nc_block("tcs").contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"TCS\")"));

@@ -15,8 +15,10 @@ import type {
   Programmed,
   ProgramText,
   ResultRow,
+  Said,
 } from "./types.js";
 
+export { say } from "./said.js";
 export type * from "./types.js";
 
 /** Thrown where no plan can be made; `findings` says everything that was found. */
@@ -29,6 +31,9 @@ export class JobError extends Error {
     this.findings = findings;
   }
 }
+
+const UNREADABLE = "This value cannot be read";
+const NO_TEXT = "A program is text";
 
 /** Copies what the module gives: views of its memory, which do not last. */
 class Sink implements Packed {
@@ -98,8 +103,8 @@ export interface Api {
   convertUnits(job: unknown, units: "mm" | "inch"): Job;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
   lentoax(query?: LentoaxQuery): Lentoax;
-  /** The same in words, and NC lines that ask the control itself. */
-  lentoaxWords(query?: LentoaxQuery): { meaning: string; sentence: string; program: string };
+  /** The same in words, and NC lines that ask the control itself; `said` is the sentence for other languages. */
+  lentoaxWords(query?: LentoaxQuery): { meaning: string; sentence: string; said: Said; program: string };
   /** The crate's version. */
   version(): string;
 }
@@ -174,7 +179,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       try {
         return on(job, raw.check);
       } catch {
-        return [{ level: "error", code: "unreadable", path: "", message: "This value cannot be read" }];
+        return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
       }
     },
     plan: (job) => {
@@ -218,8 +223,9 @@ export function dress(raw: Raw, instance: Instance): Api {
     },
     readProgram: (text, dialect) => {
       if (typeof text !== "string") {
-        const message = "A program is text";
-        throw new JobError(message, [{ level: "error", code: "wrong-type", path: "", message }]);
+        throw new JobError(NO_TEXT, [
+          { level: "error", code: "wrong-type", path: "", message: NO_TEXT, said: [NO_TEXT] },
+        ]);
       }
       const { length } = text;
       const bytes = new TextEncoder().encode(length > 0 && length <= LONGEST_PROGRAM ? text : "");

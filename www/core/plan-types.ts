@@ -1,6 +1,7 @@
 // Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
 
 import type { Cycle, Vec3 } from "./job-types.js";
+import type { Said } from "./said.js";
 
 /** How much a finding weighs. */
 export type Level = "error" | "warning" | "info";
@@ -15,6 +16,8 @@ export interface Finding {
   path: string;
   /** Plain words for a person, with numbers in the job's units. */
   message: string;
+  /** The message as a template and its values: with a list of words it can be said in another language. */
+  said: Said;
 }
 
 /** One nominal touch. */
@@ -64,6 +67,8 @@ export interface ParameterRow {
   value: ParameterValue;
   /** What it means. */
   meaning: string;
+  /** The same as a template and its values. */
+  said: Said;
   /** Path of the job's field it comes from. */
   field: string | null;
   /** The touch it comes from. */
@@ -92,6 +97,18 @@ export interface ResultRow {
   truth: number | null;
   /** Why the value is not the truth, where it is not. */
   note: string | null;
+  /** Its words as templates and their values. */
+  said: ResultWords;
+}
+
+/** The words of a result. */
+export interface ResultWords {
+  /** What it is. */
+  meaning: Said;
+  /** Good, rework or scrap, where a tolerance is given. */
+  verdict: Said | null;
+  /** Why the value is not the truth, where it is not. */
+  note: Said | null;
 }
 
 /** What was proven of a program of moves: read back, it is the path. */
@@ -112,6 +129,8 @@ export interface SafetyRow {
   holds: boolean | null;
   /** What the rule asks, what is wrong, or why the control cannot. */
   message: string;
+  /** The same as a template and its values. */
+  said: Said;
   /** The 0-based lines that break it. */
   lines: number[];
 }

@@ -1,4 +1,5 @@
 // A plan out of the module's numbers and text: the other half of src/wasm/output.rs. Each section is made when it is read for the first time.
+import { type Said, say } from "./said.js";
 import type {
   Finding,
   Level,
@@ -71,6 +72,19 @@ class Reader {
     return this.textOrNone() ?? "";
   }
 
+  /** What is said: a count of values, the template, the values. */
+  said(): Said {
+    return this.saidOrNone() ?? [""];
+  }
+
+  saidOrNone(): Said | null {
+    const count = this.index();
+    if (count === null) return null;
+    const said: Said = [this.text()];
+    for (let left = count; left > 0; left--) said.push(this.saidOrNone() ?? this.text());
+    return said;
+  }
+
   word<Word>(words: readonly Word[]): Word {
     return words[this.number()] as Word;
   }
@@ -136,37 +150,43 @@ function program(r: Reader): ProgramText {
   return { post, extension, text, moveLines, proof };
 }
 
-const result = (r: Reader): ResultRow => ({
-  code: r.text(),
-  meaning: r.text(),
-  unit: r.word(UNITS),
-  nominal: r.optional(),
-  value: r.optional(),
-  deviation: r.optional(),
-  uncertainty: r.optional(),
-  verdict: r.textOrNone(),
-  truth: r.optional(),
-  note: r.textOrNone(),
-});
+function result(r: Reader): ResultRow {
+  const code = r.text();
+  const meaning = r.said();
+  const unit = r.word(UNITS);
+  const [nominal, value, deviation, uncertainty] = [r.optional(), r.optional(), r.optional(), r.optional()];
+  const verdict = r.saidOrNone();
+  const truth = r.optional();
+  const note = r.saidOrNone();
+  return {
+    code,
+    meaning: say(meaning),
+    unit,
+    nominal,
+    value,
+    deviation,
+    uncertainty,
+    verdict: verdict && say(verdict),
+    truth,
+    note: note && say(note),
+    said: { meaning, verdict, note },
+  };
+}
 
 function trigger(r: Reader): Vec3 | null {
   const place = r.triple();
   return Number.isNaN(place[0]) ? null : place;
 }
 
-const finding = (r: Reader): Finding => ({
-  level: r.word(LEVELS),
-  code: r.text(),
-  path: r.text(),
-  message: r.text(),
-});
+function finding(r: Reader): Finding {
+  const [level, code, path, said] = [r.word(LEVELS), r.text(), r.text(), r.said()];
+  return { level, code, path, message: say(said), said };
+}
 
-const safety = (r: Reader): SafetyRow => ({
-  rule: r.text(),
-  holds: r.flag(),
-  message: r.text(),
-  lines: r.list(() => r.number()),
-});
+function safety(r: Reader): SafetyRow {
+  const [rule, holds, said] = [r.text(), r.flag(), r.said()];
+  return { rule, holds, message: say(said), said, lines: r.list(() => r.number()) };
+}
 
 /** The rows of a parameter table. */
 export function tableOf(packed: Packed): ParameterRow[] {
@@ -175,7 +195,8 @@ export function tableOf(packed: Packed): ParameterRow[] {
     const [code, type] = [r.text(), r.text()];
     const kind = r.number();
     const value = kind === 0 ? r.number() : kind === 1 ? r.flag() === true : r.text();
-    return { code, type, value, meaning: r.text(), field: r.textOrNone(), touch: r.index() };
+    const said = r.said();
+    return { code, type, value, meaning: say(said), said, field: r.textOrNone(), touch: r.index() };
   });
 }
 

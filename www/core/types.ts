@@ -5,6 +5,7 @@ import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
+export type { Said, Words } from "./said.js";
 
 /** The moves as typed arrays: three numbers of `to` a move; `feed` and `kind` index into `feeds` and `kinds`; no touch is −1. */
 export interface MoveColumns {

@@ -17,6 +17,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "ParameterValue",
             "ParameterRow",
             "ResultRow",
+            "ResultWords",
             "ProofRow",
             "SafetyRow",
             "ProgramText",
@@ -61,6 +62,7 @@ const EXACT: &[(&str, &str)] = &[
 const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
 
 import type { Cycle, Vec3 } from \"./job-types.js\";
+import type { Said } from \"./said.js\";
 ";
 
 /// The file.
@@ -149,6 +151,7 @@ fn type_of(ty: &Type) -> String {
                 "f64" | "usize" | "i32" | "u8" => "number".to_owned(),
                 "bool" => "boolean".to_owned(),
                 "String" | "str" => "string".to_owned(),
+                "Text" => "Said".to_owned(),
                 "Triple" => "Vec3".to_owned(),
                 "Vec" => format!("{}[]", grouped(inner())),
                 "Option" => format!("{} | null", inner()),

@@ -65,7 +65,13 @@ export function perform(task: Task, item: Item): Outcome {
   }
 }
 
-const problem = (code: string, message: string): Finding => ({ level: "error", code, path: "", message });
+const problem = (code: string, message: string): Finding => ({
+  level: "error",
+  code,
+  path: "",
+  message,
+  said: [message],
+});
 
 function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[] } {
   if (task.command === "plan") {
