@@ -45,6 +45,9 @@ function buildPackage() {
   writeFileSync(at("dist", "licences.txt"), crateLicences());
   for (const name of ["embed.html", "frame.schema.json"]) cpSync(at("www", name), at("dist", name));
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
+  mkdirSync(at("dist", "words"));
+  for (const name of readdirSync(at("www", "words")).filter((name) => name !== "core.json"))
+    cpSync(at("www", "words", name), at("dist", "words", name));
   buildBundles();
 }
 
@@ -80,9 +83,14 @@ function writeWorker() {
     .sort();
   const hash = createHash("sha256");
   for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
-  const list = JSON.stringify(["./", ...files.filter((file) => file !== "index.html")]);
+  const words = readdirSync(at("www", "words")).map((name) => `assets/${name.replace(".json", "-")}`);
+  const wanted = files.filter((file) =>
+    words.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
+  );
+  const all = ["./", ...files.filter((file) => file !== "index.html" && !wanted.includes(file))];
   const worker = readFileSync(at("www", "sw.js"), "utf8")
-    .replace("const FILES = [];", `const FILES = ${list};`)
+    .replace("const FILES = [];", `const FILES = ${JSON.stringify(all)};`)
+    .replace("const WANTED = [];", `const WANTED = ${JSON.stringify(wanted)};`)
     .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`);
   writeFileSync(join(page, "sw.js"), worker);
 }

@@ -35,6 +35,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {string} post - The control, by the `id` of a post in the catalog.
  * @attr {"mm" | "inch"} units - The units; the values are converted.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
+ * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it that of the nearest element around that has one; with `storage="local"` the one that the user chose, or else the browser's. What has no words here is English. Programs are English always.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
  * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. One element of an origin should.
@@ -62,7 +63,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  static readonly observedAttributes = [...INPUTS, "theme", "readonly", "panels"];
+  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels"];
 
   /** The page's state, once it is loaded. Not part of what is promised. @internal */
   store?: Store;
@@ -119,7 +120,8 @@ export class TouchPath extends Base {
     if (value === before) return;
     if ((INPUTS as readonly string[]).includes(name)) {
       this.put(name as Input, value, this.waiting);
-    } else this.dress();
+    } else if (name === "lang") this.app?.speak();
+    else this.dress();
   }
 
   /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
@@ -274,6 +276,8 @@ export class TouchPath extends Base {
       store.clear();
       this.shadow.adoptedStyleSheets = [styles];
       const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
+      // The words are there before anything is shown.
+      await app.speak();
       this.app = app;
       this.dress();
       this.shadow.replaceChildren(app);

@@ -38,20 +38,27 @@ function places(): [() => Storage, string][] {
 }
 
 const THEME = "touchpath.theme.1";
+const LANGUAGE = "touchpath.language.1";
 
-/** The colours that were chosen in this browser; null where none were. */
-export function keptTheme(): string | null {
+/** A choice for the page that was kept under a name; null where there is none. */
+function choice(name: string): string | null {
   try {
-    return localStorage.getItem(THEME);
+    return localStorage.getItem(name);
   } catch {
     return null;
   }
 }
 
-export function keepTheme(theme: string): void {
+/** Keeps one. Without storage it lasts as long as the page. */
+function keepChoice(name: string, value: string): void {
   try {
-    localStorage.setItem(THEME, theme);
+    localStorage.setItem(name, value);
   } catch {
-    // Without storage the choice lasts as long as the page.
+    // Nothing to be done.
   }
 }
+
+export const keptTheme = () => choice(THEME);
+export const keepTheme = (theme: string) => keepChoice(THEME, theme);
+export const keptLanguage = () => choice(LANGUAGE);
+export const keepLanguage = (language: string) => keepChoice(LANGUAGE, language);

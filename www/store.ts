@@ -14,11 +14,15 @@ import {
   JobError,
   type Plan,
   plan,
+  type Said,
+  say,
+  type Words,
 } from "./core/browser.js";
 import { stem } from "./core/names.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
 import { type Preset, SECTIONS } from "./presets.js";
+import { type Lang, w, worded } from "./words.js";
 
 export type { Draft } from "./job.js";
 
@@ -45,7 +49,7 @@ interface Moment {
 /** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
 const ECHO = 1000;
 
-const LOOK_ONLY = "Nothing was changed: this job can only be looked at";
+const LOOK_ONLY: Said = [w("Nothing was changed: this job can only be looked at")];
 
 /** So many steps can be taken back. */
 const MOST_STEPS = 200;
@@ -57,8 +61,26 @@ interface State {
   points?: Points;
 }
 
+/** What the page itself refuses; its message is in the language that is spoken. */
+export class Refusal extends JobError {}
+
+/** What feeds are called. */
+const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
+  approach: w("approach"),
+  longLink: w("long link"),
+  work: w("work"),
+  retract: w("retract"),
+  return: w("return"),
+  rapid: w("rapid"),
+};
+
 export class Store extends EventTarget {
-  readonly catalog: Catalog = catalog();
+  private readonly english: Catalog = catalog();
+  /** The catalog in the language that is spoken. */
+  catalog: Catalog = this.english;
+  /** The language, and its words. */
+  lang: Lang = "en";
+  words: Words = {};
   draft: Draft;
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
@@ -78,7 +100,7 @@ export class Store extends EventTarget {
   /** The path of the field that has the focus. */
   focused: string | null = null;
   /** What the page must say about what it found in the browser's storage. */
-  notice = "";
+  notice: Said | null = null;
   /** The points that a machine measured for this job. */
   private points = noPoints();
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
@@ -107,6 +129,46 @@ export class Store extends EventTarget {
     if (local) this.restore();
   }
 
+  /** Speaks another language from now on. The job stays as it is. */
+  speak(lang: Lang, words: Words): void {
+    this.lang = lang;
+    this.words = words;
+    this.catalog = lang === "en" ? this.english : worded(this.english, words);
+    this.byUser = false;
+    this.dispatchEvent(new Event("speak"));
+    this.dispatchEvent(new Event("change"));
+    this.byUser = true;
+  }
+
+  /** What is said, in the language that is spoken. */
+  say(said: Said): string {
+    return say(said, this.words);
+  }
+
+  /** A text of the page in the language that is spoken; the values stand in place of the names in its braces. */
+  t(template: string, ...values: (string | number | Said)[]): string {
+    return this.say([template, ...values.map((value) => (typeof value === "number" ? String(value) : value))]);
+  }
+
+  /** A decimal number as this language writes it. */
+  number(text: string): string {
+    return this.words["0.5"] === "0,5" ? text.replace(".", ",") : text;
+  }
+
+  /** Why something was refused, in the language that is spoken. */
+  why(refused: JobError): string {
+    const errors = refused.findings.filter((f) => f.level === "error");
+    const [first] = errors;
+    if (refused instanceof Refusal || !first) return refused.message;
+    return errors.length === 1
+      ? this.say(first.said)
+      : this.t("{message} (and {count} more)", first.said, errors.length - 1);
+  }
+
+  private refusal(said: Said, findings: Finding[] = []): Refusal {
+    return new Refusal(this.say(said), findings);
+  }
+
   /** Whether the job can only be looked at. */
   get readonly(): boolean {
     return this.shut;
@@ -122,9 +184,9 @@ export class Store extends EventTarget {
 
   /** Takes a job, a cycle, a control or units from outside. What cannot be taken changes nothing: why, as a finding. */
   input(input: "job" | "cycle" | "post" | "units", value: unknown): Finding | null {
-    const refused = (code: string, message: string): Finding => {
+    const refused = (code: string, ...said: Said): Finding => {
       const path = { job: "", cycle: "cycle.type", post: "control.post", units: "units" }[input];
-      return { level: "error", code, path, message };
+      return { level: "error", code, path, message: say(said), said };
     };
     this.byUser = false;
     try {
@@ -135,30 +197,35 @@ export class Store extends EventTarget {
         units: ["mm", "inch"],
       }[input];
       if (!known.includes(value as string))
-        return refused("unknown-value", `Nothing was changed: ${input} must be one of ${known.join(", ")}`);
+        return refused(
+          "unknown-value",
+          w("Nothing was changed: {input} must be one of {known}"),
+          input,
+          known.join(", "),
+        );
       if (input === "cycle") this.choose(value as Cycle["type"]);
       else if (input === "units") this.setUnits(value as Units);
       else if (value !== this.get("control.post")) this.put("control.post", value);
       return null;
     } catch {
-      return refused("unreadable", `Nothing was changed: this ${input} cannot be read`);
+      return refused("unreadable", w("Nothing was changed: the {input} cannot be read"), input);
     } finally {
       this.byUser = true;
     }
   }
 
-  private inputJob(value: unknown, refused: (code: string, message: string) => Finding): Finding | null {
+  private inputJob(value: unknown, refused: (code: string, ...said: Said) => Finding): Finding | null {
     let job = value;
     if (typeof value === "string") {
-      if (value.length > this.longest) return refused("too-long", this.tooLong(value.length));
+      if (value.length > this.longest) return refused("too-long", ...this.tooLong(value.length));
       try {
         job = JSON.parse(value);
       } catch {
-        return refused("not-json", "Nothing was changed: the job is not JSON");
+        return refused("not-json", w("Nothing was changed: the job is not JSON"));
       }
     }
     const problem = this.unusable(job);
-    if (problem) return refused("unusable", `Nothing was changed: the job cannot be used: ${problem}`);
+    if (problem) return refused("unusable", w("Nothing was changed: the job cannot be used: {problem}"), problem);
     const whole = complete(job as Draft, this.catalog);
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
     const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
@@ -199,7 +266,8 @@ export class Store extends EventTarget {
   /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */
   get withheld(): string | null {
     if (!this.stale) return null;
-    return this.findings.find((f) => f.level === "error")?.message ?? "No plan can be made of this form";
+    const error = this.findings.find((f) => f.level === "error");
+    return this.say(error?.said ?? [w("No plan can be made of this form")]);
   }
 
   get measured(): string {
@@ -333,28 +401,32 @@ export class Store extends EventTarget {
 
   /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
   take(job: unknown, measured: string): void {
-    if (this.refuses) throw new JobError(LOOK_ONLY, []);
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
     const problem = this.unusable(job);
-    if (problem) throw new JobError(`Nothing was changed: the job of this link cannot be used: ${problem}`, []);
+    if (problem)
+      throw this.refusal([w("Nothing was changed: the job of this link cannot be used: {problem}"), problem]);
     this.load(job as Draft, measured);
   }
 
   /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
   open(text: string): Finding[] {
-    if (this.refuses) throw new JobError(LOOK_ONLY, []);
-    if (text.length > this.longest) throw new JobError(this.tooLong(text.length), []);
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
+    if (text.length > this.longest) throw this.refusal(this.tooLong(text.length));
     const { job, findings, trace } = importJob(text);
-    const problem = trace ? "this program says no job" : this.unusable(job);
-    if (problem) throw new JobError(`Nothing was changed: ${problem}`, findings);
+    const problem: Said | null = trace ? [w("this program says no job")] : this.unusable(job);
+    if (problem) throw this.refusal([w("Nothing was changed: {problem}"), problem], findings);
     this.load(job as unknown as Draft);
     return findings;
   }
 
   /** What is said of a text that is too long to be read. */
-  tooLong(length: number, what: "text" | "file" = "text"): string {
-    const count = (n: number) => n.toLocaleString("en");
-    const unit = what === "file" ? "bytes" : "characters";
-    return `Nothing was read: this ${what} has ${count(length)} ${unit}, and at most ${count(this.longest)} are read`;
+  tooLong(length: number, what: "text" | "file" = "text"): Said {
+    const count = (n: number) => n.toLocaleString(this.lang);
+    const template =
+      what === "file"
+        ? w("Nothing was read: this file has {count} bytes, and at most {most} are read")
+        : w("Nothing was read: this text has {count} characters, and at most {most} are read");
+    return [template, count(length), count(this.longest)];
   }
 
   /** Back to the defaults of the present cycle. */
@@ -370,7 +442,7 @@ export class Store extends EventTarget {
 
   /** Takes what belongs to the machine from a preset, in this job's units. Throws `JobError`, and changes nothing, where it does not fit. */
   usePreset({ units, overtravel, sections }: Preset): void {
-    if (this.refuses) throw new JobError(LOOK_ONLY, []);
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
     const held = this.units;
     const job = {
       ...structuredClone(this.draft),
@@ -379,7 +451,7 @@ export class Store extends EventTarget {
       units,
     };
     const problem = this.unusable(job);
-    if (problem) throw new JobError(`Nothing was changed: this preset cannot be used: ${problem}`, []);
+    if (problem) throw this.refusal([w("Nothing was changed: this preset cannot be used: {problem}"), problem]);
     const whole = complete(job, this.catalog);
     const taken = (units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
@@ -447,7 +519,11 @@ export class Store extends EventTarget {
     const place = keys.join(".");
     const { cycle, catalog } = this;
     if (plain === "cycle.type") return undefined;
-    if (place === "part.sizes") return sizeField(cycle.fields.find((f) => f.key === key));
+    if (place === "part.sizes")
+      return sizeField(
+        cycle.fields.find((f) => f.key === key),
+        this.words,
+      );
     const section =
       place === "cycle"
         ? cycle
@@ -458,13 +534,14 @@ export class Store extends EventTarget {
   /** How the virtual part lies other than the drawing says; empty where it does not. */
   get deviations(): string[] {
     const part = this.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
+    const signed = (x: unknown) => this.number(typeof x === "number" && x > 0 ? `+${x}` : String(x));
     const shifts = (part?.offset ?? []).flatMap((x, i) => (x === 0 ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
     const turn = part?.rotation ?? 0;
     const sizes = this.cycle.fields.flatMap(({ key, label }) => {
       const value = part?.sizes?.[key] ?? 0;
       return value === 0 ? [] : [`${label} ${signed(value)}`];
     });
-    return [...shifts, ...(turn === 0 ? [] : [`turned ${String(turn)}°`]), ...sizes];
+    return [...shifts, ...(turn === 0 ? [] : [this.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
   }
 
   /** The run of the plan in a line: moves, length, minutes and seconds. */
@@ -472,16 +549,27 @@ export class Store extends EventTarget {
     const { moves, length, time } = this.plan;
     const seconds = Math.round(time * 60);
     const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
-    return `${moves.length} moves · ${length.toFixed(0)} ${this.units} · ${clock}`;
+    return this.t("{count} moves · {length} · {time}", moves.length, `${length.toFixed(0)} ${this.units}`, clock);
   }
 
   /** A move of the plan in words. */
-  inWords(index: number): string {
+  inWords(index: number, numbered = true): string {
     const { moves } = this.plan;
     const { kind, touch, to, step, feed } = moves[index] as Plan["moves"][number];
-    const what = { position: "positioning", touch: `touch ${(touch ?? 0) + 1}`, back: "back" }[kind];
-    const place = ["X", "Y", "Z"].map((axis, i) => `${axis}${Number((to[i] as number).toFixed(4))}`).join(" ");
-    return `${index + 1} of ${moves.length}: step ${step}, ${what}, ${feed === "longLink" ? "long link" : feed}, to ${place}`;
+    const what: Said = {
+      position: [w("positioning")] as Said,
+      touch: [w("touch {touch}"), String((touch ?? 0) + 1)] as Said,
+      back: [w("back")] as Said,
+    }[kind];
+    const place = ["X", "Y", "Z"].map((axis, i) => axis + this.number(String(Number((to[i] as number).toFixed(4)))));
+    const said: Said = [
+      w("step {step}, {what}, {feed}, to {place}"),
+      String(step),
+      what,
+      [FEEDS[feed]],
+      place.join(" "),
+    ];
+    return numbered ? this.t("{move} of {count}: {words}", index + 1, moves.length, said) : this.say(said);
   }
 
   /** The name of the program's file. */
@@ -536,9 +624,9 @@ export class Store extends EventTarget {
   }
 
   /** Why a job cannot be shown; null where it can. */
-  private unusable(job: unknown): string | null {
+  private unusable(job: unknown): Said | null {
     const format = check(job).find((f) => f.level === "error" && f.path === "format");
-    return misfit(job, this.catalog) ?? format?.message ?? null;
+    return misfit(job, this.catalog) ?? format?.said ?? null;
   }
 
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
@@ -547,7 +635,7 @@ export class Store extends EventTarget {
       const { draft, typed, points } = (isObject(state) ? state : {}) as Partial<State>;
       const problem = this.unusable(draft);
       if (problem) {
-        this.notice = `What was kept in this browser cannot be used: ${problem}`;
+        this.notice = [w("What was kept in this browser cannot be used: {problem}"), problem];
         continue;
       }
       const isText = (pair: unknown) =>
@@ -596,14 +684,12 @@ export class Store extends EventTarget {
 }
 
 /** How much a size of the trial part differs. */
-export function sizeField(field: FieldEntry | undefined): FieldEntry | undefined {
+export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
   if (!field) return undefined;
-  const label = `${field.label} differs by`;
-  const help = `How much the real ${field.label.toLowerCase()} is larger (or, negative, smaller) than it should be.`;
+  const label = say([w("{label} differs by"), field.label], words);
+  const help = say([w("By how much this is larger (or, negative, smaller) on the real part than in the form.")], words);
   return { ...field, label, help, default: 0, code: null, usual: null, range: null };
 }
-
-const signed = (x: unknown) => (typeof x === "number" && x > 0 ? `+${x}` : String(x));
 
 function steps(path: string): string[] {
   return path.split(/[.[\]]+/).filter(Boolean);

@@ -3,15 +3,29 @@
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {string[]} */
 const FILES = [];
+/** Files that not every user wants: the words of the languages. They are kept when they are asked for. @type {string[]} */
+const WANTED = [];
 const VERSION = "";
 /** One installation a folder: another one of the same server has its own files. */
 const OWN = `touchpath ${new URL("./", location.href).pathname} `;
 const CACHE = OWN + VERSION;
 const PAGE = new URL("./", location.href).pathname;
 
+/** A file's name without the hash of what is in it: the same file of another version. */
+const stem = (/** @type {string} */ name) => name.slice(0, -"-01234567.js".length);
+
 worker.addEventListener("install", (event) => {
-  // All of them or none: a page of two versions is worse than no page.
-  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES.map((file) => new Request(file, { cache: "reload" })))));
+  const install = async () => {
+    const cache = await caches.open(CACHE);
+    // What the version before has kept, this one keeps, too.
+    const before = (await caches.keys()).filter((name) => name.startsWith(OWN) && name !== CACHE);
+    const kept = await Promise.all(before.map(async (name) => (await caches.open(name)).keys()));
+    const had = new Set(kept.flat().map((request) => stem(new URL(request.url).pathname)));
+    const again = WANTED.filter((file) => had.has(stem(PAGE + file)));
+    // All of them or none: a page of two versions is worse than no page.
+    await cache.addAll([...FILES, ...again].map((file) => new Request(file, { cache: "reload" })));
+  };
+  event.waitUntil(install());
 });
 
 worker.addEventListener("activate", (event) => {
@@ -29,7 +43,11 @@ worker.addEventListener("fetch", (event) => {
   const answer = async () => {
     const cache = await caches.open(CACHE);
     const asked = url.pathname === `${PAGE}index.html` ? PAGE : event.request;
-    return (await cache.match(asked, { ignoreSearch: true })) ?? fetch(event.request);
+    const kept = await cache.match(asked, { ignoreSearch: true });
+    if (kept) return kept;
+    const response = await fetch(event.request);
+    if (response.ok && WANTED.some((file) => url.pathname === PAGE + file)) await cache.put(event.request, response.clone());
+    return response;
   };
   event.respondWith(answer());
 });

@@ -1,7 +1,7 @@
 //! What is drawn of a planned job: its scene, and what is written in it.
 
 use crate::form::Value;
-use crate::job::{Job, JobError, Planned, plan_with_path};
+use crate::job::{JobError, Planned, plan_with_path};
 use crate::num::decimal;
 use crate::view::scene::{self, Actual, Projection, Scene};
 use crate::view::{self, Legend};
@@ -37,11 +37,18 @@ impl Planned {
         let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
         scene.dimensions.retain(|dimension| has(dimension.field));
         Picture {
-            names: scene.dimensions.iter().map(|d| (d.field, name(job, d.field, d.length))).collect(),
+            names: scene.dimensions.iter().map(|d| (d.field, self.name(d.field, d.length, None))).collect(),
             offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
             deviates: !job.lie.nominal,
             scene,
         }
+    }
+
+    /// What a dimension is called: its label, the form's where no other is given, and its length (mm) in the job's units.
+    pub fn name(&self, field: &str, length: f64, label: Option<&str>) -> String {
+        let key = field.strip_prefix("cycle.").unwrap_or(field);
+        let own = || self.job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
+        format!("{} {}", label.unwrap_or_else(own), decimal(length / self.job.scale, 4))
     }
 }
 
@@ -52,10 +59,4 @@ pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
     let (name, cycle) = (&planned.job.name, planned.job.def.title);
     let legend = Legend { title: &format!("{name}: {cycle}"), names: &picture.names, deviates: picture.deviates };
     Ok(view::svg(&picture.scene, &legend))
-}
-
-fn name(job: &Job, path: &str, length: f64) -> String {
-    let key = path.strip_prefix("cycle.").unwrap_or(path);
-    let label = job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
-    format!("{label} {}", decimal(length / job.scale, 4))
 }

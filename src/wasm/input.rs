@@ -8,6 +8,7 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use crate::form::Value;
+use crate::text::words;
 
 /// The tags, by their numbers.
 #[derive(Clone, Copy)]
@@ -31,14 +32,14 @@ const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text
 
 /// What has no place in a job.
 const OTHERS: [&str; 8] = [
-    "undefined",
-    "something that is no data",
-    "something unreadable",
-    "something nested too deeply",
-    "more than a job can hold",
-    "more text than a job can hold",
-    "a list longer than a job can hold",
-    "an object with more keys than a job can hold",
+    words!("undefined"),
+    words!("something that is no data"),
+    words!("something unreadable"),
+    words!("something nested too deeply"),
+    words!("more than a job can hold"),
+    words!("more text than a job can hold"),
+    words!("a list longer than a job can hold"),
+    words!("an object with more keys than a job can hold"),
 ];
 
 /// Reads a coded value. What is not coded as `coded.ts` does it is something unreadable.

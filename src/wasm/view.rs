@@ -31,6 +31,9 @@ pub struct View {
     magnified: f64,
     /// Ball centres that a machine measured, in the job's units.
     measured: Vec<crate::geom::Vec3>,
+    /// Labels of dimensions in another language, by the paths of their fields.
+    labels: Vec<(String, String)>,
+    comma: bool,
     /// Whether the user has zoomed or panned, so that a new job must not fit the picture again.
     moved: bool,
     /// Whether the picture must stay where it is, since something in it is being dragged.
@@ -84,6 +87,8 @@ impl View {
             field: None,
             magnified: 1.0,
             measured: Vec::new(),
+            labels: Vec::new(),
+            comma: false,
             moved: false,
             held: false,
         })
@@ -103,6 +108,14 @@ impl View {
         let colour = |name: &str| js_sys::Reflect::get(theme, &JsValue::from_str(name)).ok()?.as_string();
         self.painter.theme = Theme::of(colour);
         self.draw();
+    }
+
+    /// What the dimensions of the next job are called, by the paths of their fields, and whether numbers have a comma; what is not named has the form's
+    /// English label.
+    #[wasm_bindgen(js_name = setLabels)]
+    pub fn set_labels(&mut self, fields: Vec<String>, labels: Vec<String>, comma: bool) {
+        self.labels = fields.into_iter().zip(labels).collect();
+        self.comma = comma;
     }
 
     /// Shows a coded job. One that has errors leaves the picture as it is and gives `false`.
@@ -407,7 +420,14 @@ impl View {
     }
 
     fn build(&self, last: Rc<Last>) -> Shown {
-        let job::Picture { scene, names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
+        let job::Picture { scene, mut names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
+        for (dimension, (field, name)) in scene.dimensions.iter().zip(&mut names) {
+            let Some((_, label)) = self.labels.iter().find(|(known, _)| known == field) else { continue };
+            *name = last.planned.name(field, dimension.length, Some(label));
+            if self.comma {
+                *name = name.replace('.', ",");
+            }
+        }
         let Planned { job, path, .. } = &last.planned;
         let held = Held {
             deviates,

@@ -2,10 +2,11 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { type Job, svg, version } from "../core/browser.js";
 import type { PanelName, TouchPath } from "../element.js";
-import { keepTheme, keptTheme } from "../keep.js";
+import { keepLanguage, keepTheme, keptLanguage, keptTheme } from "../keep.js";
 import { toFragment } from "../share.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
+import { LANGUAGES, type Lang, languageOf, w, wordsOf } from "../words.js";
 import "./bar.js";
 import "./checks.js";
 import "./findings.js";
@@ -28,11 +29,11 @@ export const styles = new CSSStyleSheet();
 styles.replaceSync(css);
 
 const PANELS = {
-  setup: "Setup",
-  program: "Program",
-  table: "Parameters",
-  results: "Results",
-  checks: "Checks",
+  setup: w("Setup"),
+  program: w("Program"),
+  table: w("Parameters"),
+  results: w("Results"),
+  checks: w("Checks"),
 } as const;
 type Panel = keyof typeof PANELS;
 const NAME_OF: Record<Panel, PanelName> = {
@@ -62,22 +63,23 @@ const LATER: Record<string, () => Promise<unknown>> = {
 
 const THEMES = ["auto", "light", "dark"] as const;
 type Theme = (typeof THEMES)[number];
+const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark") };
 const system = matchMedia("(prefers-color-scheme: dark)");
 
 /** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
 const KEYS: [string, string][] = [
-  ["Ctrl+Z, Ctrl+Y", "undo, redo: fields, choices, drags, files, Reset"],
-  ["Ctrl+S", "save the program"],
-  ["↑ ↓ in a number", "one step more or less; with Shift a tenth of it"],
-  ["Enter in a number", "work out a sum, and to the next field"],
-  ["Escape in a number", "back to what the field held"],
-  ["← → in the timeline", "move before, next move"],
-  ["Ctrl+← Ctrl+→ there", "touch before, next touch"],
-  ["Space there", "play, pause"],
-  ["↑ ↓ in the program", "line by line through the moves"],
-  ["Enter, Shift+Enter in Find", "the next line with the words, the one before"],
-  ["Arrows, +, −, 0 on the picture", "shift, zoom, fit"],
-  ["Escape on picture, program, timeline", "no move is lit"],
+  [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
+  [w("Ctrl+S"), w("save the program")],
+  [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
+  [w("Enter in a number"), w("work out a sum, and to the next field")],
+  [w("Escape in a number"), w("back to what the field held")],
+  [w("← → in the timeline"), w("move before, next move")],
+  [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
+  [w("Space there"), w("play, pause")],
+  [w("↑ ↓ in the program"), w("line by line through the moves")],
+  [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
+  [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
+  [w("Escape on picture, program, timeline"), w("no move is lit")],
 ];
 
 /** What the element is in. */
@@ -112,7 +114,7 @@ export class App extends LitElement {
     private readonly around: Around,
   ) {
     super();
-    this.told = store.notice;
+    this.told = store.notice ? store.say(store.notice) : "";
     this.intake = new Intake(store, {
       tell: (text) => this.tell(text),
       showJob: () => this.use("cycles"),
@@ -195,58 +197,58 @@ export class App extends LitElement {
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links}></tp-bar>
-        <input id="file" class="unseen" type="file" tabindex="-1" aria-label="Open a file" accept=${this.intake.readable} @change=${this.intake.chosen} />
+        <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${this.menu()}
       </header>
       <div class="notes">
-      ${this.newer ? html`<p class="note" role="status">A newer version of this page is here. <button type="button" @click=${this.newer}>Take it</button> The job stays.</p>` : nothing}
+      ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Take it")}</button> ${this.t("The job stays.")}</p>` : nothing}
       ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
       ${
         this.pasting
-          ? html`<section class="paste" aria-label="Paste">
-        <label for="paste">A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job</label>
+          ? html`<section class="paste" aria-label=${this.t("Paste")}>
+        <label for="paste">${this.t("A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job")}</label>
         <textarea id="paste" rows="6" spellcheck="false"></textarea>
-        <div class="tools"><button type="button" @click=${this.readPasted}>Read it</button><button type="button" @click=${() => this.paste(false)}>Cancel</button></div>
+        <div class="tools"><button type="button" @click=${this.readPasted}>${this.t("Read it")}</button><button type="button" @click=${() => this.paste(false)}>${this.t("Cancel")}</button></div>
       </section>`
           : nothing
       }
       ${
         this.tool === "cycles"
           ? nothing
-          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>Cycles</button> ${this.tool === "sheet" ? nothing : "back to the job"}</p>`
+          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>${this.t("Cycles")}</button> ${this.tool === "sheet" ? nothing : this.t("back to the job")}</p>`
       }
       </div>
-      <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : "Job"} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
+      <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
         ${repeat(
           // One order for eye and Tab: on a narrow page the picture stands above the form.
           (this.width < NARROW ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
           (name) => name,
           (name) =>
             name === "stage"
-              ? html`<section class="picture" part="stage" aria-label="Picture"><tp-picture .store=${store}></tp-picture></section>`
-              : html`<section class="setup" part="form" id="panel-setup" aria-label="Setup" ?hidden=${hidden("setup")}>
+              ? html`<section class="picture" part="stage" aria-label=${this.t("Picture")}><tp-picture .store=${store}></tp-picture></section>`
+              : html`<section class="setup" part="form" id="panel-setup" aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
           <tp-form .store=${store}></tp-form>
           <tp-help .store=${store}></tp-help>
         </section>`,
         )}
-        <div class="tabs" part="tabs" role="tablist" aria-label="Panels" ?hidden=${panels.length < 2}>
+        <div class="tabs" part="tabs" role="tablist" aria-label=${this.t("Panels")} ?hidden=${panels.length < 2}>
           ${panels.map(
             (
               panel,
             ) => html`<button type="button" role="tab" id=${`tab-${panel}`} aria-controls=${`panel-${panel}`} tabindex=${panel === active ? 0 : -1}
-            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${PANELS[panel]}</button>`,
+            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}</button>`,
           )}
         </div>
-        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" aria-label="Program" ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
-        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" aria-label="Parameters" ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
-        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" aria-label="Results" ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
-        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" aria-label="Checks" ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
+        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
+        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
+        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
+        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label="State of the job"><tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings><slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}><tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings><slot name="footer"></slot></footer>
       ${this.dialogs()}
       </div>
     `;
@@ -257,29 +259,30 @@ export class App extends LitElement {
     const { readonly } = this.store;
     const item = (what: string, name: string, offered = true) =>
       offered ? html`<button type="button" @click=${() => this.choose(what)}>${name}</button>` : nothing;
-    return html`<div class="menu" id="menu" popover role="group" aria-label="More">
-      ${item("open", "Open a file", !readonly)} ${item("paste", "Paste", !readonly)} ${item("save-job", "Save job")} ${item("save-picture", "Save the picture (SVG)")}
-      ${item("share", "Copy a link to this job", this.around.links)} ${item("sheet", "Setup sheet to print")} ${item("presets", "Presets", this.around.local && !readonly)}
-      ${item("lengths", "Tool lengths")} ${item("viewer", "Moves of the opened program", this.viewed !== null)} ${item("keys", "Keys")} ${item("reset", "Reset", !readonly)}
-      <label>Colours <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${theme === "auto" ? "as the system" : theme}</option>`)}</select></label>
-      <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>Licences</a></small>
+    return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")}>
+      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
+      ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
+      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
+      <label>${this.t("Language")} <select id="lang" @change=${this.chooseLanguage}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === this.store.lang}>${name}</option>`)}</select></label>
+      <label>${this.t("Colours")} <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${this.t(THEME_NAMES[theme])}</option>`)}</select></label>
+      <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>${this.t("Licences")}</a></small>
     </div>`;
   }
 
   private dialogs(): TemplateResult {
-    const close = html`<form method="dialog" class="tools"><button>Close</button></form>`;
-    return html`<dialog id="presets" aria-label="Presets" aria-describedby="presets-help">
+    const close = html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>`;
+    return html`<dialog id="presets" aria-label=${this.t("Presets")} aria-describedby="presets-help">
       ${this.there.has("presets") ? html`<tp-presets .store=${this.store}></tp-presets>` : nothing}
       ${close}
     </dialog>
     <dialog id="keys" aria-labelledby="keys-title">
-      <h2 id="keys-title">Keys</h2>
-      <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${keys}</dt><dd>${what}</dd>`)}</dl>
+      <h2 id="keys-title">${this.t("Keys")}</h2>
+      <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${this.t(keys)}</dt><dd>${this.t(what)}</dd>`)}</dl>
       ${close}
     </dialog>
     <dialog id="ask-reset" aria-labelledby="ask-reset-text">
-      <p id="ask-reset-text">Put the whole form back to the defaults of “${this.store.cycle.title}”? Undo brings back what is there now.</p>
-      <form method="dialog" class="tools"><button @click=${() => this.store.reset()}>Put back</button><button>Keep</button></form>
+      <p id="ask-reset-text">${this.t("Put the whole form back to the defaults of “{cycle}”? Undo brings back what is there now.", this.store.cycle.title)}</p>
+      <form method="dialog" class="tools"><button @click=${() => this.store.reset()}>${this.t("Put back")}</button><button>${this.t("Keep")}</button></form>
     </dialog>`;
   }
 
@@ -370,7 +373,7 @@ export class App extends LitElement {
       await this.updateComplete;
       return true;
     } catch {
-      this.tell("This part of the page could not be loaded: is there a network?");
+      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
       return false;
     }
   }
@@ -418,7 +421,7 @@ export class App extends LitElement {
     const name = store.fileName(extension);
     if (!this.around.host.tell("program-save", { name, text, post, extension })) return;
     download(text, name, "text/plain");
-    this.renderRoot.querySelector<ProgramPart>("tp-program")?.tell(`Saved ${name}`);
+    this.renderRoot.querySelector<ProgramPart>("tp-program")?.tell(this.t("Saved {file}", name));
   }
 
   /** The form as it stands, also with errors: it is the user's work. */
@@ -430,7 +433,7 @@ export class App extends LitElement {
   private savePicture(): void {
     const { store } = this;
     if (store.withheld !== null) {
-      this.tell(`No picture to save while the form has an error: ${store.withheld}`);
+      this.tell(this.t("No picture to save while the form has an error: {why}", store.withheld));
       return;
     }
     const from = this.renderRoot.querySelector<PicturePart>("tp-picture")?.from ?? "top";
@@ -441,13 +444,13 @@ export class App extends LitElement {
     if (!this.around.links) return;
     const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
     if (fragment === null) {
-      this.tell("This job is too long for a link: save it as a file instead");
+      this.tell(this.t("This job is too long for a link: save it as a file instead"));
       return;
     }
     const link = new URL(fragment, location.href).href;
-    const told = await copy(link);
+    const done = await copy(link);
     this.tell(
-      told === "Copied" ? "A link to this job was copied. The job is in the link itself: no server keeps it." : link,
+      done ? this.t("A link to this job was copied. The job is in the link itself: no server keeps it.") : link,
     );
   }
 
@@ -463,6 +466,42 @@ export class App extends LitElement {
     this.around.host.theme = theme;
     if (this.around.local) keepTheme(theme);
   };
+
+  /** The language of the page around, the one that was chosen here, or the browser's; each where it has words. */
+  private get language(): Lang {
+    const { host, local } = this.around;
+    const own = languageOf([host.lang].filter(Boolean));
+    if (own) return own;
+    if (local) return languageOf([keptLanguage() ?? "", ...navigator.languages]) ?? "en";
+    return languageOf([host.closest<HTMLElement>("[lang]")?.lang ?? ""]) ?? "en";
+  }
+
+  /** Speaks the language that is wanted; its words are loaded first. Where they cannot be had, the one before stays. */
+  async speak(): Promise<void> {
+    const lang = this.language;
+    this.lang = this.store.lang;
+    if (lang === this.store.lang) return;
+    try {
+      const words = await wordsOf(lang);
+      if (lang !== this.language) return;
+      this.store.speak(lang, words);
+      this.lang = lang;
+      this.requestUpdate();
+    } catch {
+      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
+    }
+  }
+
+  private readonly chooseLanguage = (event: Event): void => {
+    const lang = (event.target as HTMLSelectElement).value;
+    if (this.around.local) keepLanguage(lang);
+    if (this.around.host.lang || !this.around.local) this.around.host.lang = lang;
+    this.speak();
+  };
+
+  private t(template: string, ...values: (string | number)[]): string {
+    return this.store.t(template, ...values);
+  }
 
   private readonly offer = (event: Event): void => {
     this.newer = (event as CustomEvent<() => void>).detail;

@@ -13,15 +13,15 @@ class BarPart extends FieldPart {
     const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
     const file = store.fileName(post?.extension ?? "txt");
     return html`
-      <fieldset aria-label="Job" ?disabled=${store.readonly}>
-      ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), "Cycle")}
-      <button type="button" class="gallery" aria-label="Gallery" title="Choose the cycle from pictures" @click=${() => this.ask("gallery")}>▦</button>
-      ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), "Control")}
+      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly}>
+      ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
+      <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
+      ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), this.t("Control"))}
       ${this.select(
         "control.workOffset",
         this.offsets(),
         (n) => store.put("control.workOffset", n === "" ? null : Number(n)),
-        "Work offset",
+        this.t("Work offset"),
       )}
       ${this.select(
         "units",
@@ -30,20 +30,20 @@ class BarPart extends FieldPart {
           { value: "inch", label: "inch" },
         ],
         (units) => store.setUnits(units as "mm" | "inch"),
-        "Units",
+        this.t("Units"),
       )}
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
-      <button type="button" class="icon" aria-label="Undo" title="Undo (Ctrl+Z)" ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon" aria-label="Redo" title="Redo (Ctrl+Y)" ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
-      <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>Open</button>
-      ${this.links ? html`<button type="button" class="wide" @click=${() => this.ask("share")}>Share</button>` : nothing}
-      <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>Setup sheet</button>
-      <button type="button" class="icon" aria-label="More" title="More" popovertarget="menu">⋯</button>
+      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
+      ${this.links ? html`<button type="button" class="wide" @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
+      <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
+      <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}
-        aria-label=${`Save ${file}`} title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">Save </span><span class="file">${file}</span></button>
-      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">Nothing to save or copy while the form has an error: ${withheld}</span>`}
+        aria-label=${this.t("Save {file}", file)} title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">${this.t("Save")} </span><span class="file">${file}</span></button>
+      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }
 
@@ -57,7 +57,7 @@ class BarPart extends FieldPart {
     return this.store.catalog.posts.map((post) => {
       const forms = post.cycles.filter((c) => c.type === type);
       const takes = forms.some((c) => c.supported);
-      const reason = forms.find((c) => !c.supported)?.reason ?? "It has no program for this cycle";
+      const reason = forms.find((c) => !c.supported)?.reason ?? this.t("It has no program for this cycle");
       return { value: post.id, label: post.title, ...(takes ? {} : { not: reason }) };
     });
   }
@@ -69,9 +69,9 @@ class BarPart extends FieldPart {
     const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
     const numbers = Array.from({ length: most }, (_, i) => ({
       value: i + 1,
-      label: `writes ${word(i + 1)} (${i + 1})`,
+      label: this.t("writes {offset}", `${word(i + 1)} (${i + 1})`),
     }));
-    return [{ value: null, label: "measures only, writes no offset" }, ...numbers];
+    return [{ value: null, label: this.t("measures only, writes no offset") }, ...numbers];
   }
 
   private ask(what: string): void {

@@ -1,5 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, type Job, type Plan, type Programmed, programs } from "../core/browser.js";
+import type { Store } from "../store.js";
+import { w } from "../words.js";
 import { LEVELS, NAMES } from "./findings.js";
 import { Part } from "./part.js";
 
@@ -7,22 +9,25 @@ type Row = Plan["safety"][number];
 
 /** What a rule came to: a sign that is no colour alone, and a word for who hears it. */
 function sign(row: Row): { mark: string; word: string } {
-  if (row.holds === null) return { mark: "–", word: "this control cannot" };
-  return row.holds ? { mark: "✓", word: "holds" } : { mark: "!", word: "does not hold" };
+  if (row.holds === null) return { mark: "–", word: w("this control cannot") };
+  return row.holds ? { mark: "✓", word: w("holds") } : { mark: "!", word: w("does not hold") };
 }
 
 /** What the safety rules came to, and what was proven of the program, in a line. */
-export function checked(plan: Plan): string {
+export function checked(store: Store): string {
+  const { plan } = store;
   const count = (holds: boolean | null) => plan.safety.filter((row) => row.holds === holds).length;
   const [good, bad, unable] = [count(true), count(false), count(null)];
   const { proof } = plan.program;
   return [
-    proof
-      ? `Read back: ${proof.moves} moves are the path${proof.arithmetic ? ", and its arithmetic is right" : ""}`
-      : "",
-    good ? `${good} safety rules hold` : "",
-    bad ? `${bad} ${bad === 1 ? "does" : "do"} not` : "",
-    unable ? `${unable} this control cannot hold` : "",
+    proof?.arithmetic
+      ? store.t("Read back: {moves} moves are the path, and its arithmetic is right", proof.moves)
+      : proof
+        ? store.t("Read back: {moves} moves are the path", proof.moves)
+        : "",
+    good ? store.t("{count} safety rules hold", good) : "",
+    bad === 1 ? store.t("1 does not") : bad ? store.t("{count} do not", bad) : "",
+    unable ? store.t("{count} this control cannot hold", unable) : "",
   ]
     .filter(Boolean)
     .join("; ");
@@ -39,16 +44,16 @@ class ChecksPart extends Part {
     const sorted = LEVELS.flatMap((level) => findings.filter((f) => f.level === level));
     const bad = plan.safety.some((row) => row.holds === false);
     return html`
-      <h2>Findings</h2>
-      ${sorted.length === 0 ? html`<p class="fine">✓ No problems found</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
+      <h2>${this.t("Findings")}</h2>
+      ${sorted.length === 0 ? html`<p class="fine">✓ ${this.t("No problems found")}</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
       ${
         stale
           ? nothing
-          : html`<h2>Safety rules of this program</h2><p class=${bad ? "proof warning" : "proof"}>${checked(plan)}</p>
+          : html`<h2>${this.t("Safety rules of this program")}</h2><p class=${bad ? "proof warning" : "proof"}>${checked(this.store)}</p>
             <ul class="checks">${plan.safety.map((row) => this.row(row))}</ul>`
       }
       <details class="controls" @toggle=${this.toggle}>
-        <summary>This job on every control</summary>
+        <summary>${this.t("This job on every control")}</summary>
         ${this.open ? this.controls() : nothing}
       </details>
     `;
@@ -73,17 +78,18 @@ class ChecksPart extends Part {
       const first = LEVELS.map((level) => findings.find((f) => f.level === level)).find(Boolean);
       return {
         lines: program ? program.text.split("\n").length - 1 : null,
-        says: first?.level === "info" ? "" : (first?.message ?? ""),
+        says: !first || first.level === "info" ? "" : this.message(first),
       };
     };
     return html`<table>
-      <thead><tr><th>Control</th><th>Form</th><th class="n">Lines</th><th></th></tr></thead>
+      <thead><tr><th>${this.t("Control")}</th><th>${this.t("Form")}</th><th class="n">${this.t("Lines")}</th><th></th></tr></thead>
       <tbody>${rows.map(({ post, form }) => {
         const { lines, says } = made(post.id, form);
+        const way = form === "moves" ? this.t("moves") : this.t("own cycle");
         const chosen = post.id === now.post && form === now.form;
-        return html`<tr class=${lines === null ? "none" : ""}><td>${post.title}</td><td>${form === "moves" ? "moves" : "own cycle"}</td>
-          <td class="n">${lines ?? html`<span role="img" aria-label="no program">–</span>`}</td>
-          <td>${chosen ? html`<b>chosen</b>` : lines === null ? nothing : html`<button type="button" class="quiet" aria-label=${`Choose ${post.title}, ${form === "moves" ? "moves" : "own cycle"}`} ?disabled=${store.readonly} @click=${() => this.choose(post.id, form)}>choose</button>`} <small>${says}</small></td></tr>`;
+        return html`<tr class=${lines === null ? "none" : ""}><td>${post.title}</td><td>${way}</td>
+          <td class="n">${lines ?? html`<span role="img" aria-label=${this.t("no program")}>–</span>`}</td>
+          <td>${chosen ? html`<b>${this.t("chosen")}</b>` : lines === null ? nothing : html`<button type="button" class="quiet" aria-label=${this.t("Choose {control}", `${post.title}, ${way}`)} ?disabled=${store.readonly} @click=${() => this.choose(post.id, form)}>${this.t("choose")}</button>`} <small>${says}</small></td></tr>`;
       })}</tbody>
     </table>`;
   }
@@ -93,16 +99,18 @@ class ChecksPart extends Part {
   }
 
   private finding(f: Finding): TemplateResult {
-    return html`<li class=${f.level}><span class="level">${NAMES[f.level]}</span> ${f.message}
+    return html`<li class=${f.level}><span class="level">${this.t(NAMES[f.level])}</span> ${this.message(f)}
       ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.store.fieldAt(f.path)?.label ?? f.path}</a>` : nothing}</li>`;
   }
 
   private row(row: Row): TemplateResult {
     const { mark, word } = sign(row);
     const why = this.store.catalog.rules.find((rule) => rule.name === row.rule)?.why;
-    const at = row.lines.length ? html` <small>Line ${row.lines.map((line) => line + 1).join(", ")}</small>` : nothing;
-    return html`<li class=${row.holds === false ? "warning" : ""} title=${why ?? nothing}><span class="mark" role="img" aria-label=${word}>${mark}</span>
-      ${row.message}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${at}</li>`;
+    const at = row.lines.length
+      ? html` <small>${this.t("Line {lines}", row.lines.map((line) => line + 1).join(", "))}</small>`
+      : nothing;
+    return html`<li class=${row.holds === false ? "warning" : ""} title=${why ?? nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
+      ${this.store.say(row.said)}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${at}</li>`;
   }
 
   private go(event: Event, path: string): void {

@@ -1,7 +1,18 @@
 // The picture on a canvas, for the parts of the page that have one.
 import { View } from "../core/browser.js";
+import type { Store } from "../store.js";
 
 const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
+
+/** The dimensions of the next job are called as the form calls its fields, in the language that is spoken. */
+export function label(view: View, store: Store): void {
+  const fields = store.lang === "en" ? [] : store.cycle.fields;
+  view.setLabels(
+    fields.map(({ key }) => `cycle.${key}`),
+    fields.map((field) => field.label),
+    store.number("0.5") !== "0.5",
+  );
+}
 
 /** Where a picture is looked at from. */
 export const VIEWS = ["top", "front", "side", "isometric"] as const;

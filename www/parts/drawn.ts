@@ -1,4 +1,5 @@
 import { html, type TemplateResult } from "lit";
+import { w } from "../words.js";
 import { type Drawing, VIEWS } from "./drawing.js";
 import { Part } from "./part.js";
 
@@ -28,6 +29,9 @@ export abstract class CanvasPart extends Part {
   }
 }
 
+/** What the views are called. */
+const VIEW_NAMES = { top: w("top"), front: w("front"), side: w("side"), isometric: w("isometric") };
+
 /** A part with a large picture: its views and zoom. */
 export abstract class DrawnPart extends CanvasPart {
   protected look: (typeof VIEWS)[number] = "top";
@@ -47,11 +51,11 @@ export abstract class DrawnPart extends CanvasPart {
   /** The tools above the picture. */
   protected tools(label: string): TemplateResult {
     return html`<div class="tools" role="toolbar" aria-label=${label}>
-        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${name}</button>`)}
+        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${this.t(VIEW_NAMES[name])}</button>`)}
         <span class="gap"></span>
-        <button type="button" class="zoom" aria-label="Zoom out" @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
-        <button type="button" class="zoom" aria-label="Zoom in" @click=${() => this.drawing?.zoom(1.4)}>+</button>
-        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>fit</button>
+        <button type="button" class="zoom" aria-label=${this.t("Zoom out")} @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
+        <button type="button" class="zoom" aria-label=${this.t("Zoom in")} @click=${() => this.drawing?.zoom(1.4)}>+</button>
+        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>${this.t("fit")}</button>
       </div>`;
   }
 

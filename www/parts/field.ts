@@ -27,7 +27,9 @@ export abstract class FieldPart extends Part {
     const stand = this.store.standIn(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
     const missing = Array.isArray(stand) && index ? stand[Number(index)] : stand;
-    const text = this.store.typed.get(path) ?? String((value === undefined ? missing : value) ?? "");
+    const held = (value === undefined ? missing : value) ?? "";
+    const text =
+      this.store.typed.get(path) ?? (typeof held === "number" ? this.store.number(String(held)) : String(held));
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const unit = this.unit(field);
     return html`<span class=${`number ${this.level(path)}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
@@ -122,7 +124,7 @@ export abstract class FieldPart extends Part {
   protected problems(path: string): TemplateResult | typeof nothing {
     const found = this.store.at(path);
     if (found.length === 0) return nothing;
-    return html`<span class="unseen" id=${`e-${path}`}>${found.map((f: Finding) => html`<span class=${f.level}>${f.message} </span>`)}</span>`;
+    return html`<span class="unseen" id=${`e-${path}`}>${found.map((f: Finding) => html`<span class=${f.level}>${this.message(f)} </span>`)}</span>`;
   }
 
   protected isBad(path: string): boolean {

@@ -1,9 +1,12 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Finding } from "../core/browser.js";
+import { w } from "../words.js";
 import { Part } from "./part.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
-export const NAMES = { error: "error", warning: "warning", info: "note" } as const;
+export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
+const ONE = { error: w("1 error"), warning: w("1 warning"), info: w("1 note") } as const;
+const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info: w("{count} notes") } as const;
 
 /** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
 class FindingsPart extends Part {
@@ -18,20 +21,20 @@ class FindingsPart extends Part {
     const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;
-      return n === 0 ? [] : [`${n} ${NAMES[level]}${n === 1 ? "" : "s"}`];
+      return n === 0 ? [] : [n === 1 ? this.t(ONE[level]) : this.t(MANY[level], n)];
     });
     const worst = LEVELS.flatMap(of)[0];
     return html`
       ${
         worst
-          ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${worst.message}</p>
-            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>Go to it</button>` : nothing}
-            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.all()}>All</button>` : nothing}`
-          : html`<p class="verdict fine" role="status">✓ No problems found</p>`
+          ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
+            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>` : nothing}
+            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.all()}>${this.t("All")}</button>` : nothing}`
+          : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
       <span class="gap"></span>
       ${stale ? nothing : html`<span class="run">${run}</span>`}
-      ${this.alone ? html`<span class="run private">Nothing leaves this browser</span>` : nothing}
+      ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
     `;
   }
 

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { sizeField } from "../store.js";
+import { w } from "../words.js";
 import { FieldPart, type Placed } from "./field.js";
 
 /** A number of a picked touch. */
@@ -24,7 +25,7 @@ const TOUCH: FieldEntry = {
 /** What stands in the bar, not in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
 const VIRTUAL = "Virtual part";
-const PICKED = "Picked touches";
+const PICKED = w("Picked touches");
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 /** Groups of the cycle that are folded at first, as those around it are. */
 const FOLDED = /^(Postprocessor|After probing)/;
@@ -41,9 +42,9 @@ class FormPart extends FieldPart {
   override render(): TemplateResult {
     const groups = this.groups();
     return html`
-      <nav class="chips" aria-label="Parts of the form">${groups.map(
+      <nav class="chips" aria-label=${this.t("Parts of the form")}>${groups.map(
         ([name]) => html`<button type="button" @click=${() => this.show(name)}
-          @focus=${(e: Event) => (e.target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" })}>${name}</button>`,
+          @focus=${(e: Event) => (e.target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" })}>${this.t(name)}</button>`,
       )}</nav>
       <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
         ${groups.map(([name, fields]) => this.group(name, fields))}
@@ -92,7 +93,7 @@ class FormPart extends FieldPart {
       }
     }
     for (const field of this.store.cycle.fields.filter((f) => f.size))
-      add(`part.sizes.${field.key}`, sizeField(field) as FieldEntry, VIRTUAL);
+      add(`part.sizes.${field.key}`, sizeField(field, this.store.words) as FieldEntry, VIRTUAL);
     // The postprocessor's own fields are rarely touched.
     const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === VIRTUAL ? 2 : 0);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
@@ -114,11 +115,11 @@ class FormPart extends FieldPart {
     summary: string,
     body: TemplateResult,
   ): TemplateResult {
-    return html`<section class="group" id=${idOf(name)} aria-label=${name}>
+    return html`<section class="group" id=${idOf(name)} aria-label=${this.t(name)}>
       <h2><button type="button" class=${`fold ${level ?? ""}`} aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name, open)}>
-        <span class="sign" aria-hidden="true">${open ? "▾" : "▸"}</span> <b>${name}</b>
+        <span class="sign" aria-hidden="true">${open ? "▾" : "▸"}</span> <b>${this.t(name)}</b>
         <span class="summary">${open ? nothing : summary}</span></button></h2>
-      ${open ? html`<fieldset class="fields" aria-label=${name} ?disabled=${this.store.readonly}>${body}</fieldset>` : nothing}
+      ${open ? html`<fieldset class="fields" aria-label=${this.t(name)} ?disabled=${this.store.readonly}>${body}</fieldset>` : nothing}
     </section>`;
   }
 
@@ -150,20 +151,23 @@ class FormPart extends FieldPart {
 
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
-    if (name === VIRTUAL) return this.store.deviations.join(" · ") || "nominal";
+    if (name === VIRTUAL) return this.store.deviations.join(" · ") || this.t("nominal");
     // What is at fault first, and the feed that the probe meets the part with.
     const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : path === "feeds.work" ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
+    // In German a noun has its capital anywhere.
+    const inside = (label: string) => (this.store.lang === "en" ? label.toLowerCase() : label);
+    const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const words = sorted.flatMap(({ field, path }) => {
       const value =
         this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
       if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];
-      if (value === null) return field.null ? [`${field.label.toLowerCase()} ${field.null}`] : [];
+      if (value === null) return field.null ? [`${inside(field.label)} ${field.null}`] : [];
       const choice = field.choices.find((c) => c.value === value);
       if (choice) return [choice.label];
-      return [`${field.label.toLowerCase()} ${Array.isArray(value) ? value.join(" ") : String(value)}`];
+      return [`${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`];
     });
-    return words.join(" · ") || (this.optional.has(name) ? "not used" : "");
+    return words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "");
   }
 
   /** The box that puts a form inside the form in or out. */
@@ -172,15 +176,14 @@ class FormPart extends FieldPart {
     if (!section) return nothing;
     const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f) ?? null]));
     return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
-      @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> Use it</label></div>`;
+      @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
   }
 
   /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
   private frame(): TemplateResult {
     const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
     const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
-    return html`<div class="row"><p class="help">Frame: ${words || "none"}. Tool lengths, under ⋯, has a button that takes its question
-      into the job.</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>No frame</button>` : nothing}
+    return html`<div class="row"><p class="help">${this.t("Frame: {frame}. Tool lengths, under ⋯, has a button that takes its question into the job.", words || [w("none")])}</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>${this.t("No frame")}</button>` : nothing}
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 
@@ -191,30 +194,38 @@ class FormPart extends FieldPart {
       const touches = this.store.plan.touches.map(({ point, vector }) => ({ point: [...point], vector: [...vector] }));
       this.store.put("cycle.touches", touches);
     };
-    const point: FieldEntry = { ...TOUCH, unit: "length", label: "Point" };
-    const vector: FieldEntry = { ...TOUCH, unit: "none", label: "Vector" };
+    const point: FieldEntry = { ...TOUCH, unit: "length", label: this.t("Point") };
+    const vector: FieldEntry = { ...TOUCH, unit: "none", label: this.t("Vector") };
     const open = this.opened.get(PICKED) ?? (this.all || Boolean(picks));
     return this.folding(
       PICKED,
       open,
       this.levels("cycle.touches")[0],
-      picks ? `${picks.length} touches` : "from the dimensions",
+      picks ? this.t("{count} touches", picks.length) : this.t("from the dimensions"),
       html`
-        <p class="help">Points on the surface and outward normals, picked in the part. They replace the points that the dimensions give.</p>
+        <p class="help">${this.t("Points on the surface and outward normals, picked in the part. They replace the points that the dimensions give.")}</p>
         ${
           picks
-            ? html`<button type="button" @click=${() => this.store.drop("cycle.touches")}>Back to the dimensions</button>`
-            : html`<button type="button" ?disabled=${this.store.stale} @click=${take}>Pick touches one by one</button>`
+            ? html`<button type="button" @click=${() => this.store.drop("cycle.touches")}>${this.t("Back to the dimensions")}</button>`
+            : html`<button type="button" ?disabled=${this.store.stale} @click=${take}>${this.t("Pick touches one by one")}</button>`
         }
         ${this.problems("cycle.touches")}
         <ol class="picks">${(picks ?? []).map((_, k) => {
           const at = `cycle.touches[${k}]`;
           const row = (field: FieldEntry, key: string) =>
-            html`<div class="point" role="group" aria-label=${`${field.label} of touch ${k + 1}`}>${["X", "Y", "Z"].map(
-              (axis, i) => this.number(field, `${at}.${key}[${i}]`, `${field.label} of touch ${k + 1}, ${axis}`),
+            html`<div class="point" role="group" aria-label=${this.t("{label} of touch {touch}", field.label, k + 1)}>${[
+              "X",
+              "Y",
+              "Z",
+            ].map((axis, i) =>
+              this.number(
+                field,
+                `${at}.${key}[${i}]`,
+                `${this.t("{label} of touch {touch}", field.label, k + 1)}, ${axis}`,
+              ),
             )}</div>`;
           const found = this.store.findings.filter((f) => f.path.startsWith(at));
-          return html`<li>${row(point, "point")}${row(vector, "vector")}${found.map((f) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)}</li>`;
+          return html`<li>${row(point, "point")}${row(vector, "vector")}${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}</li>`;
         })}</ol>`,
     );
   }

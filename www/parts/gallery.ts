@@ -1,17 +1,18 @@
 import { html, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob } from "../core/browser.js";
+import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
 
 /** The groups by what is probed, and the word in a cycle's name that says it; the last takes what no other does. */
 const GROUPS: [string, string][] = [
-  ["Surface", "surface"],
-  ["Round", "round"],
-  ["Rectangle", "rectangle"],
-  ["Web and groove", "web"],
-  ["Corner", "corner"],
-  ["No motion", "still"],
-  ["Others", "others"],
+  [w("Surface"), "surface"],
+  [w("Round"), "round"],
+  [w("Rectangle"), "rectangle"],
+  [w("Web and groove"), "web"],
+  [w("Corner"), "corner"],
+  [w("No motion"), "still"],
+  [w("Others"), "others"],
 ];
 
 const WORDS: [RegExp, string][] = [
@@ -49,21 +50,21 @@ class GalleryPart extends Part {
     const found = this.store.catalog.cycles.filter((cycle) => this.finds(cycle));
     return html`
       <div class="tools">
-        <input class="filter" type="search" placeholder="Search: name or type number" aria-label="Search the cycles" .value=${this.query}
+        <input class="filter" type="search" placeholder=${this.t("Search: name or type number")} aria-label=${this.t("Search the cycles")} .value=${this.query}
           @input=${(e: Event) => {
             this.query = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }} />
-        <span role="status" class="told">${found.length} of ${this.store.catalog.cycles.length} cycles</span>
+        <span role="status" class="told">${this.t("{count} of {all} cycles", found.length, this.store.catalog.cycles.length)}</span>
       </div>
       ${GROUPS.map(([name, of]) => {
         const cycles = this.store.catalog.cycles.filter((cycle) => groupOf(cycle) === of);
         const shown = cycles.filter((cycle) => found.includes(cycle)).length;
-        return html`<section ?hidden=${shown === 0} aria-label=${name}><h2>${name}</h2>
+        return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h2>${this.t(name)}</h2>
         <ul class="cards">${cycles.map(
           (cycle) => html`<li ?hidden=${!found.includes(cycle)}>
           <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
-            ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">rows of the table, no motion</span>`}
+            ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">${this.t("rows of the table, no motion")}</span>`}
             <b>${cycle.title}</b>
             <small>${cycle.source}</small>
           </button></li>`,

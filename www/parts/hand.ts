@@ -1,6 +1,7 @@
 // Handing something out: as a file, or to the clipboard.
 import { html, nothing, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
+import { w } from "../words.js";
 
 /** Saves a text as a file. */
 export function download(text: string, name: string, type: string): void {
@@ -11,20 +12,23 @@ export function download(text: string, name: string, type: string): void {
   URL.revokeObjectURL(link.href);
 }
 
-/** Copies a text; gives what is to be said of it. */
-export async function copy(text: string): Promise<string> {
+/** Copies a text; false where the browser does not allow it. */
+export async function copy(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
-    return "Copied";
+    return true;
   } catch {
-    return "The browser did not allow it";
+    return false;
   }
 }
+
+/** What is to be said of a text that was to be copied. */
+export const copied = (done: boolean): string => (done ? w("Copied") : w("The browser did not allow it"));
 
 /** Why nothing is handed out, beside the buttons that would; they name it by `aria-describedby`. */
 export function withheld(store: Store, id: string): TemplateResult | typeof nothing {
   const why = store.withheld;
   return why === null
     ? nothing
-    : html`<p class="problem error withheld" id=${id}><b>Nothing to save or copy while the form has an error:</b> ${why}</p>`;
+    : html`<p class="problem error withheld" id=${id}><b>${store.t("Nothing to save or copy while the form has an error:")}</b> ${why}</p>`;
 }

@@ -9,7 +9,7 @@ class HelpPart extends Part {
     const { focused } = this.store;
     const entry = focused === null ? undefined : this.store.fieldAt(focused);
     if (focused === null || !entry) {
-      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. A field says here what it is.</p>`;
+      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. ${this.t("A field says here what it is.")}</p>`;
     }
     const found = this.store.at(focused);
     const { label, help, code, usual, range } = entry;
@@ -18,16 +18,18 @@ class HelpPart extends Part {
     const value = this.store.get(focused);
     const other = standing !== null && standing !== undefined && value !== standing && entry.kind !== "text";
     const span = (ends: unknown) =>
-      Array.isArray(ends) ? `${this.scaled(entry.unit, ends[0])} to ${this.scaled(entry.unit, ends[1])}` : "";
-    const usually = usual ? ` Usual ${span(usual)}.` : range ? ` ${span(range)}.` : "";
+      Array.isArray(ends)
+        ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0]), this.scaled(entry.unit, ends[1]))
+        : "";
+    const usually = usual ? ` ${this.t("Usual {range}.", span(usual))}` : range ? ` ${span(range)}.` : "";
     return html`
       <p><b>${label}</b>${code ? html` <code>${code}</code>` : nothing}</p>
       ${
         found.length > 0
-          ? found.map((f) => html`<p class=${`problem ${f.level}`}>${f.message}</p>`)
+          ? found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)
           : html`<p class="help">${help}${usually}${
               other
-                ? html` Default ${String(standing)} <button type="button" class="quiet" aria-label=${`${label}: back to its default, ${standing}`}
+                ? html` ${this.t("Default {value}", this.store.number(String(standing)))} <button type="button" class="quiet" aria-label=${this.t("{label}: back to its default, {value}", label, this.store.number(String(standing)))}
                     @click=${() => this.store.put(focused, standing)}>↺</button>`
                 : nothing
             }</p>`
@@ -38,7 +40,7 @@ class HelpPart extends Part {
   private scaled(unit: string, x: unknown): string {
     if (typeof x !== "number") return "∞";
     const inch = (unit === "length" || unit === "feed") && this.store.units === "inch";
-    return String(inch ? Number((x / 25.4).toFixed(4)) : x);
+    return this.store.number(String(inch ? Number((x / 25.4).toFixed(4)) : x));
   }
 }
 

@@ -36,11 +36,11 @@ export class Intake {
 
   /** A file too large for a job is not even read. */
   async file(file: File): Promise<void> {
-    if (file.size > this.store.longest) this.page.tell(this.store.tooLong(file.size, "file"));
+    if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
-      if (text === null) this.page.tell("This file cannot be read");
+      if (text === null) this.page.tell(this.store.t("This file cannot be read"));
       else this.text(text);
     }
   }
@@ -71,7 +71,7 @@ export class Intake {
     const length = there + (data?.getData("text/plain").length ?? 0);
     if (length <= this.store.longest) return;
     event.preventDefault();
-    this.page.tell(this.store.tooLong(length));
+    this.page.tell(this.store.say(this.store.tooLong(length)));
   };
 
   /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
@@ -81,12 +81,15 @@ export class Intake {
     history.replaceState(null, "", location.pathname + location.search);
     const state = await fromFragment(hash, this.store.longest);
     try {
-      if (!state) throw new JobError("Nothing was changed: this link holds no job that can be read here", []);
+      if (!state) {
+        this.page.tell(this.store.t("Nothing was changed: this link holds no job that can be read here"));
+        return;
+      }
       this.store.take(state.job, state.measured);
       this.page.showJob();
-      this.page.tell("This is the job of the link that was opened. Undo brings back the one before.");
+      this.page.tell(this.store.t("This is the job of the link that was opened. Undo brings back the one before."));
     } catch (thrown) {
-      this.page.tell(thrown instanceof JobError ? thrown.message : "This link cannot be read");
+      this.page.tell(thrown instanceof JobError ? this.store.why(thrown) : this.store.t("This link cannot be read"));
     }
   };
 
@@ -95,12 +98,12 @@ export class Intake {
     try {
       const notes = this.store.open(text).filter((f) => f.level !== "error");
       this.page.showJob();
-      this.page.tell(notes.map((f) => f.message).join(" "));
+      this.page.tell(notes.map((f) => this.store.say(f.said)).join(" "));
       return true;
     } catch (thrown) {
-      if (!(thrown instanceof JobError)) this.page.tell("This text cannot be read");
+      if (!(thrown instanceof JobError)) this.page.tell(this.store.t("This text cannot be read"));
       else if (this.moves(text, thrown)) return true;
-      else this.page.tell(thrown.message);
+      else this.page.tell(this.store.why(thrown));
       return false;
     }
   }
@@ -114,7 +117,7 @@ export class Intake {
     // One move from nowhere is nothing to see.
     if (!moves || moves.kind.length < 2) return false;
     this.page.showMoves({ text, moves });
-    this.page.tell(`${why.message}. Its moves are drawn`);
+    this.page.tell(this.store.t("{why}. Its moves are drawn", this.store.why(why)));
     return true;
   }
 }

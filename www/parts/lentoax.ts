@@ -1,27 +1,38 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
+import {
+  type Finding,
+  JobError,
+  type Lentoax,
+  type LentoaxQuery,
+  lentoax,
+  lentoaxWords,
+  type Said,
+} from "../core/browser.js";
 import { readNumber } from "../number.js";
+import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { CanvasPart } from "./drawn.js";
-import { copy } from "./hand.js";
+import { copied, copy } from "./hand.js";
 
 const GROUPS: [string, number][] = [
-  ["Milling tools (100 to 199)", 120],
-  ["Drills (200 to 299)", 200],
-  ["Grinding tools (400 to 499)", 400],
-  ["Turning tools (500 to 599)", 500],
-  ["Special tools, probes (700 to 799)", 710],
+  [w("Milling tools (100 to 199)"), 120],
+  [w("Drills (200 to 299)"), 200],
+  [w("Grinding tools (400 to 499)"), 400],
+  [w("Turning tools (500 to 599)"), 500],
+  [w("Special tools, probes (700 to 799)"), 710],
 ];
 const COORDS: [string, string][] = [
-  ["WCS", "WCS, workpiece"],
-  ["BCS", "BCS, base"],
-  ["MCS", "MCS, machine"],
-  ["KCS", "KCS, kinematic"],
-  ["TCS", "TCS, tool"],
+  ["WCS", w("WCS, workpiece")],
+  ["BCS", w("BCS, base")],
+  ["MCS", w("MCS, machine")],
+  ["KCS", w("KCS, kinematic")],
+  ["TCS", w("TCS, tool")],
 ];
 const LENGTH_CONST = [0, 17, 18, 19, -17, -18, -19];
 const AXES = ["X", "Y", "Z"] as const;
 type Step = NonNullable<LentoaxQuery["frame"]>[number];
+
+type Words = ReturnType<typeof lentoaxWords>;
 
 /** The second tool: which tool length acts on which axis. */
 class LentoaxPart extends CanvasPart {
@@ -45,7 +56,7 @@ class LentoaxPart extends CanvasPart {
 
   override render(): TemplateResult {
     let answer: Lentoax | null = null;
-    let words = { meaning: "", sentence: "", program: "" };
+    let words: Words = { meaning: "", sentence: "", said: [""], program: "" };
     let findings: Finding[] = [];
     try {
       answer = lentoax(this.query);
@@ -55,10 +66,10 @@ class LentoaxPart extends CanvasPart {
       findings = thrown.findings;
     }
     return html`
-      <section class="ask" aria-label="Question">${this.form(findings)}</section>
-      <section class="see" aria-label="Picture"><canvas role="img" aria-label=${words.sentence || "Axes and tool lengths"}></canvas></section>
-      <section class="answer" aria-label="Answer">
-        ${answer ? this.answer(answer, words) : html`<div role="status">${findings.map((f) => html`<p class="problem error">${f.message}</p>`)}</div>`}
+      <section class="ask" aria-label=${this.t("Question")}>${this.form(findings)}</section>
+      <section class="see" aria-label=${this.t("Picture")}><canvas role="img" aria-label=${this.store.say(words.said) || this.t("Axes and tool lengths")}></canvas></section>
+      <section class="answer" aria-label=${this.t("Answer")}>
+        ${answer ? this.answer(answer, words) : html`<div role="status">${findings.map((f) => html`<p class="problem error">${this.message(f)}</p>`)}</div>`}
       </section>
     `;
   }
@@ -79,9 +90,9 @@ class LentoaxPart extends CanvasPart {
       html`<div class="field wide"><label class="check"><input id=${id} type="checkbox" .checked=${value}
         @change=${(e: Event) => this.change(() => take((e.target as HTMLInputElement).checked))} /> ${label}</label></div>`;
     return html`<form @submit=${(e: Event) => e.preventDefault()} autocomplete="off">
-      <fieldset><legend>Tool and plane</legend>
+      <fieldset><legend>${this.t("Tool and plane")}</legend>
         ${select(
-          "Plane",
+          this.t("Plane"),
           "l-plane",
           [
             ["G17", "G17"],
@@ -93,42 +104,57 @@ class LentoaxPart extends CanvasPart {
             q.plane = v as "G17";
           },
         )}
-        ${select("Coordinate system (_COORD)", "l-coord", COORDS, q.coord, (v) => {
-          q.coord = v;
-        })}
         ${select(
-          "Tool group",
+          this.t("Coordinate system (_COORD)"),
+          "l-coord",
+          COORDS.map(([v, text]): [string, string] => [v, this.t(text)]),
+          q.coord,
+          (v) => {
+            q.coord = v;
+          },
+        )}
+        ${select(
+          this.t("Tool group"),
           "l-group",
-          GROUPS.map(([text, type]): [number, string] => [type, text]),
+          GROUPS.map(([text, type]): [number, string] => [type, this.t(text)]),
           group?.[1] ?? 100,
           (v) => {
             q.toolType = Number(v);
             this.typed.delete("l-type");
           },
         )}
-        <div class="field"><label for="l-type">Tool type</label>${this.number("l-type", q.toolType, (v) => {
-          q.toolType = v as number;
-        })}</div>
-        ${box("A tool is active", "l-active", q.toolActive, (v) => {
+        <div class="field"><label for="l-type">${this.t("Tool type")}</label>${this.number(
+          "l-type",
+          q.toolType,
+          (v) => {
+            q.toolType = v as number;
+          },
+        )}</div>
+        ${box(this.t("A tool is active"), "l-active", q.toolActive, (v) => {
           q.toolActive = v;
         })}
       </fieldset>
-      <fieldset><legend>Active frame</legend>
+      <fieldset><legend>${this.t("Active frame")}</legend>
         <div class="field wide">
-          ${q.frame.length === 0 ? html`<p class="help">No frame: the workpiece system is the base system, but for shifts.</p>` : nothing}
+          ${q.frame.length === 0 ? html`<p class="help">${this.t("No frame: the workpiece system is the base system, but for shifts.")}</p>` : nothing}
           <ol class="steps">${q.frame.map((step, i) => this.step(step, i))}</ol>
-          <button type="button" @click=${() => this.change(() => q.frame.push({ rot: "Z", angle: 0 }))}>Add ROT</button>
-          <button type="button" @click=${() => this.change(() => q.frame.push({ mirror: "X" }))}>Add MIRROR</button>
+          <button type="button" @click=${() => this.change(() => q.frame.push({ rot: "Z", angle: 0 }))}>${this.t("Add ROT")}</button>
+          <button type="button" @click=${() => this.change(() => q.frame.push({ mirror: "X" }))}>${this.t("Add MIRROR")}</button>
         </div>
       </fieldset>
-      <fieldset><legend>Setting data</legend>
-        ${box("SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length", "l-42900", q.sd42900, (v) => {
-          q.sd42900 = v;
-        })}
+      <fieldset><legend>${this.t("Setting data")}</legend>
+        ${box(
+          this.t("SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length"),
+          "l-42900",
+          q.sd42900,
+          (v) => {
+            q.sd42900 = v;
+          },
+        )}
         ${select(
           "SD42940 $SC_TOOL_LENGTH_CONST",
           "l-42940",
-          LENGTH_CONST.map((n): [number, string] => [n, n === 0 ? "0: by the active plane" : `${n}`]),
+          LENGTH_CONST.map((n): [number, string] => [n, n === 0 ? this.t("0: by the active plane") : `${n}`]),
           q.sd42940,
           (v) => {
             q.sd42940 = Number(v);
@@ -138,9 +164,9 @@ class LentoaxPart extends CanvasPart {
           "SD42950 $SC_TOOL_LENGTH_TYPE",
           "l-42950",
           [
-            [0, "0: by tool type"],
-            [1, "1: as for milling"],
-            [2, "2: as for turning"],
+            [0, this.t("0: by tool type")],
+            [1, this.t("1: as for milling")],
+            [2, this.t("2: as for turning")],
           ],
           q.sd42950,
           (v) => {
@@ -148,7 +174,7 @@ class LentoaxPart extends CanvasPart {
           },
         )}
       </fieldset>
-      ${findings.length ? html`<p class="problem error">The question has errors.</p>` : nothing}
+      ${findings.length ? html`<p class="problem error">${this.t("The question has errors.")}</p>` : nothing}
     </form>`;
   }
 
@@ -156,7 +182,7 @@ class LentoaxPart extends CanvasPart {
     const frame = this.query.frame;
     const turns = "rot" in step;
     const axis = turns ? step.rot : step.mirror;
-    const name = `Step ${i + 1}`;
+    const name = this.t("Step {step}", i + 1);
     const move = (to: number) =>
       this.change(() => {
         this.typed.clear();
@@ -164,7 +190,7 @@ class LentoaxPart extends CanvasPart {
       });
     return html`<li>
       <span>${turns ? "ROT" : "MIRROR"}</span>
-      <select aria-label=${`${name}: axis`} @change=${(e: Event) =>
+      <select aria-label=${`${name}: ${this.t("axis")}`} @change=${(e: Event) =>
         this.change(() => {
           const chosen = (e.target as HTMLSelectElement).value as "X";
           frame[i] = turns ? { rot: chosen, angle: step.angle } : { mirror: chosen };
@@ -177,13 +203,13 @@ class LentoaxPart extends CanvasPart {
               (v) => {
                 frame[i] = { rot: step.rot, angle: v as number };
               },
-              `${name}: angle`,
+              `${name}: ${this.t("angle")}`,
             )
           : html`<span class="gap"></span>`
       }
-      <button type="button" aria-label=${`${name}: up`} ?disabled=${i === 0} @click=${() => move(i - 1)}>↑</button>
-      <button type="button" aria-label=${`${name}: down`} ?disabled=${i === frame.length - 1} @click=${() => move(i + 1)}>↓</button>
-      <button type="button" aria-label=${`${name}: remove`} @click=${() =>
+      <button type="button" aria-label=${`${name}: ${this.t("up")}`} ?disabled=${i === 0} @click=${() => move(i - 1)}>↑</button>
+      <button type="button" aria-label=${`${name}: ${this.t("down")}`} ?disabled=${i === frame.length - 1} @click=${() => move(i + 1)}>↓</button>
+      <button type="button" aria-label=${`${name}: ${this.t("remove")}`} @click=${() =>
         this.change(() => {
           this.typed.clear();
           frame.splice(i, 1);
@@ -192,7 +218,7 @@ class LentoaxPart extends CanvasPart {
   }
 
   private number(id: string, value: number, take: (v: number | string) => void, name?: string): TemplateResult {
-    return html`<span class="number"><input id=${id} type="text" inputmode="decimal" aria-label=${name ?? nothing} .value=${this.typed.get(id) ?? String(value)}
+    return html`<span class="number"><input id=${id} type="text" inputmode="decimal" aria-label=${name ?? nothing} .value=${this.typed.get(id) ?? this.store.number(String(value))}
       @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
       @input=${(e: Event) =>
         this.change(() => {
@@ -202,25 +228,25 @@ class LentoaxPart extends CanvasPart {
         })} />${name ? html`<span class="unit">°</span>` : nothing}</span>`;
   }
 
-  private answer(answer: Lentoax, words: { meaning: string; sentence: string; program: string }): TemplateResult {
+  private answer(answer: Lentoax, words: Words): TemplateResult {
     const names = { G17: ["X", "Y", "Z"], G18: ["Z", "X", "Y"], G19: ["Y", "Z", "X"] }[this.query.plane];
-    const roles = ["Abscissa", "Ordinate", "Applicate"];
+    const roles = [this.t("Abscissa"), this.t("Ordinate"), this.t("Applicate")];
+    const status: Said = [words.meaning];
     return html`
-      <p role="status"><b>Status ${answer.status}</b>: ${words.meaning}</p>
-      <p class="sentence">${words.sentence}</p>
+      <p role="status"><b>${this.t("Status {status}", answer.status)}</b>: ${this.store.say(status)}</p>
+      <p class="sentence">${this.store.say(words.said)}</p>
       <table>
-        <caption>_AXIND and _MATRIX</caption>
-        <thead><tr><th>Axis</th><th class="n">_AXIND</th><th class="n">L1</th><th class="n">L2</th><th class="n">L3</th></tr></thead>
+        <caption>${this.t("_AXIND and _MATRIX")}</caption>
+        <thead><tr><th>${this.t("Axis")}</th><th class="n">_AXIND</th><th class="n">L1</th><th class="n">L2</th><th class="n">L3</th></tr></thead>
         <tbody>${answer.matrix.map(
           (row, i) => html`<tr><td>${roles[i]} ${names[i]}</td><td class="n"><b>${answer.axind[i]}</b></td>
-          ${row.map((x) => html`<td class="n">${Number.isInteger(x) ? x : x.toFixed(7)}</td>`)}</tr>`,
+          ${row.map((x) => html`<td class="n">${Number.isInteger(x) ? x : this.store.number(x.toFixed(7))}</td>`)}</tr>`,
         )}</tbody>
       </table>
-      <h2>Ask the control itself</h2>
-      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>Copy</button><button type="button" ?disabled=${this.store.readonly} @click=${this.take}>Take into the job</button><span role="status" class="told">${this.told}</span></div>
+      <h2>${this.t("Ask the control itself")}</h2>
+      <div class="tools"><button type="button" @click=${() => this.copy(words.program)}>${this.t("Copy")}</button><button type="button" ?disabled=${this.store.readonly} @click=${this.take}>${this.t("Take into the job")}</button><span role="status" class="told">${this.told}</span></div>
       <pre class="code" tabindex="0">${words.program}</pre>
-      <p class="help">The call is the manual's; the check after it is ours, for a probe whose L1 has to lie along the tool axis, and was not run on a control.
-        The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.</p>
+      <p class="help">${this.t("The call is the manual's; the check after it is ours, for a probe whose L1 has to lie along the tool axis, and was not run on a control. The manual's own example turned by 60° says in its text that L1 lies along the negative ordinate; its printed result (-3) and the geometry say L3: a misprint.")}</p>
     `;
   }
 
@@ -251,7 +277,7 @@ class LentoaxPart extends CanvasPart {
   };
 
   private async copy(text: string): Promise<void> {
-    this.told = await copy(text);
+    this.told = this.t(copied(await copy(text)));
     this.requestUpdate();
   }
 }

@@ -1,4 +1,5 @@
 import { LitElement, type PropertyValues } from "lit";
+import type { Finding, Said } from "../core/browser.js";
 import type { Store } from "../store.js";
 
 /** A part of the page: draws itself from the store whenever the store says so. Parts share the styles around them. */
@@ -9,6 +10,16 @@ export abstract class Part extends LitElement {
 
   /** Whether it lights up what belongs to the move that is pointed at, without being drawn again. */
   protected lights = false;
+
+  /** A text in the language that is spoken. */
+  protected t(template: string, ...values: (string | number | Said)[]): string {
+    return this.store.t(template, ...values);
+  }
+
+  /** The message of a finding, in the language that is spoken. */
+  protected message(finding: Finding): string {
+    return this.store.say(finding.said);
+  }
 
   private readonly redraw = () => this.requestUpdate();
   private readonly relight = () => {
@@ -42,13 +53,13 @@ export abstract class Part extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const name of this.follows) this.store.addEventListener(name, this.redraw);
+    for (const name of [...this.follows, "speak"]) this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    for (const name of this.follows) this.store.removeEventListener(name, this.redraw);
+    for (const name of [...this.follows, "speak"]) this.store.removeEventListener(name, this.redraw);
     this.store.removeEventListener("highlight", this.relight);
   }
 }

@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3 } from "../core/browser.js";
-import { Drawing, type VIEWS } from "./drawing.js";
+import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
 const SPEEDS = [1, 4, 16] as const;
@@ -11,8 +11,8 @@ const MAGNIFIED = [1, 10, 100] as const;
 class PicturePart extends DrawnPart {
   protected override follows = ["change", "focus"];
   protected override lights = true;
-  /** The form in the picture, by its revision; a hover draws it again but does not plan it again. */
-  private drawn = -1;
+  /** The form in the picture, by its revision and language; a hover draws it again but does not plan it again. */
+  private drawn = "";
   /** Whether the picture is of the form as it stands although that has an error: it shows where the run ends. */
   private live = false;
   private pointers = new Map<number, { x: number; y: number }>();
@@ -37,27 +37,27 @@ class PicturePart extends DrawnPart {
     const ticks = this.ticks;
     const to = (way: 1 | -1) => () => this.toTouch(way);
     return html`
-      ${this.tools("Picture")}
+      ${this.tools(this.t("Picture"))}
       <div class=${stale && !this.live ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.drawing?.key(e))}></canvas>
-        ${stale ? html`<p class="stamp" role="status">${this.live ? `No program: ${this.store.withheld}` : "The form has errors: this is the last good plan"}</p>` : this.deviates()}
+        ${stale ? html`<p class="stamp" role="status">${this.live ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
       </div>
-      <ul class="key" aria-label="Lines">
-        <li class="touch">touch</li><li class="link">link, back</li><li class="position">positioning</li><li class="rapid">rapid</li><li class="ghost">overtravel</li><li class="actual">virtual part</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">measured</li>`}
+      <ul class="key" aria-label=${this.t("Lines")}>
+        <li class="touch">${this.t("touch")}</li><li class="link">${this.t("link, back")}</li><li class="position">${this.t("positioning")}</li><li class="rapid">${this.t("rapid")}</li><li class="ghost">${this.t("overtravel")}</li><li class="actual">${this.t("virtual part")}</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
       </ul>
-      <div class="scrub" role="group" aria-label="Timeline" @keydown=${this.timelineKey}>
-        <button type="button" class="icon" aria-label="Touch before" title="Touch before (Ctrl+←)" @click=${to(-1)}>|◀</button>
-        <button type="button" class="icon play" aria-label=${this.clock === null ? "Play" : "Pause"} title="Play, pause (Space)" ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
-        <button type="button" class="icon" aria-label="Next touch" title="Next touch (Ctrl+→)" @click=${to(1)}>▶|</button>
+      <div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.timelineKey}>
+        <button type="button" class="icon before" aria-label=${this.t("Touch before")} title=${`${this.t("Touch before")} (Ctrl+←)`} @click=${to(-1)}>|◀</button>
+        <button type="button" class="icon play" aria-label=${this.clock === null ? this.t("Play") : this.t("Pause")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
+        <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} @click=${to(1)}>▶|</button>
         <span class="track">
-          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label="Move" @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
+          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
           <datalist id="ticks">${ticks.map((t) => html`<option value=${t}></option>`)}</datalist>
         </span>
         <output for="scrub"></output>
-        <button type="button" class="quiet" aria-label=${`Speed: ${this.speed} times`} title="Speed" @click=${this.faster}>${this.speed}×</button>
+        <button type="button" class="quiet" aria-label=${this.t("Speed: {times} times", this.speed)} title=${this.t("Speed")} @click=${this.faster}>${this.speed}×</button>
       </div>
     `;
   }
@@ -67,7 +67,7 @@ class PicturePart extends DrawnPart {
     this.pause();
     this.pointers.clear();
     this.release();
-    this.drawn = -1;
+    this.drawn = "";
   }
 
   protected override updated(_changed: PropertyValues): void {
@@ -76,6 +76,7 @@ class PicturePart extends DrawnPart {
       const canvas = this.canvas();
       this.drawing = new Drawing(canvas, (view) => {
         view.look(this.look);
+        label(view, this.store);
         view.show(this.store.shown);
         view.focus(this.store.focused ?? undefined);
         view.highlight(this.store.highlight ?? undefined);
@@ -85,11 +86,13 @@ class PicturePart extends DrawnPart {
     }
     // A nominal part has nothing to draw larger, and its handle is there again.
     if (this.store.deviations.length === 0 && !this.grip) this.magnified = 1;
-    const anew = this.drawn !== revision;
+    const now = `${revision} ${this.store.lang}`;
+    const anew = this.drawn !== now;
     const before = this.live;
     if (anew) this.pause();
     this.drawing?.use((view) => {
       if (anew) {
+        label(view, this.store);
         // A job that ends in a collision has a path to show, though it has no program.
         this.live = stale && view.show(draft);
         if (!this.live) view.show(shown);
@@ -99,7 +102,7 @@ class PicturePart extends DrawnPart {
       view.measure(this.store.measured);
       view.magnify(this.magnified);
     });
-    this.drawn = revision;
+    this.drawn = now;
     this.light();
     if (before !== this.live) this.requestUpdate();
     if (focused !== this.turnedFor) this.face(focused);
@@ -119,8 +122,8 @@ class PicturePart extends DrawnPart {
   private deviates(): TemplateResult | typeof nothing {
     const { deviations } = this.store;
     if (deviations.length === 0) return nothing;
-    return html`<p class="trial">Virtual part: ${deviations.join(", ")}
-      <button type="button" class="quiet" aria-label=${`Deviations are drawn ${this.magnified} times`} title="Draw the deviations larger" @click=${this.magnify}>×${this.magnified}</button></p>`;
+    return html`<p class="trial">${this.t("Virtual part")}: ${deviations.join(", ")}
+      <button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button></p>`;
   }
 
   /** How many moves the timeline has. */
@@ -171,10 +174,8 @@ class PicturePart extends DrawnPart {
     const target = event.target as HTMLElement;
     if (event.key === "Escape") this.store.pin(null);
     else if (event.key === " " && target.id === "scrub") this.toggle();
-    else if (event.ctrlKey && event.key === "ArrowRight")
-      this.querySelector<HTMLElement>("[aria-label='Next touch']")?.click();
-    else if (event.ctrlKey && event.key === "ArrowLeft")
-      this.querySelector<HTMLElement>("[aria-label='Touch before']")?.click();
+    else if (event.ctrlKey && event.key === "ArrowRight") this.querySelector<HTMLElement>(".scrub .next")?.click();
+    else if (event.ctrlKey && event.key === "ArrowLeft") this.querySelector<HTMLElement>(".scrub .before")?.click();
     else return;
     event.preventDefault();
   };
@@ -234,13 +235,18 @@ class PicturePart extends DrawnPart {
 
   private describe(): string {
     const { plan } = this.store;
-    return `Path of the probe, ${this.look} view: ${plan.moves.length} moves, ${plan.touches.length} touches. Arrow keys move the picture, plus and minus zoom, 0 fits.`;
+    return this.t(
+      "Path of the probe, view: {view}. {moves} moves, {touches} touches. Arrow keys move the picture, plus and minus zoom, 0 fits.",
+      [this.look],
+      plan.moves.length,
+      plan.touches.length,
+    );
   }
 
   /** The move that is pointed at, in words. */
   private says(): string {
     const { plan, highlight } = this.store;
-    if (this.store.stale && this.live) return "The run ends in the part";
+    if (this.store.stale && this.live) return this.t("The run ends in the part");
     return highlight === null || !plan.moves[highlight] ? this.store.run : this.store.inWords(highlight);
   }
 

@@ -1,5 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { copy, withheld } from "./hand.js";
+import { copied, copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
 /** A run of lines under one heading. */
@@ -49,23 +49,23 @@ class ProgramPart extends Part {
     }
     return html`
       <div class="tools">
-        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy</button>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
-        <input class="filter" type="search" placeholder="Find" aria-label="Find in the program" @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
+        <input class="filter" type="search" placeholder=${this.t("Find")} aria-label=${this.t("Find in the program")} @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
           @keydown=${(e: KeyboardEvent) => {
             if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
           }} />
         <span role="status" class="told found"></span>
-        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} header, ${head} lines</button>` : nothing}
+        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header, {count} lines", head)}</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
-      <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label="Program" @keydown=${this.key}
+      <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
-        ${head > 0 ? html`<div role="group" aria-label="Before the first move" ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
+        ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
           const text = steps[block.step - 1];
-          if (!text) return html`<div role="group" aria-label="Program">${block.lines.map(row)}</div>`;
-          return html`<div role="group" aria-label=${`Step ${block.step}: ${text}`}>
+          if (!text) return html`<div role="group" aria-label=${this.t("Program")}>${block.lines.map(row)}</div>`;
+          return html`<div role="group" aria-label=${this.t("Step {step}: {words}", block.step, text)}>
             <div class="step" data-step=${block.step} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
             ${block.lines.map(row)}</div>`;
         })}
@@ -142,7 +142,11 @@ class ProgramPart extends Part {
     const status = this.querySelector(".told.found");
     if (!status) return;
     status.textContent =
-      this.wanted === "" ? "" : this.found.length ? `${this.at + 1} of ${this.found.length}` : "not found";
+      this.wanted === ""
+        ? ""
+        : this.found.length
+          ? this.t("{count} of {all}", this.at + 1, this.found.length)
+          : this.t("not found");
   }
 
   private lineAt(line: number): Element | null {
@@ -160,7 +164,7 @@ class ProgramPart extends Part {
   }
 
   private async copy(): Promise<void> {
-    if (!this.store.stale) this.tell(await copy(this.store.plan.program.text));
+    if (!this.store.stale) this.tell(this.t(copied(await copy(this.store.plan.program.text))));
   }
 
   /** Says something of this very program. */

@@ -1,13 +1,20 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { evaluate, type Finding, type Job, JobError, type ResultRow } from "../core/browser.js";
+import { w } from "../words.js";
 import { Part } from "./part.js";
 
 /** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
 const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-const signed = (value: number | null, digits: number) =>
-  value !== null && Number(number(value, digits)) > 0 ? `+${number(value, digits)}` : number(value, digits);
+
+/** The name of a result with an axis, by what stands before the axis in its code. */
+const NAMED: Record<string, string> = {
+  center: w("Centre {axis}"),
+  corner: w("Corner {axis}"),
+  point: w("Point {axis}"),
+  offset: w("Offset {axis}"),
+};
 
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
 class ResultsPart extends Part {
@@ -25,30 +32,30 @@ class ResultsPart extends Part {
     const measured = this.evaluated();
     const rows = "rows" in measured ? measured.rows : null;
     const caption = rows
-      ? "What the control will have stored, and what the measured points give"
-      : "What the control will have stored";
+      ? this.t("What the control will have stored, and what the measured points give")
+      : this.t("What the control will have stored");
     return html`
       <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}</div>
       <details class="triggers">
-        <summary>Trigger points of the ball centre</summary>
+        <summary>${this.t("Trigger points of the ball centre")}</summary>
         <table>
-          <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
-          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${number(x, places(units))}</td>`) : html`<td colspan="3">no contact</td>`}</tr>`)}</tbody>
+          <thead><tr><th>${this.t("Touch")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
+          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${this.number(x, places(units))}</td>`) : html`<td colspan="3">${this.t("no contact")}</td>`}</tr>`)}</tbody>
         </table>
       </details>
       <details class="moves" @toggle=${this.toggle}>
-        <summary>All moves in words</summary>
-        ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${this.store.inWords(i).replace(/^\d+ of \d+: /, "")}</li>`)}</ol>` : nothing}
+        <summary>${this.t("All moves in words")}</summary>
+        ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${this.store.inWords(i, false)}</li>`)}</ol>` : nothing}
       </details>
       <details class="measured" ?open=${this.store.measured !== ""}>
-        <summary>Points that a machine measured</summary>
-        <label for="measured">Ball centres in ${units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log</label>
+        <summary>${this.t("Points that a machine measured")}</summary>
+        <label for="measured">${this.t("Ball centres in {units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log", units)}</label>
         <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
           }}></textarea>
-        <button type="button" @click=${this.fill}>Fill in the points shown</button>
-        ${"errors" in measured ? html`<div role="status">${measured.errors.map((f: Finding) => html`<p class="problem error">${f.message}</p>`)}</div>` : nothing}
+        <button type="button" @click=${this.fill}>${this.t("Fill in the points shown")}</button>
+        ${"errors" in measured ? html`<div role="status">${measured.errors.map((f: Finding) => html`<p class="problem error">${this.message(f)}</p>`)}</div>` : nothing}
       </details>
     `;
   }
@@ -75,42 +82,51 @@ class ResultsPart extends Part {
   private named(code: string): string {
     const field = this.store.cycle.fields.find((f) => f.key === code);
     const [thing, axis] = code.split(".");
-    return (
-      field?.label ??
-      (axis && /^[xyz]$/.test(axis)
-        ? `${thing === "center" ? "Centre" : thing?.replace(/^./, (c) => c.toUpperCase())} ${axis.toUpperCase()}`
-        : "")
-    );
+    if (field) return field.label;
+    const name = axis && /^[xyz]$/.test(axis) ? NAMED[thing as string] : undefined;
+    return name && axis ? this.t(name, axis.toUpperCase()) : "";
+  }
+
+  /** A number as the language writes it. */
+  private number(value: number | null, digits: number): string {
+    return this.store.number(number(value, digits));
+  }
+
+  private signed(value: number | null, digits: number): string {
+    const text = this.number(value, digits);
+    return value !== null && Number(number(value, digits)) > 0 ? `+${text}` : text;
   }
 
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${r.meaning}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
-    const verdict = (text: string | null | undefined) =>
-      text ? html` <span class=${/^(rework|scrap)/.test(text) ? "bad" : ""}>${text}</span>` : nothing;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    const verdict = (row: ResultRow | undefined) =>
+      row?.said.verdict
+        ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
+        : nothing;
     if (r.unit === "") {
       return measured
-        ? html`<tr>${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r.verdict)}</td><td></td>
-        <td class="n own"><b>${own?.value ?? "–"}</b>${verdict(own?.verdict)}</td></tr>`
-        : html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r.verdict)}</td></tr>`;
+        ? html`<tr>${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r)}</td><td></td>
+        <td class="n own"><b>${own?.value ?? "–"}</b>${verdict(own)}</td></tr>`
+        : html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r)}</td></tr>`;
     }
     // Two sigma: 95 of 100 measurements lie within.
     const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
     const of = (row: ResultRow | undefined) =>
-      html`<b>${number(row?.value ?? null, digits)}</b> <small>${signed(row?.deviation ?? null, digits)}</small>${verdict(row?.verdict)}`;
+      html`<b>${this.number(row?.value ?? null, digits)}</b> <small>${this.signed(row?.deviation ?? null, digits)}</small>${verdict(row)}`;
     if (measured)
       return html`<tr>${name}
-      <td class="n">${number(r.nominal, digits)}</td>
+      <td class="n">${this.number(r.nominal, digits)}</td>
       <td class="n both">${of(r)}</td>
-      <td class="n">${number(spread, digits + 1)}</td>
+      <td class="n">${this.number(spread, digits + 1)}</td>
       <td class="n both own">${of(own)}</td></tr>`;
     return html`<tr>${name}
-      <td class="n">${number(r.nominal, digits)}</td>
-      <td class="n"><b>${number(r.value, digits)}</b></td>
-      <td class="n">${signed(r.deviation, digits)}${verdict(r.verdict)}</td>
-      <td class="n">${number(spread, digits + 1)}</td>
-      <td class="n">${number(r.truth, digits)}</td></tr>`;
+      <td class="n">${this.number(r.nominal, digits)}</td>
+      <td class="n"><b>${this.number(r.value, digits)}</b></td>
+      <td class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
+      <td class="n">${this.number(spread, digits + 1)}</td>
+      <td class="n">${this.number(r.truth, digits)}</td></tr>`;
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
@@ -118,12 +134,12 @@ class ResultsPart extends Part {
     return html`
       <table>
         <caption>${caption}</caption>
-        <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Value</th>${measured ? nothing : html`<th class="n">Deviation</th>`}<th class="n">± 2σ</th><th class="n">${measured ? "Measured" : "True"}</th></tr></thead>
+        <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Value")}</th>${measured ? nothing : html`<th class="n">${this.t("Deviation")}</th>`}<th class="n">± 2σ</th><th class="n">${measured ? this.t("Measured") : this.t("True")}</th></tr></thead>
         <tbody>
           ${rows.map((r) => this.row(r, measured))}
         </tbody>
       </table>
-      ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.note}</li>`)}</ul>` : nothing}
+      ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.said.note ? this.store.say(r.said.note) : nothing}</li>`)}</ul>` : nothing}
     `;
   }
 }

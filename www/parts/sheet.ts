@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { FieldEntry } from "../core/browser.js";
+import type { FieldEntry, View } from "../core/browser.js";
 import { checked } from "./checks.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";
 
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
@@ -15,65 +15,66 @@ class SheetPart extends Part {
 
   override render(): TemplateResult {
     const { withheld } = this.store;
-    const back = html`<button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>Back to the job</button>`;
+    const back = html`<button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>${this.t("Back to the job")}</button>`;
     if (withheld !== null) {
-      return html`<div class="tools">${back}</div><p class="problem error"><b>No setup sheet while the form has an error:</b> ${withheld}</p>`;
+      return html`<div class="tools">${back}</div><p class="problem error"><b>${this.t("No setup sheet while the form has an error:")}</b> ${withheld}</p>`;
     }
-    const { plan, units, catalog, shown, cycle } = this.store;
+    const { plan, units, catalog, shown: job, cycle } = this.store;
     const { program } = plan;
     const post = catalog.posts.find((p) => p.id === program.post);
     const offset = this.store.get("control.workOffset");
     const writes =
       typeof offset === "number"
-        ? `writes ${post?.workOffsetWords[offset - 1] ?? offset}`
-        : "measures only, writes no offset";
-    const number = (x: number | null) => (x === null ? "–" : x.toFixed(units === "inch" ? 4 : 3));
-    const feeds = shown.feeds as Record<string, number | null>;
-    const stylus = shown.stylus as Record<string, unknown>;
+        ? this.t("writes {offset}", post?.workOffsetWords[offset - 1] ?? offset)
+        : this.t("measures only, writes no offset");
+    const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
+    const number = (x: number | null) => (x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3)));
+    const feeds = job.feeds as Record<string, number | null>;
+    const stylus = job.stylus as Record<string, unknown>;
     return html`
       <div class="tools screen">
-        <button type="button" class="primary" @click=${() => print()}>Print</button>
+        <button type="button" class="primary" @click=${() => print()}>${this.t("Print")}</button>
         ${back}
       </div>
-      <article aria-label="Setup sheet">
-        <h2>${String(shown.name || "PROBE")}: ${cycle.title}</h2>
-        <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · all lengths in ${units} · file ${this.store.fileName(program.extension)}</p>
+      <article aria-label=${this.t("Setup sheet")}>
+        <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
+        <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         <div class="upper">
-          <canvas role="img" aria-label="Path of the probe from the top"></canvas>
+          <canvas role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>
           <table>
-            <caption>Dimensions and probe</caption>
+            <caption>${this.t("Dimensions and probe")}</caption>
             <tbody>
               ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
               ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
-              <tr><td>Ball diameter</td><td class="n">${String(stylus.diameter)}</td><td></td></tr>
+              <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td><td></td></tr>
               ${
                 cycle.ownFeeds
                   ? nothing
-                  : html`<tr><td>Overtravel</td><td class="n">${String(shown.overtravel)}</td><td></td></tr>
-                <tr><td>Touch feed</td><td class="n">${feeds.work}</td><td></td></tr>`
+                  : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td><td></td></tr>
+                <tr><td>${this.t("Touch feed")}</td><td class="n">${shown(feeds.work)}</td><td></td></tr>`
               }
             </tbody>
           </table>
         </div>
         <table>
-          <caption>What the control is expected to report, and what it reported</caption>
-          <thead><tr><th>Result</th><th class="n">Nominal</th><th class="n">Expected</th><th class="n">± 2σ</th><th>Reported</th></tr></thead>
+          <caption>${this.t("What the control is expected to report, and what it reported")}</caption>
+          <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${this.t("Reported")}</th></tr></thead>
           <tbody>${plan.results.map(
             (
               r,
-            ) => html`<tr><td>${r.meaning} <code>${r.code}</code></td><td class="n">${number(r.nominal)}</td><td class="n">${number(r.value)}</td>
-              <td class="n">${r.uncertainty === null ? "–" : (2 * r.uncertainty).toFixed(4)}</td><td class="box"></td></tr>`,
+            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}</td><td class="n">${number(r.value)}</td>
+              <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
           )}</tbody>
         </table>
         <table>
-          <caption>Touches: contact on the surface</caption>
-          <thead><tr><th>Touch</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>Checked</th></tr></thead>
+          <caption>${this.t("Touches: contact on the surface")}</caption>
+          <thead><tr><th>${this.t("Touch")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
           <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
         </table>
-        <p>${checked(plan)}.</p>
-        ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>Warning:</b> ${f.message}</p>`)}
-        <p class="hash">SHA-256 of the program: <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
-        <p class="sign">Machine <span></span> Date <span></span> Name <span></span></p>
+        <p>${checked(this.store)}.</p>
+        ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>${this.t("Warning:")}</b> ${this.message(f)}</p>`)}
+        <p class="hash">${this.t("SHA-256 of the program:")} <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
+        <p class="sign">${this.t("Machine")} <span></span> ${this.t("Date")} <span></span> ${this.t("Name")} <span></span></p>
       </article>
     `;
   }
@@ -83,7 +84,7 @@ class SheetPart extends Part {
     const held = this.store.get(path);
     const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
     if (value === null || value === undefined || field.group.startsWith("Postprocessor")) return nothing;
-    return html`<tr><td>${field.label}</td><td class="n">${Array.isArray(value) ? value.join(" ") : String(value)}</td><td><code>${field.code ?? ""}</code></td></tr>`;
+    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map((x) => (typeof x === "number" ? this.store.number(String(x)) : String(x))).join(" ")}</td><td><code>${field.code ?? ""}</code></td></tr>`;
   }
 
   override disconnectedCallback(): void {
@@ -101,6 +102,11 @@ class SheetPart extends Part {
     this.requestUpdate();
   }
 
+  private show(view: View): void {
+    label(view, this.store);
+    view.show(this.store.shown);
+  }
+
   private readonly dress = () => this.drawing?.dress();
 
   protected override updated(): void {
@@ -109,8 +115,8 @@ class SheetPart extends Part {
     // With an error in the form the canvas goes, and with it what drew on it.
     if (this.drawn.canvas !== canvas) {
       this.drawing?.free();
-      this.drawing = new Drawing(canvas, (view) => view.show(this.store.shown));
-    } else if (this.drawn.revision !== this.store.revision) this.drawing?.use((view) => view.show(this.store.shown));
+      this.drawing = new Drawing(canvas, (view) => this.show(view));
+    } else if (this.drawn.revision !== this.store.revision) this.drawing?.use((view) => this.show(view));
     this.drawn = { canvas, revision: this.store.revision };
     this.drawing?.dress();
     const { text } = this.store.plan.program;
@@ -123,7 +129,7 @@ class SheetPart extends Part {
     const bytes = await crypto.subtle?.digest("SHA-256", new TextEncoder().encode(text));
     if (this.hash.of !== text) return;
     const hex = bytes && Array.from(new Uint8Array(bytes), (b) => b.toString(16).padStart(2, "0")).join("");
-    this.hash = { of: text, hex: hex ?? "not to be had on this page" };
+    this.hash = { of: text, hex: hex ?? this.t("not to be had on this page") };
     this.requestUpdate();
   }
 }

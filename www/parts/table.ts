@@ -1,10 +1,11 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CodeGroup, exportTable, type Job, type ParameterRow, type Plan } from "../core/browser.js";
-import { copy, download, withheld } from "./hand.js";
+import { w } from "../words.js";
+import { copied, copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
 /** Rows that have no code of a table: those of a control's own cycle. */
-const OTHERS = "Cycle";
+const OTHERS = w("Cycle");
 
 /** Where a row belongs, by its code. */
 function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
@@ -27,32 +28,32 @@ class TablePart extends Part {
     const why = stale ? "withheld-table" : nothing;
     const told = stale || this.toldOf !== plan ? "" : this.told;
     const wanted = this.filter.trim().toLowerCase();
-    const rows = plan.table.filter((row) => `${row.code} ${row.meaning}`.toLowerCase().includes(wanted));
+    const rows = plan.table.filter((row) => `${row.code} ${this.meaning(row)}`.toLowerCase().includes(wanted));
     const { codeGroups } = this.store.catalog;
     const names = [...new Set([...codeGroups.map(({ title }) => title), OTHERS])];
     const groups = names.map((name) => ({ name, rows: rows.filter((row) => groupOf(row, codeGroups) === name) }));
     return html`
       <div class="tools">
-        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>Copy as text</button>
-        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.save}>Save .csv</button>
-        <input class="filter" type="search" placeholder="Filter: code or word" aria-label="Filter the parameters" .value=${this.filter}
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy as text")}</button>
+        <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.save}>${this.t("Save .csv")}</button>
+        <input class="filter" type="search" placeholder=${this.t("Filter: code or word")} aria-label=${this.t("Filter the parameters")} .value=${this.filter}
           @input=${(e: Event) => {
             this.filter = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }} />
-        <span role="status" class="told">${told || (wanted ? `${rows.length} of ${plan.table.length}` : "")}</span>
+        <span role="status" class="told">${told || (wanted ? this.t("{count} of {all}", rows.length, plan.table.length) : "")}</span>
       </div>
       ${withheld(this.store, "withheld-table")}
-      <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label="Parameter table">
+      <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label=${this.t("Parameter table")}>
         <table>
-          <thead><tr><th>Code</th><th>Type</th><th class="n">Value</th><th>Meaning</th></tr></thead>
+          <thead><tr><th>${this.t("Code")}</th><th>${this.t("Type")}</th><th class="n">${this.t("Value")}</th><th>${this.t("Meaning")}</th></tr></thead>
           ${groups
             .filter((group) => group.rows.length > 0)
             .map(({ name, rows }) => {
               const open = wanted !== "" || !this.closed.has(name);
               return html`<tbody @mouseleave=${() => this.store.point(null)}>
                 <tr class="group"><th colspan="4" scope="rowgroup"><button type="button" aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name)}
-                  >${open ? "▾" : "▸"} ${name} <small>${rows.length}</small></button></th></tr>
+                  >${open ? "▾" : "▸"} ${this.t(name)} <small>${rows.length}</small></button></th></tr>
                 ${open ? rows.map((row) => this.row(row)) : nothing}
               </tbody>`;
             })}
@@ -69,13 +70,19 @@ class TablePart extends Part {
       row.classList.toggle("lit", touch !== null && row.dataset.touch === String(touch));
   }
 
+  /** What a parameter means; in another language than English the words of its field say it. */
+  private meaning(row: ParameterRow): string {
+    const field = row.field === null || this.store.lang === "en" ? undefined : this.store.fieldAt(row.field);
+    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(row.said);
+  }
+
   private row(row: ParameterRow): TemplateResult {
     const touch = row.touch;
     const move =
       touch === null ? null : this.store.plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
     return html`<tr data-touch=${touch ?? nothing} @mouseenter=${() => this.store.point(move)}>
       <td><code>${row.code}</code></td><td>${row.type}</td><td class="n">${String(row.value)}</td>
-      <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${row.meaning}</a>` : row.meaning}</td>
+      <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${this.meaning(row)}</a>` : this.meaning(row)}</td>
     </tr>`;
   }
 
@@ -87,7 +94,7 @@ class TablePart extends Part {
   private async copy(): Promise<void> {
     if (this.store.stale) return;
     const { plan } = this.store;
-    this.told = await copy(exportTable(this.store.shown as unknown as Job, "text"));
+    this.told = this.t(copied(await copy(exportTable(this.store.shown as unknown as Job, "text"))));
     this.toldOf = plan;
     this.requestUpdate();
   }
@@ -96,7 +103,7 @@ class TablePart extends Part {
     if (this.store.stale) return;
     const name = this.store.otherName("-parameters.csv");
     download(exportTable(this.store.shown as unknown as Job, "csv"), name, "text/csv");
-    this.told = `Saved ${name}`;
+    this.told = this.t("Saved {file}", name);
     this.toldOf = this.store.plan;
     this.requestUpdate();
   }

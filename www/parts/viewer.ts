@@ -1,8 +1,12 @@
 // The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { ProgramMoves } from "../core/browser.js";
+import type { ProgramMoves, Said } from "../core/browser.js";
+import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
+
+/** What the kinds of moves are called. */
+const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
 
 class ViewerPart extends DrawnPart {
   declare viewed: { text: string; moves: ProgramMoves };
@@ -17,17 +21,17 @@ class ViewerPart extends DrawnPart {
     const { moves } = this.viewed;
     return html`
       <div class="see">
-      ${this.tools("Picture of the program")}
+      ${this.tools(this.t("Picture of the program"))}
         <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
           @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
-        <ul class="key" aria-label="Colours">
-          <li class="touch">probing</li><li class="link">feed</li><li class="rapid">rapid</li>
+        <ul class="key" aria-label=${this.t("Colours")}>
+          <li class="touch">${this.t("probing")}</li><li class="link">${this.t("feed")}</li><li class="rapid">${this.t("rapid")}</li>
         </ul>
-        <p>Nothing of it is checked or proven: it is what its words say.</p>
-        ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${f.message}</li>`)}</ul>` : nothing}
+        <p>${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>
+        ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>
-      <pre class="code" tabindex="0" aria-label="The program">${this.viewed.text}</pre>
+      <pre class="code" tabindex="0" aria-label=${this.t("The program")}>${this.viewed.text}</pre>
     `;
   }
 
@@ -60,7 +64,14 @@ class ViewerPart extends DrawnPart {
     const { kind, kinds, units, dialect } = this.viewed.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
     const read = dialect === "sinumerik" ? "SINUMERIK" : "ISO";
-    return `${kind.length} moves, ${probing} of them probing; ${units ?? "units not said"}; read as ${read}`;
+    const said: Said[] = [units ? [units] : [w("units not said")]];
+    return this.t(
+      "{count} moves, {probing} of them probing; {units}; read as {dialect}",
+      kind.length,
+      probing,
+      ...said,
+      read,
+    );
   }
 
   private one(index: number): string {
@@ -70,8 +81,11 @@ class ViewerPart extends DrawnPart {
       return Number.isNaN(x) ? [] : [`${axis}${Number(x.toFixed(4))}`];
     });
     const rate = feed[index] as number;
-    const words = [kinds[kind[index] as number], `to ${place.join(" ")}`, Number.isNaN(rate) ? "" : `at ${rate}`];
-    return `Line ${(line[index] as number) + 1}: ${words.filter(Boolean).join(" ")}`;
+    const what: Said = [KINDS[kinds[kind[index] as number] as keyof typeof KINDS]];
+    const row = (line[index] as number) + 1;
+    return Number.isNaN(rate)
+      ? this.t("Line {line}: {what} to {place}", row, what, place.join(" "))
+      : this.t("Line {line}: {what} to {place} at {feed}", row, what, place.join(" "), rate);
   }
 
   private down(event: PointerEvent): void {

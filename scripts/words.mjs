@@ -1,0 +1,47 @@
+// What each language lacks, and what it has that nothing says any more. `node scripts/words.mjs` prints both; tests/package/words.test.mjs asks the same.
+import { readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
+const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "utf8"));
+
+/** A double-quoted text behind `t(` or `w(`. */
+const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
+
+/** Texts of the crate that the page never shows: its own come before. */
+const folders = ["www", "www/parts"];
+
+/** Every English text that may be shown: those of the crate, and those that the page's sources mark. */
+export function texts() {
+  const found = new Set(/** @type {string[]} */ (json("www/words/core.json")));
+  for (const folder of folders)
+    for (const name of readdirSync(at(folder)))
+      if (name.endsWith(".ts"))
+        for (const [, text] of readFileSync(at(`${folder}/${name}`), "utf8").matchAll(MARKED))
+          found.add(JSON.parse(/** @type {string} */ (text)));
+  // How a number is written.
+  found.add("0.5");
+  return found;
+}
+
+/** The languages, by their files. */
+export const languages = () =>
+  readdirSync(at("www/words"))
+    .filter((name) => name !== "core.json")
+    .map((name) => name.replace(".json", ""));
+
+/** The words of a language, by their English text. */
+export const wordsOf = (/** @type {string} */ language) =>
+  /** @type {Record<string, string>} */ (json(`www/words/${language}.json`));
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const all = texts();
+  for (const language of languages()) {
+    const words = wordsOf(language);
+    const missing = [...all].filter((text) => !Object.hasOwn(words, text));
+    const unused = Object.keys(words).filter((text) => !all.has(text));
+    console.log(`${language}: ${missing.length} missing, ${unused.length} unused`);
+    for (const text of missing) console.log(`  - ${JSON.stringify(text)}`);
+    for (const text of unused) console.log(`  + ${JSON.stringify(text)}`);
+  }
+}
