@@ -139,7 +139,8 @@ pub struct ParameterRow {
     pub value: ParameterValue,
     /// What it means.
     pub meaning: String,
-    /// The same as a template and its values.
+    /// The same as a template and its values; not in the JSON of a row, which is that of an exported table.
+    #[serde(skip)]
     pub said: Text,
     /// Path of the job's field it comes from.
     pub field: Option<String>,

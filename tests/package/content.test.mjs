@@ -24,6 +24,7 @@ test("the package had no licence text", () => {
     "plan",
     "plan-types",
     "protocol",
+    "said",
     "types",
   ];
   const modules = core.flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
@@ -31,7 +32,7 @@ test("the package had no licence text", () => {
   const pieces = names.filter((/** @type {string} */ name) => name.startsWith("dist/element/"));
   assert.ok(pieces.includes("dist/element/element.js") && pieces.includes("dist/element/element.d.ts"), pieces.join());
   assert.ok(
-    pieces.length < 20 && pieces.every((/** @type {string} */ name) => /\/[a-z]+(\.d\.ts|\.js)$/.test(name)),
+    pieces.length < 20 && pieces.every((/** @type {string} */ name) => /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name)),
     pieces.join(),
   );
   const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
@@ -48,6 +49,9 @@ test("the package had no licence text", () => {
     "dist/embed.html",
     "dist/frame.schema.json",
     "dist/schema.json",
+    "dist/words/de.json",
+    "dist/words/ru.json",
+    "dist/words/zh-Hant.json",
     ...wasm,
     "dist/licences.txt",
     "LICENSE-APACHE",

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
+import { wordsOf } from "../../scripts/words.mjs";
 import { launch } from "./common.mjs";
 
 /** @import {} from "../../www/element.ts" */
@@ -523,4 +524,36 @@ test("in somebody else's page: no second main, nothing said of privacy, keys of 
   await page.getByLabel("Ordernumber").fill("abc");
   await page.keyboard.press("Control+z");
   assert.notEqual(await page.getByLabel("Ordernumber").inputValue(), "abc", "the browser's own undo");
+});
+
+test("elements speak the language that they are given, or that of what is around them", async () => {
+  await open(
+    `<touch-path id="own" lang="de-CH"></touch-path><section lang="ru"><touch-path id="around"></touch-path></section><touch-path id="none" lang="tlh"></touch-path>`,
+  );
+  const tab = (/** @type {string} */ id) => page.locator(`#${id} #tab-checks`).textContent();
+  const [de, ru, zh] = ["de", "ru", "zh-Hant"].map((language) => wordsOf(language).Checks);
+  assert.deepEqual([await tab("own"), await tab("around"), await tab("none")], [de, ru, "Checks"]);
+  // What an element says to the page around stays data: English, with what can be said in another language beside it.
+  const said = await page.evaluate(() => {
+    const own = /** @type {any} */ (document.querySelector("#own"));
+    own.job = { ...own.job, overtravel: -1 };
+    return { findings: own.findings, message: own.validationMessage };
+  });
+  assert.equal(said.findings[0].message, "Overtravel must be from 0.01 to 1000 mm");
+  assert.deepEqual(said.findings[0].said[1], ["Overtravel"]);
+  assert.ok(said.message.includes(wordsOf("de").Overtravel), said.message);
+  // Another language later; none is that of what is around.
+  await page.evaluate(() => {
+    const [own, none] = ["own", "none"].map((id) => /** @type {HTMLElement} */ (document.getElementById(id)));
+    own?.removeAttribute("lang");
+    if (none) none.lang = "zh-TW";
+  });
+  await page.waitForFunction(
+    (zh) => document.querySelector("#none")?.shadowRoot?.querySelector("#tab-checks")?.textContent === zh,
+    zh,
+  );
+  await page.waitForFunction(
+    () => document.querySelector("#own")?.shadowRoot?.querySelector("#tab-checks")?.textContent === "Checks",
+  );
+  assert.equal(await tab("around"), ru);
 });

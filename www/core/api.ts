@@ -18,6 +18,7 @@ import type {
   Said,
 } from "./types.js";
 
+export { meaningOf } from "./plan.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 

@@ -67,8 +67,6 @@ export interface ParameterRow {
   value: ParameterValue;
   /** What it means. */
   meaning: string;
-  /** The same as a template and its values. */
-  said: Said;
   /** Path of the job's field it comes from. */
   field: string | null;
   /** The touch it comes from. */

@@ -36,7 +36,7 @@ class BarPart extends FieldPart {
       </fieldset>
       <span class="gap"></span>
       <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
       <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
       ${this.links ? html`<button type="button" class="wide" @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>

@@ -21,7 +21,11 @@ class HelpPart extends Part {
       Array.isArray(ends)
         ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0]), this.scaled(entry.unit, ends[1]))
         : "";
-    const usually = usual ? ` ${this.t("Usual {range}.", span(usual))}` : range ? ` ${span(range)}.` : "";
+    const usually = usual
+      ? ` ${this.t("Usual {range}.", span(usual))}`
+      : range
+        ? ` ${this.t("{range}.", span(range))}`
+        : "";
     return html`
       <p><b>${label}</b>${code ? html` <code>${code}</code>` : nothing}</p>
       ${

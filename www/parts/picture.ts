@@ -45,7 +45,7 @@ class PicturePart extends DrawnPart {
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.drawing?.key(e))}></canvas>
         ${stale ? html`<p class="stamp" role="status">${this.live ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
       </div>
-      <ul class="key" aria-label=${this.t("Lines")}>
+      <ul class="key" aria-label=${this.t("Kinds of lines")}>
         <li class="touch">${this.t("touch")}</li><li class="link">${this.t("link, back")}</li><li class="position">${this.t("positioning")}</li><li class="rapid">${this.t("rapid")}</li><li class="ghost">${this.t("overtravel")}</li><li class="actual">${this.t("virtual part")}</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
       </ul>
       <div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.timelineKey}>

@@ -39,7 +39,7 @@ class ResultsPart extends Part {
       <details class="triggers">
         <summary>${this.t("Trigger points of the ball centre")}</summary>
         <table>
-          <thead><tr><th>${this.t("Touch")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
+          <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
           <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${this.number(x, places(units))}</td>`) : html`<td colspan="3">${this.t("no contact")}</td>`}</tr>`)}</tbody>
         </table>
       </details>

@@ -68,7 +68,7 @@ class SheetPart extends Part {
         </table>
         <table>
           <caption>${this.t("Touches: contact on the surface")}</caption>
-          <thead><tr><th>${this.t("Touch")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
+          <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
           <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
         </table>
         <p>${checked(this.store)}.</p>

@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type CodeGroup, exportTable, type Job, type ParameterRow, type Plan } from "../core/browser.js";
+import { type CodeGroup, exportTable, type Job, meaningOf, type ParameterRow, type Plan } from "../core/browser.js";
 import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
@@ -73,7 +73,7 @@ class TablePart extends Part {
   /** What a parameter means; in another language than English the words of its field say it. */
   private meaning(row: ParameterRow): string {
     const field = row.field === null || this.store.lang === "en" ? undefined : this.store.fieldAt(row.field);
-    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(row.said);
+    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(meaningOf(row));
   }
 
   private row(row: ParameterRow): TemplateResult {

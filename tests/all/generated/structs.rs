@@ -90,7 +90,7 @@ fn interface(text: &mut String, item: &syn::ItemStruct) {
     let camel = renames(&item.attrs).as_deref() == Some("camelCase");
     write!(text, "\n{}export interface {} {{\n", doc(&item.attrs, ""), exported(&name)).unwrap();
     let Fields::Named(fields) = &item.fields else { panic!("{name} has named fields") };
-    for field in &fields.named {
+    for field in fields.named.iter().filter(|field| !skipped(&field.attrs)) {
         let own = field.ident.as_ref().unwrap().to_string();
         let key = renamed(&field.attrs).unwrap_or_else(|| if camel { camel_case(&own) } else { own });
         let exact = EXACT.iter().find(|(place, _)| *place == format!("{name}.{key}"));
@@ -199,6 +199,18 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
             .unwrap();
     }
     found
+}
+
+/// Whether a field stays inside: `#[serde(skip)]`.
+fn skipped(attributes: &[Attribute]) -> bool {
+    let mut skipped = false;
+    for attribute in attributes.iter().filter(|a| a.path().is_ident("serde")) {
+        let _ = attribute.parse_nested_meta(|meta| {
+            skipped |= meta.path.is_ident("skip");
+            Ok(())
+        });
+    }
+    skipped
 }
 
 fn renames(attributes: &[Attribute]) -> Option<String> {

@@ -1,0 +1,190 @@
+// The languages of the page: chosen by the browser or by hand, kept, complete, and without room for a wrong number or another program.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { wordsOf } from "../../scripts/words.mjs";
+import { context, field, open, openTab, page, problems, program, put, ready, setUp, textOf } from "./common.mjs";
+
+setUp({ width: 1440, height: 900 });
+
+const LANGUAGES = /** @type {const} */ ({ de: "de-AT", ru: "ru", "zh-Hant": "zh-TW" });
+const inside = (/** @type {string} */ selector) => page.locator(`touch-path ${selector}`);
+/** The page in a browser of this language. */
+const openIn = (/** @type {string} */ locale, viewport = { width: 1440, height: 900 }) => open({ viewport, locale });
+
+for (const [language, locale] of Object.entries(LANGUAGES)) {
+  test(`a browser in ${locale} is spoken to in ${language}, and gets the same program`, async () => {
+    const english = await program();
+    await openIn(locale);
+    const words = wordsOf(language);
+    assert.equal(await inside("tp-app").getAttribute("lang"), language);
+    assert.equal(await textOf(inside("#tab-program")), words.Program);
+    assert.equal(await textOf(inside("label[for='f-cycle.width1']")), words["Width 1"]);
+    assert.equal(await program(), english, "a program is English always");
+    // A finding, in the line at the foot, in the help and at Save.
+    await field("cycle.sideClearance1").fill("90");
+    const message = await textOf(inside("tp-findings .verdict"));
+    const said = /** @type {string} */ (
+      words[
+        "{clearance_label} ({clearance}) puts the ball into the opposite wall: with {label} of {width} it must be less than {limit}"
+      ]
+    );
+    const shown = said
+      .replace("{clearance_label}", /** @type {string} */ (words["Side clearance 1"]))
+      .replace("{clearance}", "90 mm")
+      .replace("{label}", /** @type {string} */ (words["Width 1"]))
+      .replace("{width}", "80 mm")
+      .replace("{limit}", "77 mm");
+    assert.ok(message.includes(shown), message);
+    assert.ok((await textOf(inside("#withheld"))).includes(shown));
+  });
+
+  test(`no English is left in ${language}`, async () => {
+    await openIn(locale);
+    // Words of the page that are the same in that language, names, and codes.
+    const same = new Set(
+      Object.entries(wordsOf(language)).flatMap(([english, words]) => (english === words ? [english] : [])),
+    );
+    const left = await page.evaluate(async () => {
+      const host = /** @type {any} */ (document.querySelector("touch-path"));
+      const root = host.shadowRoot;
+      /** @type {string[]} */
+      const found = [];
+      const skip = ".code, pre, code, #lang option, .unit, h1, option[value^='linux'], canvas + *";
+      const walk = () => {
+        const all = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+        for (let node = all.nextNode(); node; node = all.nextNode())
+          if (!node.parentElement?.closest(skip)) found.push(node.textContent?.trim() ?? "");
+        for (const one of root.querySelectorAll("[aria-label], [title], [placeholder]"))
+          for (const name of ["aria-label", "title", "placeholder"]) found.push(one.getAttribute(name) ?? "");
+      };
+      root.querySelector("tp-form").unfold();
+      for (const tab of root.querySelectorAll("[role=tab]")) {
+        tab.click();
+        for (const details of root.querySelectorAll("details")) details.open = true;
+        await new Promise((done) => setTimeout(done, 100));
+        walk();
+      }
+      for (const tool of ["gallery", "lengths", "sheet", "cycles"]) {
+        await host.app.ask(tool === "cycles" ? "gallery" : tool);
+        await new Promise((done) => setTimeout(done, 200));
+        walk();
+      }
+      return [...new Set(found)];
+    });
+    assert.ok(left.length > 250, `${left.length} texts are seen`);
+    const words = wordsOf(language);
+    // A text that has words of its own must not stand there in English.
+    const english = left.filter(
+      (text) =>
+        Object.hasOwn(words, text) && words[text] !== text && !same.has(text) && !Object.values(words).includes(text),
+    );
+    assert.deepEqual(english, []);
+  });
+
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ])
+    test(`${language} fits ${viewport.width} pixels`, async () => {
+      await openIn(locale, viewport);
+      await put("part", { offset: [0.12, -0.3, 0], rotation: 2, sizes: {} });
+      const wide = await page.evaluate(async () => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        /** @type {string[]} */
+        const found = [];
+        const look = (/** @type {string} */ selector, /** @type {string} */ where) => {
+          for (const box of root.querySelectorAll(selector))
+            if (box.checkVisibility() && box.scrollWidth > box.clientWidth + 1)
+              found.push(`${where}: ${selector} ${box.scrollWidth} > ${box.clientWidth}`);
+        };
+        for (const tab of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[role=tab]"))) {
+          tab.click();
+          await new Promise((done) => setTimeout(done, 80));
+          for (const selector of [
+            ".frame",
+            "header",
+            ".tabs",
+            "main > section",
+            "tp-form",
+            ".tools button",
+            ".scrub",
+            "tp-bar .primary",
+          ])
+            look(selector, tab.id);
+        }
+        return found;
+      });
+      assert.deepEqual(wide, []);
+    });
+}
+
+test("numbers are written as the language does, typed in either way, and unchanged in the job", async () => {
+  await openIn("de");
+  const width = field("cycle.width1");
+  await width.fill("80,5");
+  await width.press("Enter");
+  assert.equal(await width.inputValue(), "80,5");
+  await field("cycle.width2").fill("50.25");
+  await field("cycle.depth").focus();
+  await put("cycle.width2", 50.25);
+  assert.equal(await field("cycle.width2").inputValue(), "50,25");
+  const job = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+  assert.deepEqual([job.cycle.width1, job.cycle.width2], [80.5, 50.25]);
+  await page.locator("#tab-results").click();
+  assert.match(await textOf(inside("tp-results tbody").first()), /80,500/);
+  assert.doesNotMatch(await textOf(inside("tp-results tbody").first()), /80\.500/);
+  assert.match(await program(), /X40\.25\b|X4\d\.\d/, "a program has points");
+  // Points that are filled in to start from stay readable as points.
+  await page.locator("#tab-results").click();
+  await inside("details.measured summary").click();
+  await inside("details.measured button").click();
+  assert.match(await inside("#measured").inputValue(), /^-?\d+\.\d+, /);
+  assert.equal(await inside("tp-results .problem").count(), 0);
+});
+
+test("a language is chosen by hand, and kept", async () => {
+  await page.getByRole("button", { name: "More" }).click();
+  await inside("#lang").selectOption("ru");
+  const { Results: name } = wordsOf("ru");
+  await page.getByRole("tab", { name }).waitFor();
+  await page.reload();
+  await ready();
+  await page.getByRole("tab", { name }).waitFor();
+  // Another tab starts in it; back to English, nothing of it stays.
+  const other = await openTab();
+  await other.getByRole("tab", { name }).waitFor();
+  await page.locator("button[popovertarget=menu]").click();
+  await inside("#lang").selectOption("en");
+  await page.getByRole("tab", { name: "Results" }).waitFor();
+  assert.equal(await inside("tp-app").getAttribute("lang"), "en");
+  await page.keyboard.press("Escape");
+  assert.doesNotMatch(await inside("tp-app").innerText(), /[а-яё]{3}/i);
+  assert.equal(context.pages().length, 2);
+});
+
+test("words that cannot be had leave the language that is there, and say so", async () => {
+  await page.route(/\/de-[^/]+\.js$/, (route) => route.abort());
+  await page.locator("button[popovertarget=menu]").click();
+  const before = await textOf(inside("#tab-program"));
+  await inside("#lang").selectOption("de");
+  await page.getByText("could not be loaded").waitFor();
+  assert.equal(await textOf(inside("#tab-program")), before);
+  // The browser says, too, that a file did not come.
+  assert.equal(problems.splice(0).length, 1);
+});
+
+test("keys and the question before Reset speak, too", async () => {
+  await openIn("de");
+  const words = wordsOf("de");
+  await page.locator("button[popovertarget=menu]").click();
+  await page.getByRole("button", { name: words.Keys, exact: true }).click();
+  await page.getByText(/** @type {string} */ (words["save the program"])).waitFor();
+  await page.getByRole("button", { name: words.Close }).click();
+  await page.locator("button[popovertarget=menu]").click();
+  await page.getByRole("button", { name: words.Reset, exact: true }).click();
+  await page
+    .getByText(/** @type {string} */ (words["Internal rectangle, protected"]))
+    .last()
+    .waitFor();
+});
