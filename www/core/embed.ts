@@ -10,7 +10,7 @@ interface Element extends HTMLElement {
   readonly findings: Finding[];
 }
 
-const INPUTS = ["job", "cycle", "post", "units", "theme", "panels"] as const;
+const INPUTS = ["job", "cycle", "post", "units", "theme", "lang", "panels"] as const;
 const PANELS = ["form", "stage", "program", "table", "results", "checks"];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
@@ -96,10 +96,12 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
 
 /** What of a state the element would not refuse by itself, but pass over. */
 function unfit(state: Record<string, unknown>): string | null {
-  const { theme, panels, readonly, job } = state;
+  const { theme, lang, panels, readonly, job } = state;
   const words = typeof panels === "string" ? panels.split(/\s+/).filter(Boolean) : [];
   if (theme !== undefined && !["light", "dark", "auto"].includes(theme as string))
     return "theme is light, dark or auto";
+  if (lang !== undefined && !(typeof lang === "string" && /^[a-z0-9-]{0,35}$/i.test(lang)))
+    return "lang is a BCP 47 tag";
   if (panels !== undefined && (words.length === 0 || !words.every((word) => PANELS.includes(word))))
     return `panels are some of ${PANELS.join(" ")}`;
   if (readonly !== undefined && typeof readonly !== "boolean") return "readonly is true or false";
@@ -118,7 +120,7 @@ function set(state: FrameState): Finding[] {
   for (const input of INPUTS) {
     const value = state[input];
     if (value === undefined) continue;
-    if (input === "theme" || input === "panels") element.setAttribute(input, String(value));
+    if (input === "theme" || input === "lang" || input === "panels") element.setAttribute(input, String(value));
     else (element as unknown as Record<string, unknown>)[input] = value;
   }
   if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);

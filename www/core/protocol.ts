@@ -14,6 +14,8 @@ export interface FrameState {
   post?: string;
   units?: "mm" | "inch";
   theme?: "light" | "dark" | "auto";
+  /** A BCP 47 tag. */
+  lang?: string;
   readonly?: boolean;
   panels?: string;
 }
