@@ -194,7 +194,7 @@ impl From<i32> for Part {
 
 #[cfg(test)]
 mod tests {
-    use super::{Text, is_for_people, names};
+    use crate::text::{Text, is_for_people, names};
 
     #[test]
     fn values_stand_in_place_of_names() {
