@@ -6,7 +6,7 @@
 
 use glam::DMat3;
 
-use crate::geom::{Plane, Vec3};
+pub use crate::geom::{Plane, Vec3};
 use crate::text::{Text, text, words};
 
 /// How near a matrix element must be to 0 or ±1 to count as that: "parallel".

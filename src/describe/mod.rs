@@ -5,6 +5,9 @@ mod catalog;
 mod schema;
 mod table;
 
-pub use catalog::{Catalog, DefaultEntry, FieldEntry, catalog};
+pub use catalog::{
+    Catalog, ChoiceEntry, CodeGroup, CycleEntry, CycleSectionEntry, DefaultEntry, FieldEntry, PostEntry, RuleEntry,
+    SectionEntry, SupportEntry, catalog,
+};
 pub use schema::job_schema;
 pub use table::export_table;

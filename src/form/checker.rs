@@ -237,7 +237,7 @@ impl<'a, 'c> Section<'a, 'c> {
         Some(inner)
     }
 
-    /// The nominal value at `path`: a number, or text of one of the forms of [`crate::tolerance`]. In mm.
+    /// The nominal value at `path`: a number, or text of one of the forms of `tolerance`. In mm.
     pub fn nominal(&mut self, value: &Value, field: &Field, path: &str) -> Option<Nominal> {
         let Value::Text(text) = value else {
             return self.number(value, field, path).map(Nominal::number);

@@ -53,7 +53,7 @@ pub enum Kind {
     Point,
     /// One of a fixed set of whole numbers.
     Code(&'static [Code]),
-    /// A length, or text with a tolerance, an unknown or a given place: see [`crate::tolerance`].
+    /// A length, or text with a tolerance, an unknown or a given place: see `tolerance`.
     Nominal,
     /// Three of those.
     NominalPoint,

@@ -1,6 +1,6 @@
 //! What a job may say: fields declared once, and the check that turns a loose form into checked values.
 //!
-//! A [`Field`] knows its key, label, help, kind, default, ranges and parameter code. The checks, the form on the page,
+//! A `Field` knows its key, label, help, kind, default, ranges and parameter code. The checks, the form on the page,
 //! the JSON Schema and the property-test strategies are all read from the same list.
 
 mod checker;
@@ -10,11 +10,20 @@ mod finding;
 mod value;
 
 pub(crate) use checker::printable;
-pub use checker::{Checker, Section};
 pub use codes::CODES;
-pub use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
 pub use finding::{Finding, Level};
 pub use value::Value;
+
+#[cfg(feature = "internals")]
+pub use inside::*;
+#[cfg(not(feature = "internals"))]
+pub(crate) use inside::*;
+
+/// What reading a form is made of: only the rest of the crate and its tests ask for it.
+mod inside {
+    pub use crate::form::checker::{Checker, Section};
+    pub use crate::form::field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
+}
 
 pub(crate) use field::form;
 

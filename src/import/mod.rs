@@ -6,6 +6,8 @@ mod klartext;
 mod program;
 pub mod toolpath;
 
+/// What a move of a program does.
+pub use crate::control::trace::Kind as TraceKind;
 pub use dump::recognises as is_dump;
 pub use program::{TraceMove, TraceRow};
 pub use toolpath::{Toolpath, read_program};

@@ -1,5 +1,5 @@
 //! The moves of any program, as columns: a reader that follows words and nothing else. What has to be computed or jumped to is passed over, and
-//! said. Nothing is proven of what it reads: that is for the readers of [`control`](crate::control), which refuse what they do not understand.
+//! said. Nothing is proven of what it reads: that is for the readers of `control`, which refuse what they do not understand.
 //!
 //! G0 to G3, probing as `G38.n`, `G31` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
 

@@ -20,7 +20,7 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
         request.post.read?;
-        let rules = |followed: Followed<'_>| safety::check(request, &followed).into_iter().map(SafetyRow::from).collect();
+        let rules = |followed: Followed<'_>| safety::check(request, &followed).into_iter().map(SafetyRow::of).collect();
         Some(prove::follow(request, text, Part::Unknown).map(rules))
     })?
 }

@@ -16,14 +16,32 @@ mod rows;
 mod sections;
 mod units;
 
-pub use defaults::{default_job, default_job_in, resolved};
-pub use examine::{examine, proves, stages};
-pub use lentoax::{MOST_STEPS, STEP_ANGLE, lentoax_query};
-pub use picture::{Picture, svg};
-pub use plan::{Planned, minutes};
-pub use rows::{Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
-pub use sections::{FORMAT, Job, SECTIONS, Units, size_reach};
+pub use defaults::default_job;
+pub use lentoax::lentoax_query;
+pub use picture::svg;
+pub use rows::{
+    Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, ResultWords, SafetyRow, TouchPoint, Triple,
+};
+pub use sections::{FORMAT, Units};
 pub use units::convert_units;
+
+/// Where a picture is looked at from.
+pub use crate::view::scene::Projection;
+
+#[cfg(feature = "internals")]
+pub use inside::*;
+#[cfg(not(feature = "internals"))]
+pub(crate) use inside::*;
+
+/// What only the rest of the crate and its tests ask for.
+mod inside {
+    pub use crate::job::defaults::{default_job_in, resolved};
+    pub use crate::job::examine::{examine, proves, stages};
+    pub use crate::job::lentoax::{MOST_STEPS, STEP_ANGLE};
+    pub use crate::job::picture::Picture;
+    pub use crate::job::plan::{Planned, minutes, plan_with_path, planned};
+    pub use crate::job::sections::{Job, SECTIONS, size_reach};
+}
 
 use crate::form::{Checker, Finding, Value};
 
@@ -62,24 +80,8 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
     Ok(plan)
 }
 
-/// The same with the path that it is made of, and without the table, which [`Planned::table`] makes where it is read.
-pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
-    let mut checker = Checker::default();
-    let Some(job) = Job::read(&mut checker, value) else {
-        return Err(JobError { findings: checker.findings() });
-    };
-    let planned = Planned::of(job);
-    let plan = plan::make(&planned, value, checker)?;
-    Ok((planned, plan))
-}
-
-/// The path of a job and what happens on the actual part, in mm; none for a job whose form has errors.
-pub fn planned(value: &Value) -> Option<Planned> {
-    Job::read(&mut Checker::default(), value).map(Planned::of)
-}
-
-/// The results from ball centres that a machine really measured, one a touch, in the job's units. See
-/// [`crate::part::read_measured`] for the forms that are understood.
+/// The results from ball centres that a machine really measured, one a touch, in the job's units:
+/// a list of `[X, Y, Z]`, or text with a point a line: X, Y, Z, or LinuxCNC's PROBEOPEN log.
 pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
     let mut checker = Checker::default();
     let Some(job) = Job::read(&mut checker, value) else {

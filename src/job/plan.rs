@@ -24,7 +24,7 @@ pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
 }
 
 /// The path, with the formula as the control computes it.
-fn planned(job: &Job) -> Path {
+fn path_of(job: &Job) -> Path {
     let mut path = job.cycle.plan(&job.setup);
     if job.post.computes {
         path.formula = std::mem::take(&mut path.formula).plain();
@@ -48,7 +48,7 @@ pub struct Planned {
 impl Planned {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
-        let path = planned(&job);
+        let path = path_of(&job);
         let surfaces = actual_surfaces(&job, &path);
         let run = part::run(&path, &surfaces, &job.setup);
         Planned { job, path, surfaces, run }
@@ -147,9 +147,9 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             extension: job.post.extension,
             text: program.text,
             move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
-            proof: proof.map(ProofRow::from),
+            proof: proof.map(ProofRow::of),
         },
-        safety: verdicts.into_iter().map(SafetyRow::from).collect(),
+        safety: verdicts.into_iter().map(SafetyRow::of).collect(),
         table: Vec::new(),
         results,
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
@@ -185,6 +185,22 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
     }
 }
 
+/// The plan of a job with the path that it is made of, and without the table, which [`Planned::table`] makes where it is read.
+pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
+    let mut checker = Checker::default();
+    let Some(job) = Job::read(&mut checker, value) else {
+        return Err(JobError { findings: checker.findings() });
+    };
+    let planned = Planned::of(job);
+    let plan = make(&planned, value, checker)?;
+    Ok((planned, plan))
+}
+
+/// The path of a job and what happens on the actual part, in mm; none for a job whose form has errors.
+pub fn planned(value: &Value) -> Option<Planned> {
+    Job::read(&mut Checker::default(), value).map(Planned::of)
+}
+
 /// What a program is to be written for.
 pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>) -> Request<'a> {
     let Planned { job, path, .. } = planned;
@@ -210,7 +226,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
 
 /// The results from measured points.
 pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
-    let path = planned(job);
+    let path = path_of(job);
     let before = checker.count();
     let points = part::read_measured(&mut checker, measured);
     if checker.count() == before && points.len() != path.touches.len() {

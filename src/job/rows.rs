@@ -68,8 +68,9 @@ pub struct ProofRow {
     pub arithmetic: bool,
 }
 
-impl From<Proof> for ProofRow {
-    fn from(proof: Proof) -> Self {
+impl ProofRow {
+    /// What goes out of a proof.
+    pub(super) fn of(proof: Proof) -> Self {
         ProofRow { moves: proof.moves(), touches: proof.touches(), arithmetic: proof.arithmetic() }
     }
 }
@@ -200,8 +201,9 @@ pub struct ResultWords {
     pub note: Option<Text>,
 }
 
-impl From<Verdict> for SafetyRow {
-    fn from(verdict: Verdict) -> Self {
+impl SafetyRow {
+    /// What goes out of a verdict.
+    pub(crate) fn of(verdict: Verdict) -> Self {
         SafetyRow {
             rule: verdict.rule,
             holds: verdict.holds,

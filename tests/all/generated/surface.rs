@@ -1,9 +1,9 @@
 //! The names that a user of the crate can reach, one a line: a change of them is seen in a review.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use syn::{ImplItem, Item, UseTree, Visibility};
+use syn::{Attribute, ImplItem, Item, Meta, UseTree, Visibility};
 
 /// Every public name, as a path, with what it is.
 pub fn surface() -> String {
@@ -17,17 +17,38 @@ fn public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// The public names of a file. Of a private module only what its parent names in a `pub use`.
-fn walk(file: &Path, folder: &Path, module: &str, only: Option<&BTreeSet<String>>, names: &mut BTreeSet<String>) {
+/// Whether an item is there for the crate's own tests only.
+fn internal(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        let Meta::List(list) = &attribute.meta else { return false };
+        attribute.path().is_ident("cfg") && list.tokens.to_string().replace(' ', "") == "feature=\"internals\""
+    })
+}
+
+/// Names, and what they are called where they are re-exported.
+type Renamed = BTreeMap<String, String>;
+
+/// The public names of a file. Of a private module only what the modules around it name in a `pub use`.
+fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names: &mut BTreeSet<String>) {
     let text = std::fs::read_to_string(file).unwrap();
     let items = syn::parse_file(&text).unwrap().items;
-    let shown = |name: &str| only.is_none_or(|only| only.contains(name));
-    let mut reexported = BTreeSet::new();
+    let shown = |name: &str| match only {
+        Some(only) => only.get(name).cloned(),
+        None => Some(name.to_owned()),
+    };
+    let mut reexported = Renamed::new();
     for item in &items {
         if let Item::Use(item) = item
             && public(&item.vis)
+            && !internal(&item.attrs)
         {
-            uses(&item.tree, &mut Vec::new(), &mut reexported);
+            let mut found = Renamed::new();
+            uses(&item.tree, &mut found);
+            // From elsewhere in the crate: the name is this module's, too.
+            if matches!(&item.tree, UseTree::Path(path) if path.ident == "crate") {
+                names.extend(found.values().filter_map(|name| Some(format!("{module}::{} use", shown(name)?))));
+            }
+            reexported.extend(found);
         }
     }
     for item in &items {
@@ -41,8 +62,8 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&BTreeSet<String>
             Item::Static(item) => (&item.ident, "static", &item.vis),
             Item::Impl(item) if item.trait_.is_none() => {
                 let syn::Type::Path(of) = &*item.self_ty else { continue };
-                let of = of.path.segments.last().unwrap().ident.to_string();
-                for inner in item.items.iter().filter(|_| shown(&of)) {
+                let Some(of) = shown(&of.path.segments.last().unwrap().ident.to_string()) else { continue };
+                for inner in &item.items {
                     if let ImplItem::Fn(method) = inner
                         && public(&method.vis)
                     {
@@ -51,12 +72,14 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&BTreeSet<String>
                 }
                 continue;
             }
-            Item::Mod(item) if item.content.is_none() => {
+            Item::Mod(item) if item.content.is_none() && !internal(&item.attrs) => {
                 let name = item.ident.to_string();
                 let [own, inside]: [PathBuf; 2] = [folder.join(format!("{name}.rs")), folder.join(&name).join("mod.rs")];
                 let wasm = name == "wasm" || (name == "canvas" && module.ends_with("view"));
-                let inner = if public(&item.vis) { None } else { Some(&reexported) };
-                // Behind a private module, and under the parent's name, stands what the parent re-exports.
+                // Behind a private module, and under the parent's name, stands what the parent re-exports; behind two, what both do.
+                let both = |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
+                let through: Renamed = reexported.iter().filter_map(both).collect();
+                let inner = if public(&item.vis) { only } else { Some(&through) };
                 let path = if inner.is_some() { module.to_owned() } else { format!("{module}::{name}") };
                 if !wasm {
                     let file = if own.exists() { own } else { inside };
@@ -66,28 +89,23 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&BTreeSet<String>
             }
             _ => continue,
         };
-        let name = name.to_string();
-        if public(visibility) && shown(&name) {
+        if let Some(name) = shown(&name.to_string()).filter(|_| public(visibility)) {
             names.insert(format!("{module}::{name} {kind}"));
         }
     }
 }
 
-/// The names at the ends of a `use`.
-fn uses(tree: &UseTree, path: &mut Vec<String>, found: &mut BTreeSet<String>) {
+/// The names at the ends of a `use`, and what they are called behind it.
+fn uses(tree: &UseTree, found: &mut Renamed) {
     match tree {
-        UseTree::Path(inner) => {
-            path.push(inner.ident.to_string());
-            uses(&inner.tree, path, found);
-            path.pop();
-        }
+        UseTree::Path(inner) => uses(&inner.tree, found),
         UseTree::Name(name) => {
-            found.insert(name.ident.to_string());
+            found.insert(name.ident.to_string(), name.ident.to_string());
         }
         UseTree::Rename(name) => {
-            found.insert(name.ident.to_string());
+            found.insert(name.ident.to_string(), name.rename.to_string());
         }
-        UseTree::Group(group) => group.items.iter().for_each(|inner| uses(inner, path, found)),
+        UseTree::Group(group) => group.items.iter().for_each(|inner| uses(inner, found)),
         UseTree::Glob(_) => {}
     }
 }
