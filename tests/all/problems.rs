@@ -226,3 +226,13 @@ fn missing_values_are_the_catalogs_defaults_and_keep_their_size_in_inch() {
     assert!((inch.touches[0].point[0] * 25.4 - 40.0).abs() < 1e-9);
     assert!(inch.program.text.contains("G20"));
 }
+
+#[test]
+fn what_is_said_goes_out_as_its_template_and_its_values() {
+    let job = serde_json::json!({ "format": 1, "overtravel": -1, "cycle": { "type": "hole", "depth": [] } });
+    let found = serde_json::to_value(touchpath::job::check(&Value::from(&job))).unwrap();
+    let said = |path: &str| found.as_array().unwrap().iter().find(|f| f["path"] == path).unwrap()["said"].clone();
+    let range = serde_json::json!(["from {min} to {max}{unit}", "0.01", "1000", " mm"]);
+    assert_eq!(said("overtravel"), serde_json::json!(["{label} must be {allowed}", ["Overtravel"], range]));
+    assert_eq!(said("cycle.depth"), serde_json::json!(["{label} must be a number, not {given}", ["Depth"], ["a list"]]));
+}
