@@ -204,6 +204,8 @@ pub struct ResultRow {
     pub deviation: Option<f64>,
     /// One sigma of the value, from the repeatability of a touch.
     pub uncertainty: Option<f64>,
+    /// Lower and upper limit, where a tolerance is given.
+    pub limits: Option<(f64, f64)>,
     /// Good, rework, scrap, where a tolerance is given.
     pub verdict: Option<Text>,
     /// What it is on the actual part, where that is known.

@@ -180,6 +180,8 @@ pub struct ResultRow {
     pub deviation: Option<f64>,
     /// One sigma of the value.
     pub uncertainty: Option<f64>,
+    /// Lower and upper limit, where a tolerance is given.
+    pub limits: Option<[f64; 2]>,
     /// Good, rework or scrap, where a tolerance is given.
     pub verdict: Option<String>,
     /// What is true of the virtual part, where there is one.
@@ -241,6 +243,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
                 value: convert(row.value),
                 deviation: convert(row.deviation),
                 uncertainty: convert(row.uncertainty),
+                limits: row.limits.map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
                 verdict: row.verdict.as_ref().map(Text::english),
                 truth: convert(row.truth),
                 note: note.as_ref().map(Text::english),

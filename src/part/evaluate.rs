@@ -28,6 +28,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
                 value: dual.map(|d| tidy(d.value)),
                 deviation: dual.map(|d| tidy(d.value - def.reference)).filter(|d| d.is_finite()),
                 uncertainty: dual.map(|d| d.uncertainty(repeatability)),
+                limits: None,
                 verdict: None,
                 truth: None,
             }

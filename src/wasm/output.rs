@@ -174,6 +174,9 @@ fn result(out: &mut Packed, row: &ResultRow) {
     for x in [row.nominal, row.value, row.deviation, row.uncertainty] {
         out.optional(x);
     }
+    for i in 0..2 {
+        out.optional(row.limits.map(|limits| limits[i]));
+    }
     out.said_or_none(row.said.verdict.as_ref());
     out.optional(row.truth);
     out.said_or_none(row.said.note.as_ref());

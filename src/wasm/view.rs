@@ -139,7 +139,6 @@ impl View {
         let path = read_program(text, None);
         self.shown = Some(self.of_program(Rc::new(path)));
         self.fit();
-        self.draw();
     }
 
     /// Shows a job as a small picture: isometric, without axes, numbers and handles.
@@ -170,7 +169,6 @@ impl View {
         self.projection = projection;
         self.rebuild();
         self.fit();
-        self.draw();
     }
 
     /// Draws how the virtual part deviates so many times as large as it is, measured points too. The picture stays where it is.
@@ -185,6 +183,11 @@ impl View {
 
     /// Fits the whole scene into the canvas.
     pub fn fit(&mut self) {
+        self.place();
+        self.draw();
+    }
+
+    fn place(&mut self) {
         if let Some(shown) = &self.shown {
             let margin = match &shown.scene {
                 _ if self.painter.small => SMALL_MARGIN,
@@ -199,7 +202,6 @@ impl View {
             self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), margin);
         }
         self.moved = false;
-        self.draw();
     }
 
     /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
@@ -294,6 +296,19 @@ impl View {
         };
         let found = self.camera.dimensions(scene, self.field.as_deref()).into_iter().find(|(_, line)| near(*line));
         found.map(|(drawn, _)| drawn.field.to_owned())
+    }
+
+    /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
+    #[wasm_bindgen(js_name = dimensionLines)]
+    pub fn dimension_lines(&self) -> Array {
+        self.shown.as_ref().map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
+    }
+
+    /// The same of another coded job, as it would be seen here: where they would move to. Nothing for a job with errors.
+    #[wasm_bindgen(js_name = dimensionLinesCoded)]
+    pub fn dimension_lines_of(&self, codes: &[f64], text: &str) -> Array {
+        let other = crate::wasm::planned(codes, text).map(|last| self.build(last));
+        other.map_or_else(Array::new, |other| self.lines_of(&other.scene))
     }
 
     /// The view that a click on the drawn axes asks for: along the axis at the pixel, `isometric` beside them; nothing elsewhere.
@@ -407,7 +422,7 @@ impl View {
     /// Fits the picture, unless the user has moved it or holds something in it.
     fn refit(&mut self) {
         if !self.moved && !self.held {
-            self.fit();
+            self.place();
         }
     }
 
@@ -455,6 +470,18 @@ impl View {
             What::Job(held) => Some(held),
             What::Program(_) => None,
         }
+    }
+
+    fn lines_of(&self, scene: &Scene) -> Array {
+        let lines = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
+        let list = |(drawn, [_, _, a, b]): (&scene::Drawn, [Spot; 4])| {
+            let list = Array::of1(&JsValue::from_str(drawn.field));
+            for x in [a[0], a[1], b[0], b[1]] {
+                list.push(&JsValue::from_f64(x));
+            }
+            list
+        };
+        lines.map(list).collect()
     }
 
     fn draw(&self) {

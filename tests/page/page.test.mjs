@@ -15,6 +15,7 @@ import {
   pixels,
   problems,
   program,
+  put,
   ready,
   reset,
   saveButton,
@@ -605,3 +606,25 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     });
   }
 }
+
+test("a value with a tolerance has a bar: where it lies between its limits, and by how much it may scatter", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await put("cycle.diameter1", "20+0.05-0.05");
+  await page.getByRole("tab", { name: "Results" }).click();
+  const bar = page.locator("tp-results .band");
+  assert.equal(await bar.count(), 1);
+  assert.equal(await bar.getAttribute("aria-label"), "20.000, from 19.950 to 20.050 is good");
+  assert.equal(Number(await bar.locator("circle").getAttribute("cx")), 50, "the nominal size is in the middle");
+  const spread = async () =>
+    Number(await bar.locator("line").getAttribute("x2")) - Number(await bar.locator("line").getAttribute("x1"));
+  const before = await spread();
+  assert.ok(before > 0);
+  await put("stylus.repeatability", 0.002);
+  assert.ok(Math.abs((await spread()) - 2 * before) < 0.1);
+  // Too small: left of what is good, and said to be so.
+  await put("part", { offset: [0, 0, 0], rotation: 0, sizes: { diameter1: -0.08 } });
+  // 0.03 below the limit, where 0.1 are 50 wide.
+  assert.ok(Math.abs(Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15)) < 0.5);
+  assert.match((await bar.getAttribute("class")) ?? "", /bad/);
+  assert.equal(await bar.getAttribute("aria-label"), "19.920, from 19.950 to 20.050 is good");
+});

@@ -204,3 +204,58 @@ test("deviations are drawn ten and a hundred times as large, and not dragged the
   assert.equal(await button.count(), 0);
   assert.notEqual(await handle(), null, "a nominal part can be dragged again");
 });
+
+/** The ends of the dimensions' lines, in the window. */
+const lines = () =>
+  page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
+    const all = picture.drawing.use((/** @type {any} */ view) => view.dimensionLines());
+    return Object.fromEntries(
+      all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
+        field,
+        [
+          { x: box.x + x1, y: box.y + y1 },
+          { x: box.x + x2, y: box.y + y2 },
+        ],
+      ]),
+    );
+  });
+
+for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
+  ["internal-rectangle-protected", "cycle.width1", 1],
+  ["internal-rectangle-protected", "cycle.width2", 0],
+  ["hole", "cycle.diameter", 1],
+  ["web", "cycle.width", 0],
+]))
+  test(`the end of a dimension stays under the pointer that drags it: ${path} of ${type}`, async () => {
+    await page.evaluate((type) => /** @type {any} */ (document.querySelector("touch-path")).store.choose(type), type);
+    const [a, b] = (await lines())[path];
+    const [from, other] = end === 1 ? [b, a] : [a, b];
+    const before = Number(await field(path).inputValue());
+    // Outwards along the line, and a little beside it.
+    const length = Math.hypot(from.x - other.x, from.y - other.y);
+    const way = { x: ((from.x - other.x) / length) * 30, y: ((from.y - other.y) / length) * 30 };
+    await drag({ x: from.x + 2, y: from.y - 1 }, way.x, way.y, 6);
+    const after = Number(await field(path).inputValue());
+    assert.ok(after > before, `${after} > ${before}`);
+    const now = (await lines())[path][end];
+    // A value is as exact as a pixel; beside its own direction a line makes room for what grows.
+    const off = ((now.x - from.x - way.x) * way.x + (now.y - from.y - way.y) * way.y) / 30;
+    assert.ok(Math.abs(off) < 1.6, JSON.stringify({ from, way, now }));
+    await page.mouse.up();
+    // One step back, and the picture may be fitted again.
+    await page.keyboard.press("Control+z");
+    assert.equal(Number(await field(path).inputValue()), before);
+  });
+
+test("a dimension that only looks is not dragged, and a click on its end changes nothing", async () => {
+  const [, end] = (await lines())["cycle.width1"];
+  await page.mouse.click(end.x, end.y);
+  assert.equal(await field("cycle.width1").inputValue(), "80");
+  await page.evaluate(() => document.querySelector("touch-path")?.toggleAttribute("readonly", true));
+  await drag(end, 30, 0, 3);
+  await page.mouse.up();
+  assert.equal(await field("cycle.width1").inputValue(), "80");
+});

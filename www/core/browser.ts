@@ -36,6 +36,12 @@ export class View extends raw.View {
     return this.showLentoaxCoded(codes, text);
   }
 
+  /** The lines of the dimensions of another job, as they would be seen here: `[field, x, y, x, y]` each. Nothing for a job with errors. */
+  dimensionLinesOf(job: unknown): [string, number, number, number, number][] {
+    const { codes, text } = coded(job);
+    return this.dimensionLinesCoded(codes, text) as [string, number, number, number, number][];
+  }
+
   /** Nothing is left to free of a View whose instance is gone. */
   override free(): void {
     instance.ready();

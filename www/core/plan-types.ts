@@ -89,6 +89,8 @@ export interface ResultRow {
   deviation: number | null;
   /** One sigma of the value. */
   uncertainty: number | null;
+  /** Lower and upper limit, where a tolerance is given. */
+  limits: [number, number] | null;
   /** Good, rework or scrap, where a tolerance is given. */
   verdict: string | null;
   /** What is true of the virtual part, where there is one. */

@@ -155,6 +155,7 @@ function result(r: Reader): ResultRow {
   const meaning = r.said();
   const unit = r.word(UNITS);
   const [nominal, value, deviation, uncertainty] = [r.optional(), r.optional(), r.optional(), r.optional()];
+  const [low, high] = [r.optional(), r.optional()];
   const verdict = r.saidOrNone();
   const truth = r.optional();
   const note = r.saidOrNone();
@@ -166,6 +167,7 @@ function result(r: Reader): ResultRow {
     value,
     deviation,
     uncertainty,
+    limits: low === null || high === null ? null : [low, high],
     verdict: verdict && say(verdict),
     truth,
     note: note && say(note),

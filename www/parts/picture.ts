@@ -1,11 +1,25 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { Vec3 } from "../core/browser.js";
+import type { Vec3, View } from "../core/browser.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
 const SPEEDS = [1, 4, 16] as const;
+/** A dimension's line: the path of its field, and the pixels of its ends. */
+type Line = [string, number, number, number, number];
 /** How many times as large as they are deviations can be drawn. */
 const MAGNIFIED = [1, 10, 100] as const;
+
+/** The end of a dimension's line, and where it moves as its value grows: pixels a unit. */
+interface End {
+  field: string;
+  value: number;
+  /** Where the pointer gripped it. */
+  at: { x: number; y: number };
+  slope: { x: number; y: number };
+}
+
+/** How near to the end of a dimension's line it is gripped, pixels. */
+const NEAR = 12;
 
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
@@ -18,6 +32,8 @@ class PicturePart extends DrawnPart {
   private pointers = new Map<number, { x: number; y: number }>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
+  /** The end of a dimension that is dragged. */
+  private end: End | null = null;
   private dragged = false;
   /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
   private times: Float64Array = new Float64Array();
@@ -268,18 +284,20 @@ class PicturePart extends DrawnPart {
     this.drawing?.use((view) => {
       const handle = this.store.readonly ? undefined : view.handleAt(at.x, at.y);
       const [x, y] = (handle && view.handleSpot(handle)) || [];
-      if (!handle || x === undefined || y === undefined) return;
-      this.grip = { handle, x: at.x - x, y: at.y - y };
-      view.hold(true);
+      if (handle && x !== undefined && y !== undefined) this.grip = { handle, x: at.x - x, y: at.y - y };
+      else this.end = this.store.readonly ? null : this.gripped(view, at);
+      if (this.grip || this.end) view.hold(true);
     });
     // Messages that come and go must not move the canvas under the pointer.
-    if (this.grip) this.frame().style.cssText = `flex: none; height: ${this.frame().getBoundingClientRect().height}px`;
+    if (this.grip || this.end)
+      this.frame().style.cssText = `flex: none; height: ${this.frame().getBoundingClientRect().height}px`;
   }
 
   /** The handle is let go. */
   private release(): void {
-    if (!this.grip) return;
+    if (!this.grip && !this.end) return;
     this.grip = null;
+    this.end = null;
     this.store.settle();
     this.frame().style.cssText = "";
     this.drawing?.use((view) => view.hold(false));
@@ -291,7 +309,8 @@ class PicturePart extends DrawnPart {
     if (!before) {
       this.drawing?.use((view) => {
         const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
-        this.canvas().style.cursor = view.handleAt(at.x, at.y) ? "grab" : over;
+        const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.endAt(view, at));
+        this.canvas().style.cursor = grips ? "grab" : over;
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;
@@ -306,6 +325,8 @@ class PicturePart extends DrawnPart {
           view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
         });
       }
+    } else if (this.end) {
+      if (this.dragged) this.stretch(this.end, at);
     } else if (this.grip) {
       this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
     } else if (this.dragged) {
@@ -314,6 +335,52 @@ class PicturePart extends DrawnPart {
       return;
     }
     this.pointers.set(event.pointerId, at);
+  }
+
+  /** The end of a dimension's line at a pixel: its field, and which end it is. */
+  private endAt(view: View, at: { x: number; y: number }): { field: string; index: 0 | 1 } | null {
+    if (this.look === "isometric") return null;
+    for (const [field, ...line] of view.dimensionLines() as Line[])
+      for (const index of [1, 0] as const) {
+        const [x, y] = line.slice(2 * index) as [number, number];
+        if (Math.hypot(x - at.x, y - at.y) <= NEAR) return { field, index };
+      }
+    return null;
+  }
+
+  /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
+  private gripped(view: View, at: { x: number; y: number }): End | null {
+    const end = this.endAt(view, at);
+    const value = end && this.store.get(end.field);
+    if (!end || typeof value !== "number" || this.store.stale) return null;
+    // Where the end lies with a value a little larger: the job itself knows how its dimensions hang together.
+    const more = Math.max(Math.abs(value) * 0.01, this.store.units === "inch" ? 0.004 : 0.1);
+    const job = structuredClone(this.store.draft);
+    const [section, key] = end.field.split(".") as [string, string];
+    (job[section] as Record<string, unknown>)[key] = value + more;
+    const line = (lines: Line[]) => lines.find(([field]) => field === end.field);
+    const [now, then] = [line(view.dimensionLines() as Line[]), line(view.dimensionLinesOf(job))];
+    if (!now || !then) return null;
+    const along = { x: now[3] - now[1], y: now[4] - now[2] };
+    const length = Math.hypot(along.x, along.y);
+    const [x, y] = [1 + 2 * end.index, 2 + 2 * end.index] as [1 | 3, 2 | 4];
+    // Beside its own direction a line only makes room for others.
+    const moved = ((then[x] - now[x]) * along.x + (then[y] - now[y]) * along.y) / length / more;
+    if (!(Math.abs(moved) > 0.05)) return null;
+    return { field: end.field, value, at, slope: { x: (moved * along.x) / length, y: (moved * along.y) / length } };
+  }
+
+  /** The end of a dimension is dragged: it stays under the pointer, and the value is as exact as a pixel. */
+  private stretch({ field, value, at: from, slope }: End, at: { x: number; y: number }): void {
+    const square = slope.x ** 2 + slope.y ** 2;
+    const change = ((at.x - from.x) * slope.x + (at.y - from.y) * slope.y) / square;
+    const step = 10 ** Math.floor(-Math.log10(Math.sqrt(square)));
+    const entry = this.store.fieldAt(field);
+    const scale = this.store.units === "inch" ? 25.4 : 1;
+    const [least, most] = (entry?.range ?? [-Infinity, Infinity]).map((end) => end / scale) as [number, number];
+    const rounded = Math.round((value + change) / step) * step;
+    const within = Math.min(most, Math.max(least + (entry?.above ? step : 0), rounded));
+    this.store.set(field, Number(within.toFixed(6)));
   }
 
   /** A handle is dragged: the form follows. */
@@ -338,7 +405,8 @@ class PicturePart extends DrawnPart {
   private up(event: PointerEvent): void {
     const at = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
-    const axis = at && !this.dragged && !this.grip ? this.drawing?.use((view) => view.axisAt(at.x, at.y)) : undefined;
+    const axis =
+      at && !this.dragged && !this.grip && !this.end ? this.drawing?.use((view) => view.axisAt(at.x, at.y)) : undefined;
     if (axis) this.turn(axis as (typeof VIEWS)[number]);
     else if (at && !this.dragged && !this.grip) {
       const field = this.drawing?.use((view) => view.dimensionAt(at.x, at.y));

@@ -62,7 +62,7 @@ class SheetPart extends Part {
           <tbody>${plan.results.map(
             (
               r,
-            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}</td><td class="n">${number(r.value)}</td>
+            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${number(r.value)}</td>
               <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
           )}</tbody>
         </table>

@@ -35,6 +35,7 @@ fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: b
     const LIMIT: f64 = 1e-6;
     let Some((low, high)) = value.limits else { return true };
     let Some(row) = rows.iter_mut().find(|r| r.code == code) else { return true };
+    row.limits = Some((low, high));
     let Some(measured) = row.value else { return false };
     let verdict = if measured < low - LIMIT {
         if size && hole { 1 } else { 2 }
@@ -144,6 +145,7 @@ fn row(code: &str, meaning: &'static str, unit: Unit, value: f64) -> ResultRow {
         value: Some(value),
         deviation: None,
         uncertainty: None,
+        limits: None,
         verdict: None,
         truth: None,
     }
