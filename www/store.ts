@@ -87,6 +87,8 @@ export class Store extends EventTarget {
   findings: Finding[] = [];
   /** The last good plan. */
   plan!: Plan;
+  /** The program that was saved last. */
+  saved: string | null = null;
   /** Counts the forms that were computed: another number is another form, also where it has errors. */
   revision = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */

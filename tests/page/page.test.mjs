@@ -628,3 +628,71 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   assert.match((await bar.getAttribute("class")) ?? "", /bad/);
   assert.equal(await bar.getAttribute("aria-label"), "19.920, from 19.950 to 20.050 is good");
 });
+
+/** Until something holds that no selector says. */
+async function settles(/** @type {() => Promise<boolean>} */ holds) {
+  for (let i = 0; i < 80; i++) {
+    if (await holds()) return;
+    await page.waitForTimeout(50);
+  }
+  assert.fail("it never holds");
+}
+
+test("the words of a program have colours, those of the program that is shown", async () => {
+  const coloured = (/** @type {string} */ kind) =>
+    page.evaluate((kind) => {
+      const ranges = /** @type {StaticRange[]} */ ([
+        .../** @type {any} */ (CSS.highlights.get(`touchpath-${kind}`) ?? []),
+      ]);
+      return ranges.map((range) => (range.startContainer.nodeValue ?? "").slice(range.startOffset, range.endOffset));
+    }, kind);
+  await settles(async () => (await coloured("code")).includes("G38.3"));
+  assert.ok((await coloured("variable")).includes("#5070"));
+  assert.ok((await coloured("comment")).some((text) => text === "(Job: PROBE)"));
+  // Those of another program take their place: nothing of the first is left.
+  await field("control.post").selectOption("sinumerik");
+  await settles(async () => (await coloured("code")).includes("STOPRE"));
+  assert.ok(!(await coloured("code")).includes("G38.3") && !(await coloured("variable")).includes("#5070"));
+  const count = (await coloured("code")).length;
+  await field("cycle.depth").fill("11");
+  await settles(async () => (await program()).includes("Z-11"));
+  await page.waitForTimeout(300);
+  assert.equal((await coloured("code")).length, count, "typing leaves none behind");
+});
+
+test("a program is compared with the one saved last and with that for another control", async () => {
+  const choice = page.getByLabel("Compare the program");
+  const shown = page.locator("tp-program .differences .line");
+  const texts = async (/** @type {string} */ kind) =>
+    page.locator(`tp-program .differences .${kind} .text`).allTextContents();
+  assert.ok(await choice.locator("option[value=saved]").isDisabled(), "nothing was saved yet");
+  const listed = () => page.locator("tp-program .code[role=listbox] .text").allTextContents();
+  const before = await listed();
+  const saved = page.waitForEvent("download");
+  await saveButton().click();
+  await saved;
+  await choice.selectOption("saved");
+  await shown.first().waitFor();
+  assert.deepEqual([await texts("more"), await texts("less")], [[], []]);
+  await field("cycle.width1").fill("82");
+  await settles(async () => (await texts("more")).length > 0);
+  const now = await listed();
+  const [more, less] = [await texts("more"), await texts("less")];
+  assert.ok(less.some((text) => /X42 /.test(text)) && more.some((text) => /X43 /.test(text)), `${less} ${more}`);
+  // Without the lines of the other, each program is whole.
+  const all = await page
+    .locator("tp-program .differences .line")
+    .evaluateAll((lines) => lines.map((line) => [line.className, line.querySelector(".text")?.textContent ?? ""]));
+  const without = (/** @type {string} */ kind) => all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
+  assert.deepEqual(without("less"), now);
+  assert.deepEqual(without("more"), before);
+  assert.match(await textOf(page.locator("tp-program .compared")), /^\d+ lines only here, \d+ lines only there$/);
+  // Another control: its own words are there.
+  await choice.selectOption("grbl");
+  await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
+  // Back to the program.
+  await choice.selectOption("");
+  await page.locator("tp-program .code[role=listbox]").waitFor();
+  assert.equal(await shown.count(), 0);
+  assert.deepEqual(await listed(), now);
+});

@@ -419,6 +419,7 @@ export class App extends LitElement {
     if (store.stale) return;
     const { text, post, extension } = store.plan.program;
     const name = store.fileName(extension);
+    store.saved = text;
     if (!this.around.host.tell("program-save", { name, text, post, extension })) return;
     download(text, name, "text/plain");
     this.renderRoot.querySelector<ProgramPart>("tp-program")?.tell(this.t("Saved {file}", name));

@@ -1,4 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { type Job, type Programmed, programs } from "../core/browser.js";
+import { Colours } from "./colours.js";
+import type { compare } from "./compare.js";
 import { copied, copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
@@ -17,6 +20,13 @@ class ProgramPart extends Part {
   /** The program that was saved or copied: what is said of it holds for no other. */
   private toldOf = "";
   private unfolded = false;
+  /** What the program is compared with: nothing, the one that was saved last, that for another control. */
+  private against = "";
+  /** Compares programs; loaded when it is wanted. */
+  private compares: typeof compare | null = null;
+  private readonly colours = new Colours();
+  /** The program whose words have their colours. */
+  private coloured = "";
   /** The words that are looked for, the lines that hold them, and which of these is shown. */
   private wanted = "";
   private found: number[] = [];
@@ -51,15 +61,21 @@ class ProgramPart extends Part {
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
-        <input class="filter" type="search" placeholder=${this.t("Find")} aria-label=${this.t("Find in the program")} @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
+        <input class="filter" ?hidden=${this.comparing} type="search" placeholder=${this.t("Find")} aria-label=${this.t("Find in the program")} @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
           @keydown=${(e: KeyboardEvent) => {
             if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
           }} />
         <span role="status" class="told found"></span>
-        ${head > 0 ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header, {count} lines", head)}</button>` : nothing}
+        <select class="compares" aria-label=${this.t("Compare the program")} @change=${this.choose}>
+          <option value="" ?selected=${this.against === ""}>${this.t("Compare with …")}</option>
+          <option value="saved" ?disabled=${this.store.saved === null} ?selected=${this.against === "saved"}>${this.t("the one saved last")}</option>
+          ${this.others().map((post) => html`<option value=${post.id} ?selected=${post.id === this.against}>${post.title}</option>`)}
+        </select>
+        ${head > 0 && !this.comparing ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header, {count} lines", head)}</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
-      <div class=${stale ? "code stale" : "code"} role="listbox" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
+      ${this.comparing ? this.differences() : nothing}
+      <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
@@ -73,9 +89,69 @@ class ProgramPart extends Part {
     `;
   }
 
+  /** Whether differences are shown in place of the program. */
+  private get comparing(): boolean {
+    return this.against !== "" && this.compares !== null;
+  }
+
+  /** The other controls that have a program for this cycle. */
+  private others() {
+    const { catalog, cycle, plan } = this.store;
+    const takes = (post: (typeof catalog.posts)[number]) =>
+      post.cycles.some((c) => c.type === cycle.type && c.supported);
+    return catalog.posts.filter((post) => post.id !== plan.program.post && takes(post));
+  }
+
+  private readonly choose = async (event: Event): Promise<void> => {
+    this.against = (event.target as HTMLSelectElement).value;
+    try {
+      if (this.against !== "") this.compares ??= (await import("./compare.js")).compare;
+    } catch {
+      this.against = "";
+      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
+    }
+    this.requestUpdate();
+  };
+
+  /** The program that this one is compared with, or why there is none. */
+  private other(): { text: string } | { why: string } {
+    const { store } = this;
+    if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
+    const post = store.catalog.posts.find((p) => p.id === this.against);
+    const form = post?.cycles.find((c) => c.type === store.cycle.type && c.supported)?.form ?? "moves";
+    const control = { ...(store.shown.control as object), post: this.against, form };
+    const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
+    const error = findings.find((f) => f.level === "error");
+    return program ? { text: program.text } : { why: error ? this.message(error) : "" };
+  }
+
+  /** Every line of both programs, told apart by a sign as well as by colour. */
+  private differences(): TemplateResult {
+    const other = this.other();
+    if ("why" in other || !this.compares) return html`<p class="problem">${"why" in other ? other.why : ""}</p>`;
+    const lines = this.compares(other.text, this.store.plan.program.text);
+    const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
+    const names = { " ": "", "-": this.t("not in this program"), "+": this.t("only in this program") };
+    return html`<p class="compared" role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</p>
+      <div class="code differences" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
+        ({ sign, text, line }) =>
+          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : line + 1}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
+      )}</div>`;
+  }
+
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
     if (this.wanted !== "") this.mark();
+    const { text } = this.store.plan.program;
+    if (text === this.coloured) return;
+    this.coloured = text;
+    this.colours.show(() => this.querySelectorAll(".line:not(.touch) .text"));
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.coloured = "";
+    this.colours.clear();
   }
 
   /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
