@@ -26,6 +26,12 @@ export async function keepOffline(ready: (take: () => void) => void): Promise<vo
   }
 }
 
+/** Has the worker keep the words of a language: the page that was opened first has loaded them without it. */
+export async function keepWords(language: string): Promise<void> {
+  const registration = await navigator.serviceWorker?.ready;
+  registration?.active?.postMessage({ words: language });
+}
+
 /** The address of the worker, as the page's policy asks for it. */
 function own(url: string): string {
   const types = (

@@ -1,6 +1,10 @@
 import "./element.js";
-import { keepOffline } from "./offline.js";
+import { keepOffline, keepWords } from "./offline.js";
 
 keepOffline((take) =>
   document.querySelector("touch-path")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
 );
+
+document
+  .querySelector("touch-path")
+  ?.addEventListener("speaks", (event) => keepWords((event as CustomEvent<string>).detail));

@@ -55,4 +55,11 @@ worker.addEventListener("fetch", (event) => {
 // The page asks for it when its user does: nothing changes under a job that is being typed.
 worker.addEventListener("message", (event) => {
   if (event.data === "take-over") event.waitUntil(worker.skipWaiting());
+  const file = WANTED.find((name) => name.startsWith(`assets/${event.data?.words}-`));
+  if (!file) return;
+  const keep = async () => {
+    const cache = await caches.open(CACHE);
+    if (!(await cache.match(file))) await cache.add(file);
+  };
+  event.waitUntil(keep());
 });

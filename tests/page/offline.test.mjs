@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { addressOf, serve } from "../../scripts/serve.mjs";
+import { wordsOf } from "../../scripts/words.mjs";
 import { context, field, more, page, problems, program, ready, saveButton, setUp } from "./common.mjs";
 
 setUp();
@@ -86,4 +87,29 @@ test("a newer version waits until its user takes it, and the job stays", async (
     rmSync(folder, { recursive: true });
   }
   assert.deepEqual(problems, []);
+});
+
+test("the language that was chosen is there without a network, and no other is loaded", async () => {
+  await kept();
+  /** @type {string[]} */
+  const asked = [];
+  context.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  const choose = async (/** @type {string} */ language) => {
+    await page.locator("button[popovertarget=menu]").click();
+    await page.locator("touch-path #lang").selectOption(language);
+  };
+  await choose("de");
+  const { Results: german } = wordsOf("de");
+  await page.getByRole("tab", { name: german }).waitFor();
+  assert.equal(asked.filter((path) => /\/(ru|zh-Hant)-[^/]+\.js$/.test(path)).length, 0, "words that are not wanted");
+  await context.setOffline(true);
+  await page.goto(new URL("./", page.url()).href);
+  await ready();
+  await page.getByRole("tab", { name: german }).waitFor();
+  // One that was never wanted is not there: the page says so, and keeps the one that is.
+  await choose("ru");
+  await page.locator("touch-path .note").waitFor();
+  await page.getByRole("tab", { name: german }).waitFor();
+  await context.setOffline(false);
+  assert.ok(problems.splice(0).length > 0, "the browser says, too, that a file did not come");
 });

@@ -487,6 +487,8 @@ export class App extends LitElement {
       if (lang !== this.language) return;
       this.store.speak(lang, words);
       this.lang = lang;
+      // The page keeps the words for when there is no network.
+      this.around.host.dispatchEvent(new CustomEvent("speaks", { detail: lang }));
       this.requestUpdate();
     } catch {
       this.tell(this.t("This part of the page could not be loaded: is there a network?"));
