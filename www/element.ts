@@ -276,8 +276,8 @@ export class TouchPath extends Base {
       store.clear();
       this.shadow.adoptedStyleSheets = [styles];
       const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
-      // The words are there before anything is shown.
-      await app.speak();
+      // The words are there before anything is shown; where they do not come, English is shown until they do.
+      await Promise.race([app.speak(), new Promise((done) => setTimeout(done, 3000))]);
       this.app = app;
       this.dress();
       this.shadow.replaceChildren(app);

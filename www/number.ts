@@ -18,18 +18,20 @@ const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   none: [],
 };
 
-/** `1-1/2` is one and a half on a drawing and a half as a sum, `1,000` is a thousand to some: neither is guessed. */
-const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+|^[+-]?\d{1,3}(,000)+(?!\d)/;
+/** `1-1/2` is one and a half on a drawing and a half as a sum: it is not guessed. */
+const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+/;
+/** `1,000` is a thousand to some, where the decimal sign is a point. */
+const THOUSANDS = /^[+-]?\d{1,3}(,000)+(?!\d)/;
 
 /** Longer texts are no sums. */
 const LONGEST = 200;
 
 /**
  * The number that a text says, in the job's units: `80,5`, `−40`, `80/2+0.5`, `1 1/2`, `3.15 in`. What says none stays
- * text, and the check will say so.
+ * text, and the check will say so. `comma`: the language writes decimals with one.
  */
-export function readNumber(text: string, unit: Unit = "none", units: Units = "mm"): number | string {
-  if (text.length > LONGEST || AMBIGUOUS.test(text.trim())) return text;
+export function readNumber(text: string, unit: Unit = "none", units: Units = "mm", comma = false): number | string {
+  if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || (!comma && THOUSANDS.test(text.trim()))) return text;
   let rest = text.trim().replaceAll("−", "-");
   let given: Units | null = null;
   for (const [pattern, of] of SUFFIXES[unit]) {

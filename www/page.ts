@@ -5,6 +5,8 @@ keepOffline((take) =>
   document.querySelector("touch-path")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
 );
 
-document
-  .querySelector("touch-path")
-  ?.addEventListener("speaks", (event) => keepWords((event as CustomEvent<string>).detail));
+document.querySelector("touch-path")?.addEventListener("speaks", (event) => {
+  const { detail } = event as CustomEvent<string>;
+  document.documentElement.lang = detail;
+  keepWords(detail);
+});

@@ -154,7 +154,12 @@ export class Store extends EventTarget {
 
   /** A decimal number as this language writes it. */
   number(text: string): string {
-    return this.words["0.5"] === "0,5" ? text.replace(".", ",") : text;
+    return this.comma ? text.replace(".", ",") : text;
+  }
+
+  /** Whether this language writes decimals with a comma. */
+  get comma(): boolean {
+    return this.words["0.5"] === "0,5";
   }
 
   /** Why something was refused, in the language that is spoken. */

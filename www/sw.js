@@ -46,7 +46,10 @@ worker.addEventListener("fetch", (event) => {
     const kept = await cache.match(asked, { ignoreSearch: true });
     if (kept) return kept;
     const response = await fetch(event.request);
-    if (response.ok && WANTED.some((file) => url.pathname === PAGE + file)) await cache.put(event.request, response.clone());
+    if (response.ok && WANTED.some((file) => url.pathname === PAGE + file)) {
+      // Where there is no room, it is loaded again the next time.
+      event.waitUntil(cache.put(event.request, response.clone()).catch(() => undefined));
+    }
     return response;
   };
   event.respondWith(answer());

@@ -557,3 +557,36 @@ test("elements speak the language that they are given, or that of what is around
   );
   assert.equal(await tab("around"), ru);
 });
+
+test("the language that is wanted last is spoken, however slow the words of the one before are", async () => {
+  await page?.close();
+  await open("<main></main>");
+  await page.route(/\/de\.js$/, async (route) => {
+    await new Promise((done) => setTimeout(done, 700));
+    await route.continue();
+  });
+  await page.evaluate(async () => {
+    const element = /** @type {any} */ (document.createElement("touch-path"));
+    element.lang = "de";
+    document.querySelector("main")?.append(element);
+    await new Promise((done) => setTimeout(done, 250));
+    element.lang = "ru";
+    await element.ready;
+  });
+  const ru = wordsOf("ru").Checks;
+  await page.waitForFunction(
+    (ru) => document.querySelector("touch-path")?.shadowRoot?.querySelector("#tab-checks")?.textContent === ru,
+    ru,
+  );
+  // Inside a shadow root of the host's own, the language of the page around is meant.
+  const german = await page.evaluate(async () => {
+    const host = document.createElement("div");
+    host.lang = "de-DE";
+    document.body.append(host);
+    const element = /** @type {any} */ (document.createElement("touch-path"));
+    host.attachShadow({ mode: "open" }).append(element);
+    await element.ready;
+    return element.shadowRoot.querySelector("#tab-checks").textContent;
+  });
+  assert.equal(german, wordsOf("de").Checks);
+});

@@ -143,6 +143,39 @@ test("numbers are written as the language does, typed in either way, and unchang
   assert.equal(await inside("tp-results .problem").count(), 0);
 });
 
+test("in a language with a comma a field that is only looked at stays as it is, and what the page prints can be typed", async () => {
+  await openIn("de");
+  await put("cycle.width1", 70.25);
+  const width = field("cycle.width1");
+  await width.focus();
+  await width.press("Escape");
+  assert.equal(await width.inputValue(), "70,25");
+  await width.fill("80,000");
+  assert.equal(
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job.cycle.width1),
+    80,
+  );
+  // What a user wrote is quoted as it was written.
+  await put("plane", "1.5");
+  assert.match(await textOf(inside("tp-findings .verdict")), /"1\.5"/);
+});
+
+test("where nothing can be kept, a language is spoken as long as the page is there", async () => {
+  await page.addInitScript(() => {
+    const refuse = () => {
+      throw new DOMException("no storage", "SecurityError");
+    };
+    Object.defineProperty(window, "localStorage", { get: refuse });
+    Object.defineProperty(window, "sessionStorage", { get: refuse });
+  });
+  await page.reload();
+  await ready();
+  await page.locator("button[popovertarget=menu]").click();
+  await inside("#lang").selectOption("de");
+  await page.getByRole("tab", { name: wordsOf("de").Program }).waitFor();
+  assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
+});
+
 test("a language is chosen by hand, and kept", async () => {
   await page.getByRole("button", { name: "More" }).click();
   await inside("#lang").selectOption("ru");

@@ -613,7 +613,7 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   await page.getByRole("tab", { name: "Results" }).click();
   const bar = page.locator("tp-results .band");
   assert.equal(await bar.count(), 1);
-  assert.equal(await bar.getAttribute("aria-label"), "20.000, from 19.950 to 20.050 is good");
+  assert.equal(await bar.getAttribute("aria-label"), "20.000, limits 19.950 and 20.050: good");
   assert.equal(Number(await bar.locator("circle").getAttribute("cx")), 50, "the nominal size is in the middle");
   const spread = async () =>
     Number(await bar.locator("line").getAttribute("x2")) - Number(await bar.locator("line").getAttribute("x1"));
@@ -626,7 +626,7 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   // 0.03 below the limit, where 0.1 are 50 wide.
   assert.ok(Math.abs(Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15)) < 0.5);
   assert.match((await bar.getAttribute("class")) ?? "", /bad/);
-  assert.equal(await bar.getAttribute("aria-label"), "19.920, from 19.950 to 20.050 is good");
+  assert.equal(await bar.getAttribute("aria-label"), "19.920, limits 19.950 and 20.050: rework");
 });
 
 /** Until something holds that no selector says. */

@@ -16,6 +16,8 @@ const NAME = /\{([A-Za-z0-9_]+)\}/g;
 /** A number, and a unit behind it. */
 const NUMBER = /^([+-]?\d+)\.(\d+)( ?(?:mm|inch|°)(?:\/min)?)?$/;
 
+const QUOTES = "\"“”„«»「」‘’'";
+
 /** A number as the words write it; any other text as it is. */
 const written = (text: string, words: Words) => (words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text);
 
@@ -26,8 +28,11 @@ export function say(said: Said, words: Words = {}): string {
   for (const [, name] of template.matchAll(NAME)) if (!names.includes(name as string)) names.push(name as string);
   // What hangs on the prototype of an object is no word.
   const known = Object.hasOwn(words, template) ? (words[template] as string) : template;
-  return known.replace(NAME, (all, name: string) => {
+  return known.replace(NAME, (all, name: string, at: number) => {
     const value = values[names.indexOf(name)];
-    return value === undefined ? all : typeof value === "string" ? written(value, words) : say(value, words);
+    if (value === undefined) return all;
+    if (typeof value !== "string") return say(value, words);
+    // What stands in quotes is somebody's own text: a line of a program, a name.
+    return QUOTES.includes(known[at - 1] ?? " ") ? value : written(value, words);
   });
 }

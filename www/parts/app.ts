@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { type Job, svg, version } from "../core/browser.js";
+import { type Job, type Said, svg, version } from "../core/browser.js";
 import type { PanelName, TouchPath } from "../element.js";
 import { keepLanguage, keepTheme, keptLanguage, keptTheme } from "../keep.js";
 import { toFragment } from "../share.js";
@@ -98,7 +98,10 @@ export class App extends LitElement {
   private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  private told: string;
+  /** What is said above the job. */
+  private told: Said | null;
+  /** The language that was chosen here. */
+  private chosen = keptLanguage();
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
@@ -114,9 +117,9 @@ export class App extends LitElement {
     private readonly around: Around,
   ) {
     super();
-    this.told = store.notice ? store.say(store.notice) : "";
+    this.told = store.notice;
     this.intake = new Intake(store, {
-      tell: (text) => this.tell(text),
+      tell: (text) => this.tell(text === "" ? null : [text]),
       showJob: () => this.use("cycles"),
       showMoves: (viewed) => {
         this.viewed = viewed;
@@ -155,6 +158,8 @@ export class App extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    // It may stand in another language's place now.
+    if (this.hasUpdated) this.speak();
     this.measure();
     this.observer.observe(this);
     const { intake } = this;
@@ -202,7 +207,7 @@ export class App extends LitElement {
       </header>
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Take it")}</button> ${this.t("The job stays.")}</p>` : nothing}
-      ${this.told ? html`<p class="note" role="status">${this.told} <button type="button" @click=${() => this.tell("")}>OK</button></p>` : nothing}
+      ${this.told ? html`<p class="note" role="status">${this.store.say(this.told)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.pasting
           ? html`<section class="paste" aria-label=${this.t("Paste")}>
@@ -373,7 +378,7 @@ export class App extends LitElement {
       await this.updateComplete;
       return true;
     } catch {
-      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
+      this.tell([w("This part of the page could not be loaded: is there a network?")]);
       return false;
     }
   }
@@ -434,7 +439,7 @@ export class App extends LitElement {
   private savePicture(): void {
     const { store } = this;
     if (store.withheld !== null) {
-      this.tell(this.t("No picture to save while the form has an error: {why}", store.withheld));
+      this.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
       return;
     }
     const from = this.renderRoot.querySelector<PicturePart>("tp-picture")?.from ?? "top";
@@ -445,14 +450,12 @@ export class App extends LitElement {
     if (!this.around.links) return;
     const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
     if (fragment === null) {
-      this.tell(this.t("This job is too long for a link: save it as a file instead"));
+      this.tell([w("This job is too long for a link: save it as a file instead")]);
       return;
     }
     const link = new URL(fragment, location.href).href;
     const done = await copy(link);
-    this.tell(
-      done ? this.t("A link to this job was copied. The job is in the link itself: no server keeps it.") : link,
-    );
+    this.tell(done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link]);
   }
 
   /** Light or dark: what the page around wants, or the system. */
@@ -473,8 +476,13 @@ export class App extends LitElement {
     const { host, local } = this.around;
     const own = languageOf([host.lang].filter(Boolean));
     if (own) return own;
-    if (local) return languageOf([keptLanguage() ?? "", ...navigator.languages]) ?? "en";
-    return languageOf([host.closest<HTMLElement>("[lang]")?.lang ?? ""]) ?? "en";
+    if (local) return languageOf([this.chosen ?? "", ...navigator.languages]) ?? "en";
+    let around: Element | null = host;
+    while (around && !(around as HTMLElement).lang) {
+      const root: Node = around.getRootNode();
+      around = around.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
+    }
+    return languageOf([(around as HTMLElement | null)?.lang ?? ""]) ?? "en";
   }
 
   /** Speaks the language that is wanted; its words are loaded first. Where they cannot be had, the one before stays. */
@@ -484,22 +492,28 @@ export class App extends LitElement {
     if (lang === this.store.lang) return;
     try {
       const words = await wordsOf(lang);
-      if (lang !== this.language) return;
+      // Another one was asked for meanwhile.
+      if (lang !== this.language) return this.speak();
       this.store.speak(lang, words);
       this.lang = lang;
       // The page keeps the words for when there is no network.
       this.around.host.dispatchEvent(new CustomEvent("speaks", { detail: lang }));
       this.requestUpdate();
     } catch {
-      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
+      if (lang !== this.language) return this.speak();
+      this.tell([w("This part of the page could not be loaded: is there a network?")]);
+      const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
+      if (choice) choice.value = this.store.lang;
+      this.chosen = this.store.lang;
     }
   }
 
-  private readonly chooseLanguage = (event: Event): void => {
+  private readonly chooseLanguage = async (event: Event): Promise<void> => {
     const lang = (event.target as HTMLSelectElement).value;
-    if (this.around.local) keepLanguage(lang);
+    this.chosen = lang;
     if (this.around.host.lang || !this.around.local) this.around.host.lang = lang;
-    this.speak();
+    await this.speak();
+    if (this.around.local && this.store.lang === lang) keepLanguage(lang);
   };
 
   private t(template: string, ...values: (string | number)[]): string {
@@ -523,8 +537,8 @@ export class App extends LitElement {
     if (this.intake.text(text)) this.paste(false);
   }
 
-  private tell(text: string): void {
-    this.told = text;
+  private tell(said: Said | null): void {
+    this.told = said;
     this.requestUpdate();
   }
 }

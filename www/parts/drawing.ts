@@ -10,7 +10,7 @@ export function label(view: View, store: Store): void {
   view.setLabels(
     fields.map(({ key }) => `cycle.${key}`),
     fields.map((field) => field.label),
-    store.number("0.5") !== "0.5",
+    store.comma,
   );
 }
 

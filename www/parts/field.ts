@@ -36,7 +36,7 @@ export abstract class FieldPart extends Part {
         aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text}
         @focus=${(e: Event) => {
           (e.target as HTMLInputElement).select();
-          this.entry = this.store.typed.get(path) ?? this.store.get(path);
+          this.entry = (e.target as HTMLInputElement).value;
           this.store.focus(path);
         }}
         @blur=${() => this.accept(path)}
@@ -47,13 +47,13 @@ export abstract class FieldPart extends Part {
   }
 
   /** What the field that has the focus held when it got it. */
-  private entry: unknown;
+  private entry: string | undefined;
 
   /** A nominal value may carry a tolerance (`20+0.1-0.1`): it is no sum. */
   private typed(field: FieldEntry, path: string, text: string): void {
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const plain = words && isWorkedOut(text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""));
-    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units), text);
+    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units, this.store.comma), text);
   }
 
   /** A sum shows what it comes to; what is no number stays as it was typed. */
@@ -72,9 +72,9 @@ export abstract class FieldPart extends Part {
       this.accept(path);
       box.select();
       box.dispatchEvent(new CustomEvent("entered", { bubbles: true, detail: box }));
-    } else if (event.key === "Escape" && this.entry !== undefined && String(this.entry) !== box.value) {
+    } else if (event.key === "Escape" && this.entry !== undefined && this.entry !== box.value) {
       event.stopPropagation();
-      this.typed(field, path, String(this.entry));
+      this.typed(field, path, this.entry);
       this.accept(path);
       this.updateComplete.then(() => box.select());
     } else if (step && typeof value === "number" && !event.ctrlKey && !event.altKey && !event.metaKey) {

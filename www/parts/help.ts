@@ -16,6 +16,9 @@ class HelpPart extends Part {
     const stand = this.store.standIn(entry);
     const standing = Array.isArray(stand) ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)] : stand;
     const value = this.store.get(focused);
+    const choice = entry.choices.find((c) => c.value === standing)?.label;
+    const flag = standing === true ? this.t("on") : this.t("off");
+    const shown = choice ?? (typeof standing === "boolean" ? flag : this.store.number(String(standing)));
     const other = standing !== null && standing !== undefined && value !== standing && entry.kind !== "text";
     const span = (ends: unknown) =>
       Array.isArray(ends)
@@ -33,7 +36,7 @@ class HelpPart extends Part {
           ? found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)
           : html`<p class="help">${help}${usually}${
               other
-                ? html` ${this.t("Default {value}", this.store.number(String(standing)))} <button type="button" class="quiet" aria-label=${this.t("{label}: back to its default, {value}", label, this.store.number(String(standing)))}
+                ? html` ${this.t("Default {value}", shown)} <button type="button" class="quiet" aria-label=${this.t("{label}: back to its default, {value}", label, shown)}
                     @click=${() => this.store.put(focused, standing)}>↺</button>`
                 : nothing
             }</p>`

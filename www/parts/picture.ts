@@ -58,7 +58,7 @@ class PicturePart extends DrawnPart {
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
-          @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.drawing?.key(e))}></canvas>
+          @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         ${stale ? html`<p class="stamp" role="status">${this.live ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
       </div>
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
@@ -326,6 +326,8 @@ class PicturePart extends DrawnPart {
         });
       }
     } else if (this.end) {
+      // Measured from where it was gripped: a slow drag is one, too.
+      this.dragged ||= Math.hypot(at.x - this.end.at.x, at.y - this.end.at.y) > 2;
       if (this.dragged) this.stretch(this.end, at);
     } else if (this.grip) {
       this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
@@ -339,27 +341,35 @@ class PicturePart extends DrawnPart {
 
   /** The end of a dimension's line at a pixel: its field, and which end it is. */
   private endAt(view: View, at: { x: number; y: number }): { field: string; index: 0 | 1 } | null {
-    if (this.look === "isometric") return null;
-    for (const [field, ...line] of view.dimensionLines() as Line[])
-      for (const index of [1, 0] as const) {
+    if (this.look === "isometric" || (this.store.stale && !this.live)) return null;
+    const ends = (view.dimensionLines() as Line[]).flatMap(([field, ...line]) =>
+      ([0, 1] as const).map((index) => {
         const [x, y] = line.slice(2 * index) as [number, number];
-        if (Math.hypot(x - at.x, y - at.y) <= NEAR) return { field, index };
-      }
-    return null;
+        return { field, index, far: Math.hypot(x - at.x, y - at.y) };
+      }),
+    );
+    const near = ends.filter(({ field, far }) => far <= NEAR && typeof this.store.get(field) === "number");
+    return near.sort((a, b) => a.far - b.far)[0] ?? null;
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
   private gripped(view: View, at: { x: number; y: number }): End | null {
     const end = this.endAt(view, at);
     const value = end && this.store.get(end.field);
-    if (!end || typeof value !== "number" || this.store.stale) return null;
-    // Where the end lies with a value a little larger: the job itself knows how its dimensions hang together.
-    const more = Math.max(Math.abs(value) * 0.01, this.store.units === "inch" ? 0.004 : 0.1);
-    const job = structuredClone(this.store.draft);
+    if (!end || typeof value !== "number") return null;
+    // Where the end lies with a value a little larger, or smaller where that is none: the job itself knows how its dimensions hang together.
+    const little = Math.max(Math.abs(value) * 0.01, this.store.units === "inch" ? 0.004 : 0.1);
     const [section, key] = end.field.split(".") as [string, string];
-    (job[section] as Record<string, unknown>)[key] = value + more;
     const line = (lines: Line[]) => lines.find(([field]) => field === end.field);
-    const [now, then] = [line(view.dimensionLines() as Line[]), line(view.dimensionLinesOf(job))];
+    const other = (change: number) => {
+      const job = structuredClone(this.store.draft);
+      (job[section] as Record<string, unknown>)[key] = value + change;
+      return line(view.dimensionLinesOf(job));
+    };
+    const now = line(view.dimensionLines() as Line[]);
+    const larger = other(little);
+    const then = larger ?? other(-little);
+    const more = larger ? little : -little;
     if (!now || !then) return null;
     const along = { x: now[3] - now[1], y: now[4] - now[2] };
     const length = Math.hypot(along.x, along.y);
@@ -421,7 +431,7 @@ class PicturePart extends DrawnPart {
   }
 
   protected override wheel(event: WheelEvent): void {
-    if (this.grip) event.preventDefault();
+    if (this.grip || this.end) event.preventDefault();
     else super.wheel(event);
   }
 }

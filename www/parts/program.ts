@@ -75,7 +75,7 @@ class ProgramPart extends Part {
       </div>
       ${withheld(this.store, "withheld-program")}
       ${this.comparing ? this.differences() : nothing}
-      <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
+      <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" lang="en" translate="no" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
         @mouseleave=${() => this.store.point(null)}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
@@ -133,7 +133,7 @@ class ProgramPart extends Part {
     const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
     const names = { " ": "", "-": this.t("not in this program"), "+": this.t("only in this program") };
     return html`<p class="compared" role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</p>
-      <div class="code differences" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
+      <div class="code differences" lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
         ({ sign, text, line }) =>
           html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : line + 1}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
       )}</div>`;

@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { evaluate, type Finding, type Job, JobError, type ResultRow } from "../core/browser.js";
+import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -99,18 +99,15 @@ class ResultsPart extends Part {
 
   /** A value within its limits: the middle half of the bar is good, the whisker is ± 2σ. What lies far out stands at the edge. */
   private bar(r: ResultRow): TemplateResult | typeof nothing {
-    const { limits, value, uncertainty } = r;
+    const { limits, value, uncertainty, said } = r;
     if (!limits || value === null) return nothing;
     const [low, high] = limits;
     const digits = places(r.unit);
     const at = (x: number) => Math.max(3, Math.min(97, 25 + (50 * (x - low)) / Math.max(high - low, 1e-9)));
     const spread = 2 * (uncertainty ?? 0);
-    const says = this.t(
-      "{value}, from {min} to {max} is good",
-      this.number(value, digits),
-      this.number(low, digits),
-      this.number(high, digits),
-    );
+    const bounds = [this.number(low, digits), this.number(high, digits)] as const;
+    const verdict: Said = said.verdict ?? ["–"];
+    const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
     return html`<svg class=${/^(rework|scrap)/.test(r.verdict ?? "") ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg>`;
@@ -119,7 +116,7 @@ class ResultsPart extends Part {
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span>${this.bar(r)}</td>`;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span>${this.bar(own ?? r)}</td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`

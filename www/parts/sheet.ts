@@ -9,7 +9,7 @@ class SheetPart extends Part {
   protected override follows = ["change"];
   private drawing?: Drawing;
   /** What was drawn on, and the form that was drawn. */
-  private drawn: { canvas?: HTMLCanvasElement; revision: number } = { revision: -1 };
+  private drawn: { canvas?: HTMLCanvasElement; form: string } = { form: "" };
   /** The hash of the program that is on the sheet. */
   private hash = { of: "", hex: "" };
 
@@ -92,7 +92,7 @@ class SheetPart extends Part {
     this.store.removeEventListener("recolour", this.dress);
     this.drawing?.free();
     this.drawing = undefined;
-    this.drawn = { revision: -1 };
+    this.drawn = { form: "" };
   }
 
   override connectedCallback(): void {
@@ -112,12 +112,13 @@ class SheetPart extends Part {
   protected override updated(): void {
     const canvas = this.querySelector("canvas");
     if (!canvas) return;
+    const form = `${this.store.revision} ${this.store.lang}`;
     // With an error in the form the canvas goes, and with it what drew on it.
     if (this.drawn.canvas !== canvas) {
       this.drawing?.free();
       this.drawing = new Drawing(canvas, (view) => this.show(view));
-    } else if (this.drawn.revision !== this.store.revision) this.drawing?.use((view) => this.show(view));
-    this.drawn = { canvas, revision: this.store.revision };
+    } else if (this.drawn.form !== form) this.drawing?.use((view) => this.show(view));
+    this.drawn = { canvas, form };
     this.drawing?.dress();
     const { text } = this.store.plan.program;
     if (this.hash.of !== text) this.sum(text);

@@ -31,7 +31,7 @@ class ViewerPart extends DrawnPart {
         <p>${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>
         ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>
-      <pre class="code" tabindex="0" aria-label=${this.t("The program")}>${this.viewed.text}</pre>
+      <pre class="code" lang="en" translate="no" tabindex="0" aria-label=${this.t("The program")}>${this.viewed.text}</pre>
     `;
   }
 
