@@ -108,15 +108,16 @@ class ResultsPart extends Part {
     const bounds = [this.number(low, digits), this.number(high, digits)] as const;
     const verdict: Said = said.verdict ?? ["–"];
     const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
-    return html`<svg class=${/^(rework|scrap)/.test(r.verdict ?? "") ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
+    const bad = /^(rework|scrap)/.test(r.verdict ?? "");
+    return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
-      <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg>`;
+      <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
   }
 
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span>${this.bar(own ?? r)}</td>`;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
@@ -136,13 +137,13 @@ class ResultsPart extends Part {
       <td class="n">${this.number(r.nominal, digits)}</td>
       <td class="n both">${of(r)}</td>
       <td class="n">${this.number(spread, digits + 1)}</td>
-      <td class="n both own">${of(own)}</td></tr>`;
+      <td class="n both own">${of(own)}</td></tr>${this.bar(own ?? r)}`;
     return html`<tr>${name}
       <td class="n">${this.number(r.nominal, digits)}</td>
       <td class="n"><b>${this.number(r.value, digits)}</b></td>
       <td class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
       <td class="n">${this.number(spread, digits + 1)}</td>
-      <td class="n">${this.number(r.truth, digits)}</td></tr>`;
+      <td class="n">${this.number(r.truth, digits)}</td></tr>${this.bar(r)}`;
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
