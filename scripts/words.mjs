@@ -1,4 +1,4 @@
-// What each language lacks, and what it has that nothing says any more. `node scripts/words.mjs` prints both; tests/package/words.test.mjs asks the same.
+// The words that each language lacks, and those of texts that are gone. `node scripts/words.mjs` prints both; tests/package/words.test.mjs asks the same.
 import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
@@ -8,7 +8,7 @@ const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "
 /** A double-quoted text behind `t(` or `w(`. */
 const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
 
-/** Texts of the crate that the page never shows: its own come before. */
+/** Where the page's sources are. */
 const folders = ["www", "www/parts"];
 
 /** Every English text that may be shown: those of the crate, and those that the page's sources mark. */

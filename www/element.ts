@@ -120,7 +120,7 @@ export class TouchPath extends Base {
     if (value === before) return;
     if ((INPUTS as readonly string[]).includes(name)) {
       this.put(name as Input, value, this.waiting);
-    } else if (name === "lang") this.app?.speak();
+    } else if (name === "lang") this.app?.reword();
     else this.dress();
   }
 
@@ -277,7 +277,7 @@ export class TouchPath extends Base {
       this.shadow.adoptedStyleSheets = [styles];
       const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
       // The words are there before anything is shown; where they do not come, English is shown until they do.
-      await Promise.race([app.speak(), new Promise((done) => setTimeout(done, 3000))]);
+      await Promise.race([app.reword(), new Promise((done) => setTimeout(done, 3000))]);
       this.app = app;
       this.dress();
       this.shadow.replaceChildren(app);

@@ -5,7 +5,7 @@ keepOffline((take) =>
   document.querySelector("touch-path")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
 );
 
-document.querySelector("touch-path")?.addEventListener("speaks", (event) => {
+document.querySelector("touch-path")?.addEventListener("language", (event) => {
   const { detail } = event as CustomEvent<string>;
   document.documentElement.lang = detail;
   keepWords(detail);

@@ -61,7 +61,7 @@ interface State {
   points?: Points;
 }
 
-/** What the page itself refuses; its message is in the language that is spoken. */
+/** What the page itself refuses; its message is in the language of the page. */
 export class Refusal extends JobError {}
 
 /** What feeds are called. */
@@ -76,7 +76,7 @@ const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
 
 export class Store extends EventTarget {
   private readonly english: Catalog = catalog();
-  /** The catalog in the language that is spoken. */
+  /** The catalog in the language of the page. */
   catalog: Catalog = this.english;
   /** The language, and its words. */
   lang: Lang = "en";
@@ -131,23 +131,23 @@ export class Store extends EventTarget {
     if (local) this.restore();
   }
 
-  /** Speaks another language from now on. The job stays as it is. */
-  speak(lang: Lang, words: Words): void {
+  /** Another language for everything that is shown. The job stays as it is. */
+  translate(lang: Lang, words: Words): void {
     this.lang = lang;
     this.words = words;
     this.catalog = lang === "en" ? this.english : worded(this.english, words);
     this.byUser = false;
-    this.dispatchEvent(new Event("speak"));
+    this.dispatchEvent(new Event("language"));
     this.dispatchEvent(new Event("change"));
     this.byUser = true;
   }
 
-  /** What is said, in the language that is spoken. */
+  /** What is said, in the language of the page. */
   say(said: Said): string {
     return say(said, this.words);
   }
 
-  /** A text of the page in the language that is spoken; the values stand in place of the names in its braces. */
+  /** A text of the page in its language; the values stand in place of the names in its braces. */
   t(template: string, ...values: (string | number | Said)[]): string {
     return this.say([template, ...values.map((value) => (typeof value === "number" ? String(value) : value))]);
   }
@@ -162,7 +162,7 @@ export class Store extends EventTarget {
     return this.words["0.5"] === "0,5";
   }
 
-  /** Why something was refused, in the language that is spoken. */
+  /** Why something was refused, in the language of the page. */
   why(refused: JobError): string {
     const errors = refused.findings.filter((f) => f.level === "error");
     const [first] = errors;

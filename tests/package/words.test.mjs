@@ -43,7 +43,7 @@ for (const language of languages()) {
 }
 
 test("no part of the page says an English text of its own", () => {
-  // What Lit puts between tags or into an attribute that is read or heard.
+  // What Lit puts between tags or into an attribute that people read.
   const shown = />\s*([A-Z][a-z]+(?: [a-z]+)*)\s*<\/|(?:aria-label|title|placeholder|alt)="([A-Za-z][^"$]+)"/g;
   const names = new Set(["Touchpath"]);
   let parts = 0;

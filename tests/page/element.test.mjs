@@ -526,7 +526,7 @@ test("in somebody else's page: no second main, nothing said of privacy, keys of 
   assert.notEqual(await page.getByLabel("Ordernumber").inputValue(), "abc", "the browser's own undo");
 });
 
-test("elements speak the language that they are given, or that of what is around them", async () => {
+test("an element has the language of its own lang, or that of what is around it", async () => {
   await open(
     `<touch-path id="own" lang="de-CH"></touch-path><section lang="ru"><touch-path id="around"></touch-path></section><touch-path id="none" lang="tlh"></touch-path>`,
   );
@@ -558,7 +558,7 @@ test("elements speak the language that they are given, or that of what is around
   assert.equal(await tab("around"), ru);
 });
 
-test("the language that is wanted last is spoken, however slow the words of the one before are", async () => {
+test("the language that is set last is shown, however late the words of the one before come", async () => {
   await page?.close();
   await open("<main></main>");
   await page.route(/\/de\.js$/, async (route) => {

@@ -12,7 +12,7 @@ const inside = (/** @type {string} */ selector) => page.locator(`touch-path ${se
 const openIn = (/** @type {string} */ locale, viewport = { width: 1440, height: 900 }) => open({ viewport, locale });
 
 for (const [language, locale] of Object.entries(LANGUAGES)) {
-  test(`a browser in ${locale} is spoken to in ${language}, and gets the same program`, async () => {
+  test(`a browser in ${locale} gets the page in ${language}, and the same program`, async () => {
     const english = await program();
     await openIn(locale);
     const words = wordsOf(language);
@@ -165,7 +165,7 @@ test("in a language with a comma a field that is only looked at stays as it is, 
   assert.match(await textOf(inside("tp-findings .verdict")), /"1\.5"/);
 });
 
-test("where nothing can be kept, a language is spoken as long as the page is there", async () => {
+test("where nothing can be kept, a chosen language lasts as long as the page", async () => {
   await page.addInitScript(() => {
     const refuse = () => {
       throw new DOMException("no storage", "SecurityError");
@@ -212,7 +212,7 @@ test("words that cannot be had leave the language that is there, and say so", as
   assert.equal(problems.splice(0).length, 1);
 });
 
-test("keys and the question before Reset speak, too", async () => {
+test("the keys and the question before Reset are in the language, too", async () => {
   await openIn("de");
   const words = wordsOf("de");
   await page.locator("button[popovertarget=menu]").click();

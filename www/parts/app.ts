@@ -158,8 +158,8 @@ export class App extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // It may stand in another language's place now.
-    if (this.hasUpdated) this.speak();
+    // What is around it now may have another language.
+    if (this.hasUpdated) this.reword();
     this.measure();
     this.observer.observe(this);
     const { intake } = this;
@@ -485,22 +485,22 @@ export class App extends LitElement {
     return languageOf([(around as HTMLElement | null)?.lang ?? ""]) ?? "en";
   }
 
-  /** Speaks the language that is wanted; its words are loaded first. Where they cannot be had, the one before stays. */
-  async speak(): Promise<void> {
+  /** Shows everything in the language that is wanted; its words are loaded first. Where they cannot be had, the language before stays. */
+  async reword(): Promise<void> {
     const lang = this.language;
     this.lang = this.store.lang;
     if (lang === this.store.lang) return;
     try {
       const words = await wordsOf(lang);
       // Another one was asked for meanwhile.
-      if (lang !== this.language) return this.speak();
-      this.store.speak(lang, words);
+      if (lang !== this.language) return this.reword();
+      this.store.translate(lang, words);
       this.lang = lang;
       // The page keeps the words for when there is no network.
-      this.around.host.dispatchEvent(new CustomEvent("speaks", { detail: lang }));
+      this.around.host.dispatchEvent(new CustomEvent("language", { detail: lang }));
       this.requestUpdate();
     } catch {
-      if (lang !== this.language) return this.speak();
+      if (lang !== this.language) return this.reword();
       this.tell([w("This part of the page could not be loaded: is there a network?")]);
       const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
       if (choice) choice.value = this.store.lang;
@@ -512,7 +512,7 @@ export class App extends LitElement {
     const lang = (event.target as HTMLSelectElement).value;
     this.chosen = lang;
     if (this.around.host.lang || !this.around.local) this.around.host.lang = lang;
-    await this.speak();
+    await this.reword();
     if (this.around.local && this.store.lang === lang) keepLanguage(lang);
   };
 

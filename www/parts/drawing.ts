@@ -4,7 +4,7 @@ import type { Store } from "../store.js";
 
 const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
 
-/** The dimensions of the next job are called as the form calls its fields, in the language that is spoken. */
+/** The dimensions of the next job are called as the form calls its fields, in the language of the page. */
 export function label(view: View, store: Store): void {
   const fields = store.lang === "en" ? [] : store.cycle.fields;
   view.setLabels(

@@ -11,12 +11,12 @@ export abstract class Part extends LitElement {
   /** Whether it lights up what belongs to the move that is pointed at, without being drawn again. */
   protected lights = false;
 
-  /** A text in the language that is spoken. */
+  /** A text in the language of the page. */
   protected t(template: string, ...values: (string | number | Said)[]): string {
     return this.store.t(template, ...values);
   }
 
-  /** The message of a finding, in the language that is spoken. */
+  /** The message of a finding, in the language of the page. */
   protected message(finding: Finding): string {
     return this.store.say(finding.said);
   }
@@ -53,13 +53,13 @@ export abstract class Part extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const name of [...this.follows, "speak"]) this.store.addEventListener(name, this.redraw);
+    for (const name of [...this.follows, "language"]) this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    for (const name of [...this.follows, "speak"]) this.store.removeEventListener(name, this.redraw);
+    for (const name of [...this.follows, "language"]) this.store.removeEventListener(name, this.redraw);
     this.store.removeEventListener("highlight", this.relight);
   }
 }
