@@ -248,7 +248,11 @@ function once(/** @type {() => unknown} */ work) {
 const BEFORE = { raw: 988_298, gzip: 411_649, brotli: 319_000, "page, gzip": 443_000 };
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
 const gzip = (/** @type {Buffer} */ file) => gzipSync(file, { level: 9 }).length;
-const page = readdirSync(at("dist", "page", "assets")).map((name) => readFileSync(at("dist", "page", "assets", name)));
+// A language's words are loaded where they are wanted.
+const languages = readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-"));
+const page = readdirSync(at("dist", "page", "assets"))
+  .filter((name) => !languages.some((language) => name.startsWith(language)))
+  .map((name) => readFileSync(at("dist", "page", "assets", name)));
 const sizes = {
   raw: bytes.length,
   gzip: gzip(bytes),

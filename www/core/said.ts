@@ -21,18 +21,47 @@ const QUOTES = "\"“”„«»「」‘’'";
 /** A number as the words write it; any other text as it is. */
 const written = (text: string, words: Words) => (words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text);
 
+/** A text in pieces: what stands before a name, the name, and whether it stands in quotes; the last piece has no name. */
+type Piece = [before: string, name: string | null, quoted: boolean];
+
+/** Texts in pieces, as they were taken apart: a table says the same few hundreds of times. */
+const taken = new Map<string, Piece[]>();
+/** So many are kept. */
+const MOST = 2000;
+
+function piecesOf(text: string): Piece[] {
+  const known = taken.get(text);
+  if (known) return known;
+  const pieces: Piece[] = [];
+  let from = 0;
+  for (const match of text.matchAll(NAME)) {
+    pieces.push([text.slice(from, match.index), match[1] as string, QUOTES.includes(text[match.index - 1] ?? " ")]);
+    from = match.index + match[0].length;
+  }
+  pieces.push([text.slice(from), null, false]);
+  if (taken.size >= MOST) taken.clear();
+  taken.set(text, pieces);
+  return pieces;
+}
+
 /** What is said, in English or in the words of a language. */
 export function say(said: Said, words: Words = {}): string {
-  const [template, ...values] = said;
-  const names: string[] = [];
-  for (const [, name] of template.matchAll(NAME)) if (!names.includes(name as string)) names.push(name as string);
+  const template = said[0];
   // What hangs on the prototype of an object is no word.
-  const known = Object.hasOwn(words, template) ? (words[template] as string) : template;
-  return known.replace(NAME, (all, name: string, at: number) => {
-    const value = values[names.indexOf(name)];
-    if (value === undefined) return all;
-    if (typeof value !== "string") return say(value, words);
+  const text = Object.hasOwn(words, template) ? (words[template] as string) : template;
+  if (said.length === 1) return text;
+  const names: string[] = [];
+  for (const [, name] of piecesOf(template)) if (name !== null && !names.includes(name)) names.push(name);
+  let out = "";
+  for (const [before, name, quoted] of piecesOf(text)) {
+    out += before;
+    if (name === null) continue;
+    const at = names.indexOf(name);
+    const value = at < 0 ? undefined : said[at + 1];
+    if (value === undefined) out += `{${name}}`;
     // What stands in quotes is somebody's own text: a line of a program, a name.
-    return QUOTES.includes(known[at - 1] ?? " ") ? value : written(value, words);
-  });
+    else if (typeof value === "string") out += quoted ? value : written(value, words);
+    else out += say(value, words);
+  }
+  return out;
 }
