@@ -110,7 +110,7 @@ fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
 }
 
 /// The names of a template, each once, in the order in which they first appear.
-pub fn names(template: &str) -> Vec<&str> {
+fn names(template: &str) -> Vec<&str> {
     let mut names = Vec::new();
     for name in pieces(template).filter_map(|(_, name)| name) {
         if !names.contains(&name) {
@@ -118,15 +118,6 @@ pub fn names(template: &str) -> Vec<&str> {
         }
     }
     names
-}
-
-/// Whether a text has words: numbers, codes and single letters are the same in every language.
-pub fn is_for_people(template: &str) -> bool {
-    let has_word = |text: &str| {
-        text.split(|c: char| !c.is_ascii_alphabetic())
-            .any(|word| word.len() > 1 && word.chars().any(|c| c.is_ascii_lowercase()))
-    };
-    pieces(template).any(|(text, _)| has_word(text))
 }
 
 impl fmt::Display for Text {
@@ -194,7 +185,7 @@ impl From<i32> for Part {
 
 #[cfg(test)]
 mod tests {
-    use crate::text::{Text, is_for_people, names};
+    use crate::text::{Text, names};
 
     #[test]
     fn values_stand_in_place_of_names() {
@@ -203,11 +194,5 @@ mod tests {
         assert_eq!(said.english(), "Point must be { x, y } of 2, Point, not a list of 32");
         assert_eq!(names("{a}{b}{a} {} {c d} {e_1}"), ["a", "b", "e_1"]);
         assert_eq!(Text::words("}{ {").english(), "}{ {");
-    }
-
-    #[test]
-    fn codes_and_numbers_need_no_words() {
-        assert!(is_for_people("Width 1") && is_for_people("{a} mm at {b}") && is_for_people("not {a}"));
-        assert!(!is_for_people("G54 X{x}") && !is_for_people("{touch}: {status}") && !is_for_people("SET_UP"));
     }
 }

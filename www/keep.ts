@@ -54,7 +54,7 @@ function keepChoice(name: string, value: string): void {
   try {
     localStorage.setItem(name, value);
   } catch {
-    // Nothing to be done.
+    // No storage, or a full one.
   }
 }
 

@@ -12,7 +12,7 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
         "csv" => {
             let mut text = "code,type,value,meaning\n".to_owned();
             for row in &plan.table {
-                let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning].map(cell);
+                let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning.english()].map(cell);
                 text.push_str(&cells.join(","));
                 text.push('\n');
             }
@@ -56,7 +56,7 @@ fn json_row(row: &ParameterRow) -> String {
         "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch} }}",
         quoted(&row.code),
         quoted(row.type_name),
-        quoted(&row.meaning)
+        quoted(&row.meaning.english())
     )
 }
 

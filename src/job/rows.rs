@@ -1,6 +1,6 @@
 //! What goes out: a plan as plain rows, in the job's units.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::control::prove::Proof;
 use crate::control::safety::Verdict;
@@ -138,15 +138,17 @@ pub struct ParameterRow {
     pub type_name: &'static str,
     /// The value, lengths in the job's units.
     pub value: ParameterValue,
-    /// What it means.
-    pub meaning: String,
-    /// The same as a template and its values; not in the JSON of a row, which is that of an exported table.
-    #[serde(skip)]
-    pub said: Text,
+    /// What it means; in a row of JSON in English.
+    #[serde(serialize_with = "in_english")]
+    pub meaning: Text,
     /// Path of the job's field it comes from.
     pub field: Option<String>,
     /// The touch it comes from.
     pub touch: Option<usize>,
+}
+
+fn in_english<S: Serializer>(text: &Text, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&text.english())
 }
 
 /// The value of a parameter.
@@ -287,8 +289,7 @@ pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterR
             path::ParameterValue::Text(text) => ParameterValue::Text(text),
             path::ParameterValue::Word(word) => ParameterValue::Text(word.to_owned()),
         },
-        meaning: parameter.meaning.english(),
-        said: parameter.meaning,
+        meaning: parameter.meaning,
         field: parameter.field,
         touch: parameter.touch,
     }

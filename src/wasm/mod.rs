@@ -67,6 +67,14 @@ pub fn table(codes: &[f64], text: &str, sink: &Sink) {
     }
 }
 
+/// What the rows of that table mean, as texts for other languages.
+#[wasm_bindgen]
+pub fn meanings(codes: &[f64], text: &str, sink: &Sink) {
+    if let Some(last) = planned(codes, text) {
+        output::give_meanings(&last.planned.table(), sink);
+    }
+}
+
 /// The job that was planned last.
 #[derive(Debug)]
 struct Last {

@@ -189,7 +189,14 @@ fn finding(out: &mut Packed, finding: &Finding) {
     out.said(&finding.said);
 }
 
-/// Hands a parameter table out.
+/// Hands out what the rows of a parameter table mean.
+pub fn give_meanings(rows: &[ParameterRow], sink: &Sink) {
+    let mut out = Packed::default();
+    out.list(rows, |out, row| out.said(&row.meaning));
+    sink.take(&out.numbers, &out.text);
+}
+
+/// Hands a parameter table out, in English.
 pub fn give_table(rows: &[ParameterRow], sink: &Sink) {
     let mut out = Packed::default();
     out.list(rows, |out, row| {
@@ -213,7 +220,7 @@ pub fn give_table(rows: &[ParameterRow], sink: &Sink) {
                 out.text(text);
             }
         }
-        out.said(&row.said);
+        out.text(&row.meaning.english());
         out.text_or_none(row.field.as_deref());
         out.index(row.touch);
     });

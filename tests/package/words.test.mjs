@@ -60,8 +60,13 @@ test("no part of the page says an English text of its own", () => {
   assert.ok(parts > 15);
 });
 
+test("the words of a language are a file of the package", async () => {
+  const { default: words } = await import("touchpath/words/de.json", { with: { type: "json" } });
+  assert.deepEqual(words, wordsOf("de"));
+});
+
 test("what is said is the message, and the message in another language", async () => {
-  const { check, defaultJob, evaluate, lentoaxWords, meaningOf, plan, say } = await import("touchpath");
+  const { check, defaultJob, evaluate, lentoaxWords, meanings, plan, say } = await import("touchpath");
   const words = wordsOf("de");
   const all = new Set(Object.keys(words));
   /** @type {Set<string>} */
@@ -107,7 +112,11 @@ test("what is said is the message, and the message in another language", async (
         if (check(changed).some((f) => f.level === "error")) continue;
         const made = plan(changed);
         for (const row of made.safety) said(row.message, row.said);
-        for (const row of made.table) said(row.meaning, meaningOf(row));
+        const means = meanings(changed);
+        assert.equal(means.length, made.table.length);
+        made.table.forEach((row, i) => {
+          said(row.meaning, /** @type {import("touchpath").Said} */ (means[i]));
+        });
         for (const row of [
           ...made.results,
           ...evaluate(

@@ -28,6 +28,16 @@ export let problems = [];
 /** Chromium, without a window. */
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
 
+/** The widths that the page is made for, with heights they come with. @type {[number, number][]} */
+export const SIZES = [
+  [1440, 900],
+  [1280, 800],
+  [1024, 768],
+  [900, 700],
+  [720, 900],
+  [390, 844],
+];
+
 /** A page of its own for every test of a file; a problem on it fails the test. */
 export function setUp(viewport = { width: 1280, height: 800 }) {
   before(async () => {

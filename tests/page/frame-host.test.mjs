@@ -7,6 +7,7 @@ import { after, afterEach, before, test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
+import { wordsOf } from "../../scripts/words.mjs";
 import { launch } from "./common.mjs";
 
 /** @type {string} */
@@ -125,6 +126,17 @@ test("a portal sets the job, reads it, receives its events and saves the program
     [saved.name, saved.post, saved.text],
     ["FROM_PORTAL.nc", "fanuc", plan(change.detail.job).program.text],
   );
+});
+
+test("a portal sets the language, and what is none is refused", async () => {
+  await open();
+  await connect();
+  assert.equal(await on('frame.set({ lang: "de-CH" })'), undefined);
+  const tab = page.frameLocator("iframe").locator("#tab-checks");
+  await tab.getByText(/** @type {string} */ (wordsOf("de").Checks)).waitFor();
+  const refused = /** @type {any} */ (await on('frame.set({ lang: "<b>" })'));
+  assert.match(refused.failed, /lang/);
+  assert.equal(await tab.textContent(), wordsOf("de").Checks);
 });
 
 test("what cannot be used is answered with its reasons, and the conversation continues", async () => {

@@ -1,18 +1,11 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, open, page, problems, setUp, textOf } from "./common.mjs";
+import { field, open, page, problems, SIZES, setUp, textOf } from "./common.mjs";
 
 setUp();
 
-for (const [width, height] of /** @type {[number, number][]} */ ([
-  [1440, 900],
-  [1280, 800],
-  [1024, 768],
-  [900, 700],
-  [720, 900],
-  [390, 844],
-])) {
+for (const [width, height] of SIZES) {
   test(`the page was wider than its window at 1024 and 900 pixels: ${width}`, async () => {
     await open({ viewport: { width, height } });
     const over = () => page.evaluate(() => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth);

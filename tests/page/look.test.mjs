@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
-import { context, open, page, setUp } from "./common.mjs";
+import { context, open, page, SIZES, setUp } from "./common.mjs";
 
 setUp();
 
@@ -63,14 +63,7 @@ function difference(/** @type {string[]} */ one, /** @type {string[]} */ other) 
 const fits = (/** @type {ReturnType<typeof difference>} */ { mean, far, same }) => same && mean <= MEAN && far <= FEW;
 
 for (const colorScheme of /** @type {const} */ (["light", "dark"]))
-  for (const [width, height] of /** @type {const} */ ([
-    [1440, 900],
-    [1280, 800],
-    [1024, 768],
-    [900, 700],
-    [720, 900],
-    [390, 844],
-  ]))
+  for (const [width, height] of SIZES)
     test(`the page looks as it was seen to: ${width} pixels, ${colorScheme}`, async () => {
       await open({ viewport: { width, height }, colorScheme });
       // The folded form, as a user finds it.

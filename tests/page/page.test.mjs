@@ -690,6 +690,12 @@ test("a program is compared with the one saved last and with that for another co
   // Another control: its own words are there.
   await choice.selectOption("grbl");
   await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
+  // The job for that control itself: nothing is left to compare with, and the program is there.
+  await field("control.post").selectOption("grbl");
+  await page.locator("tp-program .code[role=listbox]").waitFor();
+  assert.equal(await shown.count(), 0);
+  await field("control.post").selectOption("linuxcnc");
+  await shown.first().waitFor();
   // Back to the program.
   await choice.selectOption("");
   await page.locator("tp-program .code[role=listbox]").waitFor();

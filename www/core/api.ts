@@ -1,5 +1,5 @@
 import { type Coded, coded, same } from "./coded.js";
-import { columns, FEEDS, findingsOf, KINDS, type Packed, planOf, programOf, tableOf } from "./plan.js";
+import { columns, FEEDS, findingsOf, KINDS, meaningsOf, type Packed, planOf, programOf, tableOf } from "./plan.js";
 import type {
   Catalog,
   Cycle,
@@ -18,7 +18,6 @@ import type {
   Said,
 } from "./types.js";
 
-export { meaningOf } from "./plan.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
@@ -54,6 +53,7 @@ export interface Raw {
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;
   table(codes: Float64Array, text: string, sink: Sink): void;
+  meanings(codes: Float64Array, text: string, sink: Sink): void;
   evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
@@ -98,6 +98,8 @@ export interface Api {
   jobSchema(): Record<string, unknown>;
   /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
+  /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
+  meanings(job: Job): Said[];
   /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true length, dimensions. Throws `JobError`. */
   svg(job: Job, view?: "top" | "front" | "side" | "isometric"): string;
   /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). What is neither a number nor such a text stays as it is. */
@@ -166,12 +168,12 @@ export function dress(raw: Raw, instance: Instance): Api {
       return plan;
     });
   const known = (job: Coded): Packed => (last && same(last.job, job) ? last.plan : packed(job));
-  /** The table of a job that has a plan. The job is what it was when it was planned, whatever has become of the object since. */
-  const table = ({ codes, text }: Coded) =>
-    instance.call<ReturnType<typeof tableOf>>(() => {
+  /** What a function of the module hands out of a job. The job is what it was when it was coded, whatever has become of the object since. */
+  const handed = ({ codes, text }: Coded, give: Raw["table"]): Packed =>
+    instance.call<Packed>(() => {
       const sink = new Sink();
-      raw.table(codes, text, sink);
-      return tableOf(sink);
+      give(codes, text, sink);
+      return sink;
     });
   return {
     catalog: () => instance.call(() => raw.catalog()),
@@ -185,7 +187,7 @@ export function dress(raw: Raw, instance: Instance): Api {
     },
     plan: (job) => {
       const own = coded(job);
-      return planOf(packed(own), () => table(own));
+      return planOf(packed(own), () => tableOf(handed(own, raw.table)));
     },
     program: (job) => programOf(packed(coded(job))),
     *programs(jobs) {
@@ -233,6 +235,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
       return { ...moves, kinds: ["rapid", "feed", "probe"] };
     },
+    meanings: (job) => meaningsOf(handed(coded(job), raw.meanings)),
     svg: (job, view = "isometric") => on(job, (codes, text) => raw.svg(codes, text, view)),
     jobSchema: () => instance.call(() => raw.jobSchema()),
     exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),

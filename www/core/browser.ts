@@ -82,6 +82,7 @@ export const {
   readProgram,
   jobSchema,
   exportTable,
+  meanings,
   svg,
   convertUnits,
   lentoax,

@@ -19,6 +19,7 @@ export const {
   readProgram,
   jobSchema,
   exportTable,
+  meanings,
   svg,
   convertUnits,
   lentoax,

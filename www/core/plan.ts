@@ -190,12 +190,6 @@ function safety(r: Reader): SafetyRow {
   return { rule, holds, message: say(said), said, lines: r.list(() => r.number()) };
 }
 
-/** What rows of a table mean: beside them, since a row is what an exported table has. */
-const MEANINGS = new WeakMap<ParameterRow, Said>();
-
-/** What a row of a plan's table means, for `say`; of a copy, its English words. */
-export const meaningOf = (row: ParameterRow): Said => MEANINGS.get(row) ?? [row.meaning];
-
 /** The rows of a parameter table. */
 export function tableOf(packed: Packed): ParameterRow[] {
   const r = new Reader(packed);
@@ -203,11 +197,14 @@ export function tableOf(packed: Packed): ParameterRow[] {
     const [code, type] = [r.text(), r.text()];
     const kind = r.number();
     const value = kind === 0 ? r.number() : kind === 1 ? r.flag() === true : r.text();
-    const said = r.said();
-    const row = { code, type, value, meaning: say(said), field: r.textOrNone(), touch: r.index() };
-    MEANINGS.set(row, said);
-    return row;
+    return { code, type, value, meaning: r.text(), field: r.textOrNone(), touch: r.index() };
   });
+}
+
+/** What its rows mean, in their order. */
+export function meaningsOf(packed: Packed): Said[] {
+  const r = new Reader(packed);
+  return r.list(() => r.said());
 }
 
 /** The program alone. */

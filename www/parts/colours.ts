@@ -1,6 +1,6 @@
 // Colours for the words of a program, without an element a word: ranges of text in the browser's registry of highlights, made when there is time.
 
-/** What is told apart, and what it looks like in any dialect: word addresses, Klartext, O-words, R and Q parameters. The first that fits a place counts. */
+/** The kinds of words, and what they look like in any dialect: word addresses, Klartext, O-words, R and Q parameters. The first that fits a place counts. */
 const KINDS: [name: string, words: RegExp][] = [
   ["comment", /\([^)]*\)|;.*$/],
   ["text", /"[^"]*"/],

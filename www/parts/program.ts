@@ -67,11 +67,11 @@ class ProgramPart extends Part {
           }} />
         <span role="status" class="told found"></span>
         <select class="compares" aria-label=${this.t("Compare the program")} @change=${this.choose}>
-          <option value="" ?selected=${this.against === ""}>${this.t("Compare with …")}</option>
+          <option value="" ?selected=${!this.comparing}>⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null} ?selected=${this.against === "saved"}>${this.t("the one saved last")}</option>
           ${this.others().map((post) => html`<option value=${post.id} ?selected=${post.id === this.against}>${post.title}</option>`)}
         </select>
-        ${head > 0 && !this.comparing ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header, {count} lines", head)}</button>` : nothing}
+        ${head > 0 && !this.comparing ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header ({count})", head)}</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
       ${this.comparing ? this.differences() : nothing}
@@ -89,9 +89,10 @@ class ProgramPart extends Part {
     `;
   }
 
-  /** Whether differences are shown in place of the program. */
+  /** Whether differences are shown in place of the program: a control that is the job's own now, or that has no program for its cycle, is none to compare with. */
   private get comparing(): boolean {
-    return this.against !== "" && this.compares !== null;
+    const there = this.against === "saved" || this.others().some((post) => post.id === this.against);
+    return there && this.compares !== null;
   }
 
   /** The other controls that have a program for this cycle. */
@@ -133,7 +134,7 @@ class ProgramPart extends Part {
     const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
     const names = { " ": "", "-": this.t("not in this program"), "+": this.t("only in this program") };
     return html`<p class="compared" role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</p>
-      <div class="code differences" lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
+      <div class=${this.store.stale ? "code differences stale" : "code differences"} lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
         ({ sign, text, line }) =>
           html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : line + 1}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
       )}</div>`;

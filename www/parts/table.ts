@@ -1,5 +1,13 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type CodeGroup, exportTable, type Job, meaningOf, type ParameterRow, type Plan } from "../core/browser.js";
+import {
+  type CodeGroup,
+  exportTable,
+  type Job,
+  meanings,
+  type ParameterRow,
+  type Plan,
+  type Said,
+} from "../core/browser.js";
 import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./hand.js";
 import { Part } from "./part.js";
@@ -20,11 +28,16 @@ class TablePart extends Part {
   private told = "";
   /** The plan that was saved or copied: what is said of it holds for no other. */
   private toldOf?: Plan;
+  /** What the rows mean, for another language than English. */
+  private said = new Map<ParameterRow, Said>();
   private filter = "";
   private readonly closed = new Set<string>();
 
   override render(): TemplateResult {
-    const { plan, stale } = this.store;
+    const { plan, stale, lang, shown } = this.store;
+    // In English a row says itself what it means.
+    const said = lang === "en" ? [] : meanings(shown as unknown as Job);
+    this.said = new Map(plan.table.flatMap((row, i) => (said[i] ? [[row, said[i]]] : [])));
     const why = stale ? "withheld-table" : nothing;
     const told = stale || this.toldOf !== plan ? "" : this.told;
     const wanted = this.filter.trim().toLowerCase();
@@ -72,8 +85,10 @@ class TablePart extends Part {
 
   /** What a parameter means; in another language than English the words of its field say it. */
   private meaning(row: ParameterRow): string {
-    const field = row.field === null || this.store.lang === "en" ? undefined : this.store.fieldAt(row.field);
-    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(meaningOf(row));
+    const said = this.said.get(row);
+    if (!said) return row.meaning;
+    const field = row.field === null ? undefined : this.store.fieldAt(row.field);
+    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(said);
   }
 
   private row(row: ParameterRow): TemplateResult {

@@ -90,11 +90,12 @@ fn interface(text: &mut String, item: &syn::ItemStruct) {
     let camel = renames(&item.attrs).as_deref() == Some("camelCase");
     write!(text, "\n{}export interface {} {{\n", doc(&item.attrs, ""), exported(&name)).unwrap();
     let Fields::Named(fields) = &item.fields else { panic!("{name} has named fields") };
-    for field in fields.named.iter().filter(|field| !skipped(&field.attrs)) {
+    for field in &fields.named {
         let own = field.ident.as_ref().unwrap().to_string();
         let key = renamed(&field.attrs).unwrap_or_else(|| if camel { camel_case(&own) } else { own });
         let exact = EXACT.iter().find(|(place, _)| *place == format!("{name}.{key}"));
-        let kind = exact.map_or_else(|| type_of(&field.ty), |(_, exact)| (*exact).to_owned());
+        let own_type = || if composed(&field.attrs) { "string".to_owned() } else { type_of(&field.ty) };
+        let kind = exact.map_or_else(own_type, |(_, exact)| (*exact).to_owned());
         writeln!(text, "{}  {key}: {kind};", doc(&field.attrs, "  ")).unwrap();
     }
     text.push_str("}\n");
@@ -191,8 +192,9 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
     for attribute in attributes.iter().filter(|a| a.path().is_ident("serde")) {
         attribute
             .parse_nested_meta(|meta| {
-                if meta.path.is_ident(key) {
-                    found = Some(meta.value()?.parse::<syn::LitStr>()?.value());
+                if let Ok(value) = meta.value() {
+                    let value = value.parse::<syn::LitStr>()?.value();
+                    found = if meta.path.is_ident(key) { Some(value) } else { found.take() };
                 }
                 Ok(())
             })
@@ -201,16 +203,9 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
     found
 }
 
-/// Whether a field stays inside: `#[serde(skip)]`.
-fn skipped(attributes: &[Attribute]) -> bool {
-    let mut skipped = false;
-    for attribute in attributes.iter().filter(|a| a.path().is_ident("serde")) {
-        let _ = attribute.parse_nested_meta(|meta| {
-            skipped |= meta.path.is_ident("skip");
-            Ok(())
-        });
-    }
-    skipped
+/// Whether a text goes out composed, as a string.
+fn composed(attributes: &[Attribute]) -> bool {
+    serde_value(attributes, "serialize_with").is_some_and(|by| by == "in_english")
 }
 
 fn renames(attributes: &[Attribute]) -> Option<String> {
