@@ -24,11 +24,14 @@ for (const [type, field, values] of /** @type {const} */ ([
       const element = /** @type {any} */ (document.querySelector("touch-path"));
       const root = /** @type {ShadowRoot} */ (element.shadowRoot);
       element.cycle = type;
+      // Looked for once: to look through the page again each time would be counted as its own work.
+      const parts = () => [...root.querySelectorAll("tp-app, tp-app *")].filter((part) => "updateComplete" in part);
+      let waited = parts();
       const settled = async () => {
-        for (const part of root.querySelectorAll("tp-app, tp-app *"))
-          if ("updateComplete" in part) await part.updateComplete;
+        for (const part of waited) await /** @type {any} */ (part).updateComplete;
       };
       await settled();
+      waited = parts();
       const input = /** @type {HTMLInputElement} */ (root.getElementById(`f-${field}`));
       const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
       const box = canvas.getBoundingClientRect();

@@ -1,5 +1,7 @@
 //! Draws a scene on a browser's canvas. The only module that names `web_sys`.
 
+use std::cell::Cell;
+
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::Camera;
@@ -136,6 +138,8 @@ pub struct Painter {
     /// Whether it is a small picture: no axes, no numbers, no handles.
     pub small: bool,
     ratio: f64,
+    /// The font that is set: each time one is set, the browser works out the page's styles first.
+    font: Cell<&'static str>,
 }
 
 impl Painter {
@@ -143,7 +147,7 @@ impl Painter {
     pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
         use wasm_bindgen::JsCast;
         let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
-        Some(Painter { canvas, context, theme: Theme::default(), small: false, ratio: 1.0 })
+        Some(Painter { canvas, context, theme: Theme::default(), small: false, ratio: 1.0, font: Cell::new("") })
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
@@ -151,19 +155,55 @@ impl Painter {
         self.ratio = ratio;
         self.canvas.set_width((width * ratio).round() as u32);
         self.canvas.set_height((height * ratio).round() as u32);
+        // Another size resets all that was set.
+        self.font.set("");
+    }
+
+    fn font(&self, font: &'static str) {
+        if self.font.replace(font) != font {
+            self.context.set_font(font);
+        }
+    }
+
+    /// A picture begins: everything is in the colour of the background.
+    fn begin(&self, camera: &Camera, font: &'static str) {
+        let c = &self.context;
+        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        self.font(font);
+    }
+
+    /// Draws the move that is pointed at and nothing else, on a canvas that lies over that of the picture.
+    pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: Option<usize>, part: f64) {
+        let c = &self.context;
+        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        c.clear_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        c.set_line_cap("round");
+        let Some(index) = index else { return };
+        for line in scene.lines.iter().filter(|line| line.index == index) {
+            self.line(line, camera, true, true);
+        }
+        self.ball(scene, camera, index, part);
+    }
+
+    /// The ball on its way.
+    fn ball(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
+        let Some(place) = scene.ball(index, part) else { return };
+        let (ball, radius) = (camera.pixel(place), (scene.radius * camera.scale).max(3.0));
+        self.context.set_global_alpha(0.25);
+        self.disc(ball, radius, &self.theme.highlight);
+        self.context.set_global_alpha(1.0);
+        self.circle(ball, radius, &self.theme.highlight, 2.0);
     }
 
     /// Draws everything.
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
-        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        c.set_fill_style_str(&self.theme.background);
-        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        self.begin(camera, "600 12px system-ui, sans-serif");
         c.set_line_cap("round");
         c.set_line_join("round");
-        // One font for all: each time it is set, the browser looks at the page's styles.
-        c.set_font("600 12px system-ui, sans-serif");
         for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
             self.wall(wall, camera);
         }
@@ -184,12 +224,8 @@ impl Painter {
         if let Some((_, place)) = scene.collision {
             self.collision(camera.pixel(place), scene.radius * camera.scale);
         }
-        if let Some(end) = highlight.and_then(|i| scene.ball(i, marks.part)) {
-            let ball = camera.pixel(end);
-            c.set_global_alpha(0.25);
-            self.disc(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight);
-            c.set_global_alpha(1.0);
-            self.circle(ball, (scene.radius * camera.scale).max(3.0), &self.theme.highlight, 2.0);
+        if let Some(index) = highlight {
+            self.ball(scene, camera, index, marks.part);
         }
         if let Some([nominal, real]) = scene.centre_lines {
             self.segment(camera.pixel(nominal[0]), camera.pixel(nominal[1]), &self.theme.wall, 1.0, &[10.0, 4.0, 2.0, 4.0]);
@@ -224,10 +260,7 @@ impl Painter {
     /// Draws arrows from one origin.
     pub fn draw_arrows(&self, arrows: &[(Arrow, String, Spot)], camera: &Camera) {
         let c = &self.context;
-        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        c.set_fill_style_str(&self.theme.background);
-        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
-        c.set_font("600 13px system-ui, sans-serif");
+        self.begin(camera, "600 13px system-ui, sans-serif");
         c.set_text_align("center");
         c.set_text_baseline("middle");
         let origin = camera.pixel([0.0, 0.0]);

@@ -19,6 +19,8 @@ use crate::wasm::{Last, set};
 #[derive(Debug)]
 pub struct View {
     painter: Painter,
+    /// Where the move that is pointed at is drawn, where it has a canvas of its own.
+    over: Option<Painter>,
     projection: Projection,
     camera: Camera,
     shown: Option<Shown>,
@@ -79,6 +81,7 @@ impl View {
         let camera = Camera { scale: 1.0, middle: [0.0; 2], size: [300.0, 150.0] };
         Ok(View {
             painter,
+            over: None,
             projection: Projection::Top,
             camera,
             shown: None,
@@ -94,9 +97,16 @@ impl View {
         })
     }
 
+    /// A canvas that lies over the other, as large and transparent: the move that is pointed at is drawn there, and the picture beneath stays as it
+    /// is. Given before `resize`.
+    #[wasm_bindgen(js_name = setOverlay)]
+    pub fn set_overlay(&mut self, canvas: web_sys::HtmlCanvasElement) {
+        self.over = Painter::new(canvas);
+    }
+
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
-        self.painter.resize(width, height, ratio);
+        self.painters().for_each(|painter| painter.resize(width, height, ratio));
         self.camera.size = [width, height];
         self.refit();
         self.draw();
@@ -106,7 +116,8 @@ impl View {
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, theme: &JsValue) {
         let colour = |name: &str| js_sys::Reflect::get(theme, &JsValue::from_str(name)).ok()?.as_string();
-        self.painter.theme = Theme::of(colour);
+        let theme = Theme::of(colour);
+        self.painters().for_each(|painter| painter.theme = theme.clone());
         self.draw();
     }
 
@@ -237,7 +248,7 @@ impl View {
         if self.highlight != index || self.part != 1.0 {
             self.highlight = index;
             self.part = 1.0;
-            self.draw();
+            self.light();
         }
     }
 
@@ -245,7 +256,7 @@ impl View {
     pub fn play(&mut self, index: usize, part: f64) {
         self.highlight = Some(index);
         self.part = if part.is_finite() { crate::num::within(part, 0.0, 1.0) } else { 1.0 };
-        self.draw();
+        self.light();
     }
 
     /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time.
@@ -497,7 +508,7 @@ impl View {
             let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,
-                highlight: self.highlight,
+                highlight: self.highlight.filter(|_| self.over.is_none()),
                 part: self.part,
                 deviates: held.is_some_and(|held| held.deviates),
                 field: self.field.as_deref(),
@@ -505,6 +516,22 @@ impl View {
                 origin: held.map_or("", |held| &held.offset_name),
             };
             self.painter.draw(&shown.scene, &self.camera, &marks);
+            self.draw_lit();
         }
+    }
+
+    /// Draws the move that is pointed at: on its own canvas, or with everything else.
+    fn light(&self) {
+        if self.over.is_some() { self.draw_lit() } else { self.draw() }
+    }
+
+    fn draw_lit(&self) {
+        if let (Some(over), Some(shown)) = (&self.over, &self.shown) {
+            over.draw_lit(&shown.scene, &self.camera, self.highlight, self.part);
+        }
+    }
+
+    fn painters(&mut self) -> impl Iterator<Item = &mut Painter> {
+        std::iter::once(&mut self.painter).chain(&mut self.over)
     }
 }

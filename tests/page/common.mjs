@@ -76,7 +76,7 @@ export async function openTab() {
 /** Until the page stands. */
 export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
-  await tab.locator("tp-picture canvas").waitFor({ state: "attached" });
+  await tab.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
   await unfold(tab);
 }
 
@@ -126,22 +126,27 @@ export const program = async (tab = page) => (await tab.locator("tp-program .tex
 export const openText = (/** @type {string} */ text, name = "job.json", tab = page) =>
   tab.locator("#file").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 
-/** The drawn pixels of the canvas: how many are not background, and a sum to tell pictures apart. */
+/** The picture, without the canvas over it. */
+export const PICTURE = "canvas:not(.over)";
+
+/** The drawn pixels of a canvas and of what lies over it: how many are not background, and a sum to tell pictures apart. */
 export const pixels = () =>
   page
-    .locator("canvas:visible")
+    .locator(`${PICTURE}:visible`)
     .first()
     .evaluate((node) => {
-      const canvas = /** @type {HTMLCanvasElement} */ (node);
-      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-      const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
       let count = 0;
       let sum = 0;
-      data.forEach((pixel, i) => {
-        if (pixel === data[0]) return;
-        count++;
-        sum = (sum * 31 + i + pixel) % 1_000_000_007;
-      });
+      const over = node.parentElement?.querySelector("canvas.over");
+      for (const canvas of /** @type {HTMLCanvasElement[]} */ (over ? [node, over] : [node])) {
+        const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+        const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+        data.forEach((pixel, i) => {
+          if (pixel === data[0]) return;
+          count++;
+          sum = (sum * 31 + i + pixel) % 1_000_000_007;
+        });
+      }
       return { count, sum };
     });
 

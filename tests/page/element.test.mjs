@@ -7,7 +7,7 @@ import { after, afterEach, before, test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
-import { launch } from "./common.mjs";
+import { launch, PICTURE } from "./common.mjs";
 
 /** @import {} from "../../www/element.ts" */
 
@@ -241,9 +241,9 @@ test("readonly: nothing changes the job but the page around, and the program can
   assert.ok(await field("cycle.diameter").isDisabled());
   assert.ok(await field("cycle.type").isDisabled());
   const kept = await on((element) => element.job);
-  await page.locator("tp-picture canvas").focus();
+  await page.locator(`tp-picture ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
-  const canvas = await page.locator("tp-picture canvas").boundingBox();
+  const canvas = await page.locator(`tp-picture ${PICTURE}`).boundingBox();
   assert.ok(canvas);
   // The virtual part's handle stands at the feature's own origin.
   const spot = await page.evaluate(() => {
@@ -427,7 +427,7 @@ test("another job is another document: the user cannot undo into the one before,
   await set("job", { format: 1, name: "A", cycle: { type: "hole", diameter: 32 } });
   await set("job", { format: 1, name: "B", cycle: { type: "boss", diameter: 20 } });
   assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
-  await page.locator("tp-picture canvas").focus();
+  await page.locator(`tp-picture ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
   assert.equal(await on((element) => element.job.name), "B");
   await set("cycle", "hole");

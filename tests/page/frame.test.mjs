@@ -10,6 +10,7 @@ import {
   more,
   open,
   openText,
+  PICTURE,
   page,
   pixels,
   program,
@@ -31,7 +32,7 @@ const job = () => held("cycle");
 
 test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one types", async () => {
   await page.reload();
-  await page.locator("tp-picture canvas").waitFor();
+  await page.locator(`tp-picture ${PICTURE}`).waitFor();
   const over = await page.evaluate(() => {
     const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
     const form = /** @type {Element} */ (root.querySelector("tp-form"));
@@ -43,7 +44,7 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
   );
   const places = async () =>
     Promise.all(
-      ["[id='f-cycle.width2']", "tp-picture canvas", "tp-program .code", "footer", "tp-help"].map((name) =>
+      ["[id='f-cycle.width2']", `tp-picture ${PICTURE}`, "tp-program .code", "footer", "tp-help"].map((name) =>
         boxOf(page.locator(name)),
       ),
     );
@@ -249,7 +250,7 @@ test("arrow keys step, Escape puts back, Enter goes on", async () => {
 
 test("a touch at F4000 and a part turned by 20° are seen without opening anything", async () => {
   await page.reload();
-  await page.locator("tp-picture canvas").waitFor();
+  await page.locator(`tp-picture ${PICTURE}`).waitFor();
   await put("feeds.work", 4000);
   await put("part.rotation", 20);
   assert.ok(await page.locator("tp-findings .verdict.warning").isVisible());

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import { at } from "../../scripts/lib.mjs";
-import { context, open, page, SIZES, setUp } from "./common.mjs";
+import { context, open, PICTURE, page, SIZES, setUp } from "./common.mjs";
 
 setUp();
 
@@ -68,7 +68,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       await open({ viewport: { width, height }, colorScheme });
       // The folded form, as a user finds it.
       await page.reload();
-      await page.locator("tp-picture canvas").waitFor();
+      await page.locator(`tp-picture ${PICTURE}`).waitFor();
       await page.waitForTimeout(400);
       const seen = await cells(await page.screenshot());
       const file = `${FOLDER}/${width}-${colorScheme}.txt`;

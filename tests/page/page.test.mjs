@@ -11,6 +11,7 @@ import {
   held,
   more,
   open,
+  PICTURE,
   page,
   pixels,
   problems,
@@ -112,7 +113,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   assert.equal(await page.locator("tp-table tr.lit").count(), 12, "six codes used, six original");
   await page.getByRole("tab", { name: "Program" }).click();
   // Touch 1 in the picture: between the centre and the wall on the right, near the wall.
-  const box = await boxOf(page.locator("canvas"));
+  const box = await boxOf(page.locator(PICTURE));
   /** @type {string[]} */
   let found = [];
   for (let x = box.width * 0.75; x < box.width && !found[0]?.startsWith("G38.2 X42"); x += 4) {
@@ -173,7 +174,7 @@ test("the keyboard alone is enough", async () => {
   await list.focus();
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
   assert.deepEqual(await selected(), ["G38.2 X35 Y0 Z-10 F150"]);
-  await page.locator("canvas").focus();
+  await page.locator(PICTURE).focus();
   const before = await pixels();
   await page.keyboard.press("+");
   assert.notEqual((await pixels()).sum, before.sum);
@@ -190,7 +191,7 @@ test("views, zoom by wheel, drag", async () => {
     seen.add((await pixels()).sum);
   }
   assert.equal(seen.size, 4, "four different pictures");
-  const box = await boxOf(page.locator("canvas"));
+  const box = await boxOf(page.locator(PICTURE));
   const fitted = (await pixels()).sum;
   await page.mouse.move(box.x + 60, box.y + 60);
   await page.mouse.wheel(0, -300);
@@ -213,7 +214,7 @@ test("the virtual part: its fields, its handle, its results", async () => {
   assert.match((await page.locator("tp-results .notes").textContent()) ?? "", /cosine error/);
   await field("part.rotation").fill("0");
   await field("part.offset[0]").fill("0");
-  const box = await boxOf(page.locator("canvas"));
+  const box = await boxOf(page.locator(PICTURE));
   const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   await page.mouse.move(middle.x, middle.y);
   await page.mouse.down();
@@ -336,9 +337,9 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   assert.match((await page.locator(`[id="e-cycle.diameter1"]`).textContent()) ?? "", /ISO 286 has no H99/);
   await field("cycle.diameter1").fill("20H7");
   // The handle of the first touch stands to the right of circle 1; dragged up, the start angle becomes 90°.
-  const box = await boxOf(page.locator("canvas"));
+  const box = await boxOf(page.locator(PICTURE));
   let from = null;
-  const cursor = () => page.locator("canvas").evaluate((c) => c.style.cursor);
+  const cursor = () => page.locator(PICTURE).evaluate((c) => c.style.cursor);
   for (let x = 0; x < box.width / 2 && !from; x += 4) {
     await page.mouse.move(box.x + x, box.y + box.height / 2);
     if ((await cursor()) === "grab") from = { x: box.x + x + 4, y: box.y + box.height / 2 };
@@ -374,6 +375,7 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
   const answer = page.locator("tp-lentoax .answer");
   const axind = async () =>
     (await answer.locator("tbody td:nth-child(2)").allTextContents()).map((t) => t.trim()).join(" ");
+  await answer.locator("tbody td").first().waitFor();
   assert.equal(await axind(), "3 2 1");
   assert.match((await answer.textContent()) ?? "", /L1 acts along \+Z, L2 acts along \+Y, L3 acts along \+X/);
   const before = await pixels();

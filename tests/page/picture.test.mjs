@@ -1,7 +1,7 @@
 // The picture: a drag, a hover, what it leaves behind.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, context, field, held, page, pixels, program, setUp } from "./common.mjs";
+import { boxOf, context, field, held, open, PICTURE, page, pixels, program, setUp } from "./common.mjs";
 
 setUp();
 
@@ -60,7 +60,7 @@ test("a dragged part ran away where errors came up under an open list: the canva
 });
 
 test("the canvas changed its height with every message", async () => {
-  const high = async () => (await boxOf(page.locator("tp-picture canvas"))).height;
+  const high = async () => (await boxOf(page.locator(`tp-picture ${PICTURE}`))).height;
   const height = await high();
   for (const [path, value] of /** @type {const} */ ([
     ["feeds.work", "4000"],
@@ -167,7 +167,7 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
 
 test("a click on an axis looks along it, one beside them isometrically, and by the keyboard the buttons do the same", async () => {
   const pressed = () => page.getByRole("toolbar", { name: "Picture" }).locator("[aria-pressed=true]").textContent();
-  const box = await boxOf(page.locator("tp-picture canvas"));
+  const box = await boxOf(page.locator(`tp-picture ${PICTURE}`));
   const corner = { x: box.x + 34, y: box.y + box.height - 34 };
   assert.equal(await pressed(), "top");
   await page.mouse.click(corner.x + 28, corner.y);
@@ -179,7 +179,7 @@ test("a click on an axis looks along it, one beside them isometrically, and by t
   await page.mouse.click(corner.x + 18, corner.y - 18);
   assert.equal(await pressed(), "isometric");
   await page.mouse.move(corner.x + 20, corner.y - 18);
-  assert.equal(await page.locator("tp-picture canvas").evaluate((canvas) => canvas.style.cursor), "pointer");
+  assert.equal(await page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => canvas.style.cursor), "pointer");
 });
 
 test("deviations are drawn ten and a hundred times as large, and not dragged then", async () => {
@@ -277,4 +277,33 @@ test("a slow drag of a dimension's end is a drag, and one into an error can be d
   await page.mouse.up();
   assert.ok(Math.abs(Number(await field("cycle.width1").inputValue()) - 80) < 0.5);
   assert.equal(await page.locator("tp-findings .verdict.error").count(), 0);
+});
+
+test("what is pointed at is drawn over the picture, and the picture beneath stays", async () => {
+  await open();
+  const drawn = () =>
+    page.locator("tp-picture canvas").evaluateAll((all) =>
+      all.map((node) => {
+        const canvas = /** @type {HTMLCanvasElement} */ (node);
+        const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+        const data = new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+        return {
+          sum: data.reduce((sum, pixel, i) => (sum * 31 + i + pixel) % 1_000_000_007, 0),
+          any: data.some((x) => x !== 0),
+        };
+      }),
+    );
+  const [picture, over] = /** @type {[any, any]} */ (await drawn());
+  assert.ok(picture.any && !over.any, "nothing is lit");
+  await page.locator("#scrub").focus();
+  await page.keyboard.press("Control+ArrowRight");
+  const [same, lit] = /** @type {[any, any]} */ (await drawn());
+  assert.equal(same.sum, picture.sum);
+  assert.ok(lit.any);
+  await page.keyboard.press("Control+ArrowRight");
+  const [still, next] = /** @type {[any, any]} */ (await drawn());
+  assert.equal(still.sum, picture.sum);
+  assert.notEqual(next.sum, lit.sum);
+  await page.keyboard.press("Escape");
+  assert.equal((await drawn())[1]?.any, false, "and nothing again");
 });

@@ -1,7 +1,7 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { more, openText, page, program, setUp, textOf } from "./common.mjs";
+import { more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -48,7 +48,7 @@ test("a program of another hand was refused: its moves are drawn, probing told a
   await viewer.getByRole("button", { name: "front" }).click();
   assert.deepEqual(await painted(), { touch: true, link: true, position: true });
   // What is pointed at says its line.
-  const box = await viewer.locator("canvas").boundingBox();
+  const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
   let told = "";
   // From the left, until the first upright line.
@@ -68,7 +68,7 @@ test("a shorter program after a longer one left the picture of the first: what w
   await openText(long, "long.ngc");
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
-  const box = await viewer.locator("canvas").boundingBox();
+  const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
   const told = () => textOf(viewer.locator("p[role=status]"));
   for (let x = box.width - 10; x > 0 && !(await told()).startsWith("Line"); x -= 8) {

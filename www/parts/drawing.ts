@@ -21,10 +21,11 @@ export const VIEWS = ["top", "front", "side", "isometric"] as const;
 export class Drawing {
   private view?: View;
 
-  /** `show` puts into a new View what the canvas must show. */
+  /** `show` puts into a new View what the canvas must show; what is pointed at is drawn on the canvas `over` it, where there is one. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly show: (view: View) => void,
+    private readonly over?: HTMLCanvasElement,
   ) {}
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
@@ -85,6 +86,7 @@ export class Drawing {
 
   private make(): View {
     this.view = new View(this.canvas);
+    if (this.over) this.view.setOverlay(this.over);
     this.fit(this.view);
     this.show(this.view);
     return this.view;

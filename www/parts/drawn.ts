@@ -48,6 +48,11 @@ export abstract class DrawnPart extends CanvasPart {
     return this.querySelector("canvas") as HTMLCanvasElement;
   }
 
+  /** The canvas for what is pointed at: it lies over the picture, which need not be drawn again. */
+  protected over(): HTMLCanvasElement {
+    return this.querySelector("canvas.over") as HTMLCanvasElement;
+  }
+
   /** The tools above the picture. */
   protected tools(label: string): TemplateResult {
     return html`<div class="tools" role="toolbar" aria-label=${label}>

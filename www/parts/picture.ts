@@ -59,6 +59,7 @@ class PicturePart extends DrawnPart {
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
+        <canvas class="over" aria-hidden="true"></canvas>
         ${stale ? html`<p class="stamp" role="status">${this.live ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
       </div>
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
@@ -90,14 +91,18 @@ class PicturePart extends DrawnPart {
     const { shown, focused, revision, stale, draft } = this.store;
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
-      this.drawing = new Drawing(canvas, (view) => {
-        view.look(this.look);
-        label(view, this.store);
-        view.show(this.store.shown);
-        view.focus(this.store.focused ?? undefined);
-        view.highlight(this.store.highlight ?? undefined);
-        view.measure(this.store.measured);
-      });
+      this.drawing = new Drawing(
+        canvas,
+        (view) => {
+          view.look(this.look);
+          label(view, this.store);
+          view.show(this.store.shown);
+          view.focus(this.store.focused ?? undefined);
+          view.highlight(this.store.highlight ?? undefined);
+          view.measure(this.store.measured);
+        },
+        this.over(),
+      );
       this.observer.observe(canvas);
     }
     // A nominal part has nothing to draw larger, and its handle is there again.

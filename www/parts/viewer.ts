@@ -22,8 +22,11 @@ class ViewerPart extends DrawnPart {
     return html`
       <div class="see">
       ${this.tools(this.t("Picture of the program"))}
-        <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
-          @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
+        <div class="canvas">
+          <canvas tabindex="0" role="img" aria-label=${this.says()} @pointerdown=${this.down} @pointermove=${this.move}
+            @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
+          <canvas class="over" aria-hidden="true"></canvas>
+        </div>
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
         <ul class="key" aria-label=${this.t("Colours")}>
           <li class="touch">${this.t("probing")}</li><li class="link">${this.t("feed")}</li><li class="rapid">${this.t("rapid")}</li>
@@ -47,10 +50,14 @@ class ViewerPart extends DrawnPart {
   protected override updated(_changed: PropertyValues): void {
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
-      this.drawing = new Drawing(canvas, (view) => {
-        view.look(this.look);
-        view.showProgram(this.viewed.text);
-      });
+      this.drawing = new Drawing(
+        canvas,
+        (view) => {
+          view.look(this.look);
+          view.showProgram(this.viewed.text);
+        },
+        this.over(),
+      );
       this.observer.observe(canvas);
     }
     this.drawing?.use((view) => {
