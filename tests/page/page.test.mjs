@@ -688,7 +688,7 @@ test("a program is compared with the one saved last and with that for another co
   const without = (/** @type {string} */ kind) => all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
   assert.deepEqual(without("less"), now);
   assert.deepEqual(without("more"), before);
-  assert.match(await textOf(page.locator("tp-program .compared")), /^\d+ lines only here, \d+ lines only there$/);
+  assert.match(await textOf(page.locator("tp-program .compared [role=status]")), /^\d+ lines only here, \d+ lines only there$/);
   // Another control: its own words are there.
   await choice.selectOption("grbl");
   await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
@@ -698,6 +698,22 @@ test("a program is compared with the one saved last and with that for another co
   assert.equal(await shown.count(), 0);
   await field("control.post").selectOption("linuxcnc");
   await shown.first().waitFor();
+  // Side by side: each column is its whole program, and lines that replace others stand beside them.
+  await page.getByRole("button", { name: "Side by side" }).click();
+  const rows = page.locator("dialog.beside tbody tr");
+  const column = async (/** @type {number} */ n) =>
+    (await rows.locator(`td:nth-child(${n}):not(.none)`).allTextContents()).join("\n");
+  assert.equal(
+    `${await column(4)}\n`,
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).plan.program.text),
+  );
+  const { plan } = await import("touchpath");
+  const other = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+  other.control.post = "grbl";
+  assert.equal(`${await column(2)}\n`, plan(other).program.text);
+  assert.ok((await rows.locator("td.less + td + td.more").count()) > 10);
+  await page.keyboard.press("Escape");
+  assert.equal(await rows.count(), 0);
   // Back to the program.
   await choice.selectOption("");
   await page.locator("tp-program .code[role=listbox]").waitFor();

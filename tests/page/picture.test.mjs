@@ -280,7 +280,7 @@ test("a slow drag of a dimension's end is a drag, and one into an error can be d
 });
 
 test("what is pointed at is drawn over the picture, and the picture beneath stays", async () => {
-  await open();
+  await open({});
   const drawn = () =>
     page.locator("tp-picture canvas").evaluateAll((all) =>
       all.map((node) => {

@@ -1,7 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { type Job, type Programmed, programs } from "../core/browser.js";
 import { Colours } from "./colours.js";
-import type { compare } from "./compare.js";
+import type { Compared } from "./compare.js";
 import { copied, copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
@@ -11,6 +11,9 @@ interface Block {
   step: number;
   lines: { text: string; line: number }[];
 }
+
+/** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
+const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
@@ -23,7 +26,9 @@ class ProgramPart extends Part {
   /** What the program is compared with: nothing, the one that was saved last, that for another control. */
   private against = "";
   /** Compares programs; loaded when it is wanted. */
-  private compares: typeof compare | null = null;
+  private compares: typeof import("./compare.js") | null = null;
+  /** Whether both programs are looked at side by side. */
+  private wide = false;
   private readonly colours = new Colours();
   /** The program whose words have their colours. */
   private coloured = "";
@@ -44,8 +49,7 @@ class ProgramPart extends Part {
     const row = ({ text, line }: Block["lines"][number]) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
-      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false"
-        @mouseenter=${() => this.store.point(move ?? null)} @click=${() => this.store.pin(move ?? null)}><span class="no">${line + 1}</span><span class="text">${text}</span></div>`;
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false"><span class="no">${numberOf(line)}</span><span class="text">${text}</span></div>`;
     };
     const numbered = lines.map((text, line) => ({ text, line }));
     let now = -1;
@@ -66,7 +70,7 @@ class ProgramPart extends Part {
             if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
           }} />
         <span role="status" class="told found"></span>
-        <select class="compares" aria-label=${this.t("Compare the program")} @change=${this.choose}>
+        <select class=${this.comparing ? "compares chosen" : "compares"} aria-label=${this.t("Compare the program")} @change=${this.choose}>
           <option value="" ?selected=${!this.comparing}>⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null} ?selected=${this.against === "saved"}>${this.t("the one saved last")}</option>
           ${this.others().map((post) => html`<option value=${post.id} ?selected=${post.id === this.against}>${post.title}</option>`)}
@@ -76,7 +80,7 @@ class ProgramPart extends Part {
       ${withheld(this.store, "withheld-program")}
       ${this.comparing ? this.differences() : nothing}
       <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" lang="en" translate="no" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
-        @mouseleave=${() => this.store.point(null)}>
+        @mouseover=${(e: MouseEvent) => this.store.point(this.moveAt(e))} @mouseleave=${() => this.store.point(null)} @click=${(e: MouseEvent) => this.store.pin(this.moveAt(e))}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
           const text = steps[block.step - 1];
@@ -106,7 +110,7 @@ class ProgramPart extends Part {
   private readonly choose = async (event: Event): Promise<void> => {
     this.against = (event.target as HTMLSelectElement).value;
     try {
-      if (this.against !== "") this.compares ??= (await import("./compare.js")).compare;
+      if (this.against !== "") this.compares ??= await import("./compare.js");
     } catch {
       this.against = "";
       this.tell(this.t("This part of the page could not be loaded: is there a network?"));
@@ -130,14 +134,33 @@ class ProgramPart extends Part {
   private differences(): TemplateResult {
     const other = this.other();
     if ("why" in other || !this.compares) return html`<p class="problem">${"why" in other ? other.why : ""}</p>`;
-    const lines = this.compares(other.text, this.store.plan.program.text);
+    const lines = this.compares.compare(other.text, this.store.plan.program.text);
     const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
     const names = { " ": "", "-": this.t("not in this program"), "+": this.t("only in this program") };
-    return html`<p class="compared" role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</p>
+    return html`<p class="compared"><span role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</span>
+        <button type="button" class="quiet" @click=${() => this.widen(true)}>${this.t("Side by side")}</button></p>
+      <dialog class="beside" aria-label=${this.t("Differences")} @close=${() => this.widen(false)}>${this.wide ? this.beside(lines) : nothing}</dialog>
       <div class=${this.store.stale ? "code differences stale" : "code differences"} lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
         ({ sign, text, line }) =>
-          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : line + 1}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
+          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : numberOf(line)}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
       )}</div>`;
+  }
+
+  private async widen(wide: boolean): Promise<void> {
+    this.wide = wide;
+    this.requestUpdate();
+    await this.updateComplete;
+    if (wide) this.querySelector<HTMLDialogElement>("dialog.beside")?.showModal();
+  }
+
+  /** Both programs in two columns. */
+  private beside(lines: Compared[]): TemplateResult | typeof nothing {
+    const post = this.store.catalog.posts.find((p) => p.id === this.against);
+    const cells = (one: Compared | null, line: number | null | undefined, sign: string) =>
+      html`<td class="no">${typeof line === "number" ? line + 1 : ""}</td><td class=${one === null ? "none" : one.sign === " " ? "" : sign}>${one?.text}</td>`;
+    return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
+      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="col">${post?.title ?? this.t("saved last")}</th><th colspan="2" scope="col">${this.t("this program")}</th></tr></thead>
+        <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other, "less")}${cells(right, right?.line, "more")}</tr>`)}</tbody></table>`;
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -224,6 +247,13 @@ class ProgramPart extends Part {
         : this.found.length
           ? this.t("{count} of {all}", this.at + 1, this.found.length)
           : this.t("not found");
+  }
+
+  /** The move whose line is under the pointer. */
+  private moveAt(event: MouseEvent): number | null {
+    const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
+    const move = line === undefined ? -1 : this.store.plan.program.moveLines.lastIndexOf(Number(line));
+    return move < 0 ? null : move;
   }
 
   private lineAt(line: number): Element | null {
