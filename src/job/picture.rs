@@ -11,7 +11,7 @@ use crate::view::{self, Legend};
 pub struct Picture {
     /// The walls, the path, the touches, the dimensions.
     pub scene: Scene,
-    /// What each dimension is called, by its field's path: the form's label, and the value in the job's units.
+    /// What each dimension and angle is called, by its field's path: the form's label, and the value in the job's units.
     pub names: Vec<(&'static str, String)>,
     /// The name of the work offset; empty where none is written.
     pub offset: String,
@@ -36,19 +36,26 @@ impl Planned {
         // A feature of the same kind can be of a cycle that has no such field.
         let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
         scene.dimensions.retain(|dimension| has(dimension.field));
+        scene.angles.retain(|angle| has(angle.field));
         Picture {
-            names: scene.dimensions.iter().map(|d| (d.field, self.name(d.field, d.length, None))).collect(),
+            names: self.names(&scene, |_| None),
             offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
             deviates: !job.lie.nominal,
             scene,
         }
     }
 
-    /// What a dimension is called: its label, the form's where no other is given, and its length (mm) in the job's units.
-    pub fn name(&self, field: &str, length: f64, label: Option<&str>) -> String {
-        let key = field.strip_prefix("cycle.").unwrap_or(field);
-        let own = || self.job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
-        format!("{} {}", label.unwrap_or_else(own), decimal(length / self.job.scale, 4))
+    /// What each dimension and angle is called, by its field's path: its label, the form's where `label` has no other, and its value in the job's
+    /// units.
+    pub fn names<'l>(&self, scene: &Scene, label: impl Fn(&str) -> Option<&'l str>) -> Vec<(&'static str, String)> {
+        let named = |field: &'static str, value: String| {
+            let key = field.strip_prefix("cycle.").unwrap_or(field);
+            let own = || self.job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
+            (field, format!("{} {value}", label(field).unwrap_or_else(own)))
+        };
+        let dimensions = scene.dimensions.iter().map(|d| named(d.field, decimal(d.length / self.job.scale, 4)));
+        let angles = scene.angles.iter().map(|a| named(a.field, format!("{}°", decimal(a.turns[1].abs().to_degrees(), 4))));
+        dimensions.chain(angles).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
-use crate::view::scene::{Drawn, Scene, Spot};
+use crate::view::scene::{Drawn, DrawnAngle, Scene, Spot};
 
 /// A window on the picture plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +22,10 @@ pub const SMALL_MARGIN: f64 = 8.0;
 
 /// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
 const STANDS_OFF: [f64; 2] = [46.0, 16.0];
+
+/// How far from its vertex an angle is drawn, pixels; and beside and above it the middle of what it says, which is wider than high.
+pub const ANGLE_RADIUS: f64 = 54.0;
+const ANGLE_NAME: [f64; 2] = [112.0, 76.0];
 
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
@@ -58,6 +62,16 @@ impl Camera {
                 (d, [from, to, line[0], line[1]])
             })
             .collect()
+    }
+
+    /// The angles: each with its vertex and the middle of what it says, pixels.
+    pub fn angles<'a>(&self, scene: &'a Scene) -> impl Iterator<Item = (&'a DrawnAngle, [Spot; 2])> {
+        let camera = *self;
+        scene.angles.iter().map(move |angle| {
+            let at = camera.pixel(angle.at);
+            let (sin, cos) = (angle.turns[0] + angle.turns[1] / 2.0).sin_cos();
+            (angle, [at, [at[0] + ANGLE_NAME[0] * cos, at[1] - ANGLE_NAME[1] * sin]])
+        })
     }
 
     /// Closer by `factor`; the spot at `pixel` stays there.

@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::Camera;
-use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
+use crate::view::camera::{ANGLE_RADIUS, Camera};
+use crate::view::scene::{Arrow, DrawnAngle, Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -247,9 +247,12 @@ impl Painter {
         if let Some((origin, direction)) = scene.handle {
             self.handle(camera.pixel(origin), direction);
         }
+        let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
         for (drawn, line) in camera.dimensions(scene, marks.field) {
-            let name = marks.names.iter().find(|(field, _)| *field == drawn.field).map_or("", |(_, name)| name);
-            self.dimension(line, name, marks.field == Some(drawn.field));
+            self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
+        }
+        for (angle, places) in camera.angles(scene) {
+            self.angle(angle, places, name(angle.field), marks.field == Some(angle.field));
         }
         self.axes(scene, camera, marks.origin);
         if scene.metric {
@@ -463,7 +466,6 @@ impl Painter {
 
     /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
     fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
-        let c = &self.context;
         let colour = &self.theme.ball;
         let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
         let far = dx.hypot(dy).max(1e-9);
@@ -479,11 +481,41 @@ impl Painter {
             self.head(start, [-ux, -uy], 8.0, colour);
             self.head(end, [ux, uy], 8.0, colour);
         }
-        c.set_text_align("center");
-        c.set_text_baseline("middle");
         let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
         // An upright dimension is written upright, as on a drawing.
-        let upright = dy.abs() > dx.abs();
+        self.name(middle, dy.abs() > dx.abs(), name, lit);
+    }
+
+    /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
+    fn angle(&self, angle: &DrawnAngle, [at, middle]: [Spot; 2], name: &str, lit: bool) {
+        let c = &self.context;
+        let colour = &self.theme.ball;
+        let [first, turn] = angle.turns;
+        let along = |radians: f64, far: f64| [at[0] + far * radians.cos(), at[1] - far * radians.sin()];
+        for side in [first, first + turn] {
+            self.segment(at, along(side, ANGLE_RADIUS + 8.0), colour, 0.75, &[]);
+        }
+        c.begin_path();
+        let _ = c.arc_with_anticlockwise(at[0], at[1], ANGLE_RADIUS, -first, -first - turn, turn > 0.0);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(if lit { 2.0 } else { 1.0 });
+        self.dash(&[]);
+        c.stroke();
+        if turn.abs() * ANGLE_RADIUS > 22.0 {
+            // Along the arc, away from its middle.
+            for (side, sense) in [(first, -turn.signum()), (first + turn, turn.signum())] {
+                self.head(along(side, ANGLE_RADIUS), [-sense * side.sin(), -sense * side.cos()], 8.0, colour);
+            }
+        }
+        self.name(middle, false, name, lit);
+    }
+
+    /// What a dimension or an angle says, in its box.
+    fn name(&self, middle: Spot, upright: bool, name: &str, lit: bool) {
+        let c = &self.context;
+        let colour = &self.theme.ball;
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
         let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
         c.save();
         let _ = c.translate(middle[0], middle[1]);

@@ -20,6 +20,38 @@ pub struct Dimension {
     pub on_demand: bool,
 }
 
+/// An angle of the nominal part: between two directions at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Angle {
+    /// The path of the job's field that says it.
+    pub field: &'static str,
+    /// Its vertex, mm.
+    pub at: Vec3,
+    /// The directions of its two sides, unit vectors.
+    pub sides: [Vec3; 2],
+}
+
+/// The angles of what a path probes: between the walls of a corner, and of a surface's target vector up from the plane. None where the touches
+/// were picked.
+pub fn angles(path: &Path) -> Vec<Angle> {
+    let frame = path.frame;
+    let (field, at, sides) = match &path.feature {
+        feature if feature.picked() => return Vec::new(),
+        Feature::Corner(corner) | Feature::Triple(corner) => {
+            // Wall 1 runs along the ordinate of the frame, wall 2 on the side of its abscissa.
+            let (sin, cos) = corner.angle.to_radians().sin_cos();
+            ("cycle.angle", frame.origin, [frame.v, frame.u * sin + frame.v * cos])
+        }
+        Feature::Surface { .. } => {
+            let Some(touch) = path.touches.first() else { return Vec::new() };
+            ("cycle.elevation", touch.point, [frame.u, touch.vector])
+        }
+        _ => return Vec::new(),
+    };
+    // None of a wall, and of nothing.
+    if sides[0].distance(sides[1]) < 1e-6 { Vec::new() } else { vec![Angle { field, at, sides }] }
+}
+
 /// The dimensions of what a path probes; none where the touches were picked, since then they say nothing of where it lies.
 pub fn dimensions(path: &Path) -> Vec<Dimension> {
     if path.feature.picked() {
@@ -71,7 +103,11 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
             clearances(path, protected, &["cycle.sideClearance"], &mut all);
         }
         Feature::Corner(corner) => walls(path, &CLEARANCES[..2], corner.outside, &mut all),
-        Feature::Triple(corner) => walls(path, &CLEARANCES[..if corner.outside { 2 } else { 3 }], false, &mut all),
+        Feature::Triple(corner) if corner.outside => {
+            walls(path, &CLEARANCES[..2], true, &mut all);
+            on_top(path, &mut all);
+        }
+        Feature::Triple(_) => walls(path, &CLEARANCES, false, &mut all),
         Feature::TwoCircles(_) => {
             for (surface, field) in path.surfaces.iter().zip(["cycle.diameter1", "cycle.diameter2"]) {
                 if let Surface::Round(round) = surface {
@@ -81,27 +117,80 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
                 }
             }
         }
-        Feature::Still | Feature::Surface { .. } => {}
+        Feature::Surface { .. } => {
+            if let (Some(touch), Some(start)) = (path.touches.first(), begin_of(path, 0)) {
+                let aside = w.cross(touch.vector).try_normalize().unwrap_or(v);
+                all.push(Dimension {
+                    field: "cycle.clearance",
+                    from: touch.point,
+                    to: start,
+                    aside,
+                    beyond: 0.0,
+                    on_demand: false,
+                });
+            }
+        }
+        Feature::Still => {}
+    }
+    // How far above the start the ball comes in and goes out again.
+    if let [.., before, last] = path.moves.as_slice()
+        && path.feature.two_circles().is_none()
+    {
+        let lifts = last.purpose == Purpose::Position && (last.to - before.to).cross(w).length() < 1e-9;
+        if lifts {
+            let (from, to) = (before.to, last.to);
+            all.push(Dimension { field: "cycle.feedDistance", from, to, aside: u, beyond: 0.0, on_demand: true });
+        }
     }
     all
+}
+
+/// Where the ball is when a touch begins.
+fn begin_of(path: &Path, touch: usize) -> Option<Vec3> {
+    let i = path.moves.iter().position(|step| step.purpose == Purpose::Touch(touch))?;
+    Some(path.moves[i.checked_sub(1)?].to)
+}
+
+/// Of a corner that is touched from outside on its top side, too: how deep its walls are touched, and where the top side is.
+fn on_top(path: &Path, all: &mut Vec<Dimension>) {
+    let [first, second, third] = path.touches.as_slice() else { return };
+    let (origin, w) = (path.frame.origin, path.frame.w);
+    let level = w * (origin - first.point).dot(w);
+    let depth = Dimension {
+        field: "cycle.depth",
+        from: first.point + level,
+        to: first.point,
+        aside: first.vector,
+        beyond: 0.0,
+        on_demand: false,
+    };
+    all.push(depth);
+    for (wall, field) in [(first, "cycle.topDistance1"), (second, "cycle.topDistance2")] {
+        let from = third.point + wall.vector * (wall.point - third.point).dot(wall.vector);
+        let aside = w.cross(wall.vector);
+        all.push(Dimension { field, from, to: third.point, aside, beyond: 0.0, on_demand: true });
+    }
+    if let Some(to) = begin_of(path, 2) {
+        let from = third.point;
+        all.push(Dimension { field: "cycle.topClearance", from, to, aside: first.vector, beyond: 0.0, on_demand: true });
+    }
 }
 
 /// The fields that say how far before a wall its touch begins.
 const CLEARANCES: [&str; 3] = ["cycle.clearance1", "cycle.clearance2", "cycle.clearance3"];
 
-/// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, to the corner.
+/// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, from the corner at its level.
 fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<Dimension>) {
     const STEPS: [&str; 2] = ["cycle.step1", "cycle.step2"];
     const DISTANCES: [&str; 2] = ["cycle.distance1", "cycle.distance2"];
     for (wall, field) in clearances.iter().enumerate() {
         let mut touches = path.touches.iter().enumerate().filter(|(_, touch)| touch.group == wall);
         let Some((k, first)) = touches.next() else { continue };
-        let begins = path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)).and_then(|i| i.checked_sub(1));
         // Beside the corner, where no other touch is.
         let along = path.frame.w.cross(first.vector).try_normalize().unwrap_or(path.frame.u);
         let aside = if along.dot(first.point - path.frame.origin) > 0.0 { -along } else { along };
-        if let Some(begins) = begins {
-            let (from, to) = (first.point, path.moves[begins].to);
+        if let Some(to) = begin_of(path, k) {
+            let from = first.point;
             all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
         }
         let aside = -first.vector;
@@ -109,7 +198,9 @@ fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<
             all.push(Dimension { field, from: first.point, to: next.point, aside, beyond: 0.0, on_demand: false });
         }
         if let Some(field) = DISTANCES.get(wall).filter(|_| outside) {
-            all.push(Dimension { field, from: path.frame.origin, to: first.point, aside, beyond: 0.0, on_demand: true });
+            let (origin, w) = (path.frame.origin, path.frame.w);
+            let from = origin + w * (first.point - origin).dot(w);
+            all.push(Dimension { field, from, to: first.point, aside, beyond: 0.0, on_demand: true });
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 
 use crate::tool_length::{self, Query};
-use crate::view::dimension::{Dimension, dimensions};
+use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -132,6 +132,17 @@ pub struct Drawn {
     pub on_demand: bool,
 }
 
+/// An angle in the picture plane, in its true size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnAngle {
+    /// The path of the job's field that says it.
+    pub field: &'static str,
+    /// Its vertex.
+    pub at: Spot,
+    /// From the abscissa of the picture to its first side, and from there to its second, radians, counter-clockwise positive.
+    pub turns: [f64; 2],
+}
+
 /// Everything that is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
@@ -162,6 +173,8 @@ pub struct Scene {
     pub collision: Option<(usize, Spot)>,
     /// The dimensions of the nominal part that are seen in their true length.
     pub dimensions: Vec<Drawn>,
+    /// The angles that are seen in their true size.
+    pub angles: Vec<DrawnAngle>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
     pub handle: Option<(Spot, Spot)>,
 }
@@ -278,6 +291,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
             .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
         collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
         dimensions: drawn(path, setup.plane, view),
+        angles: drawn_angles(path, setup.plane, view),
         // What is drawn larger than it is cannot be dragged by it.
         handle: (view == Projection::Top && actual.magnify == 1.0).then(|| (spot(actual.origin), spot(actual.direction))),
     }
@@ -300,6 +314,19 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         Some(Drawn { field: d.field, ends, aside, length, on_demand: d.on_demand })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
+}
+
+/// The angles of a path that a view shows in their true size.
+pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAngle> {
+    let seen = |angle: Angle| {
+        let [first, second] = angle.sides.map(|side| view.spot(plane, side));
+        if [first, second].iter().any(|side| side[0].hypot(side[1]) < 0.999) || view == Projection::Isometric {
+            return None;
+        }
+        let turn = (first[0] * second[1] - first[1] * second[0]).atan2(first[0] * second[0] + first[1] * second[1]);
+        Some(DrawnAngle { field: angle.field, at: view.spot(plane, angle.at), turns: [first[1].atan2(first[0]), turn] })
+    };
+    angles(path).into_iter().filter_map(seen).collect()
 }
 
 /// The moves of a program that nothing else is known of.
@@ -368,6 +395,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
         spread: None,
         collision: None,
         dimensions: Vec::new(),
+        angles: Vec::new(),
         handle: None,
     }
 }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use crate::num::decimal;
-use crate::view::camera::{Camera, DIMENSION_MARGIN};
-use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::camera::{ANGLE_RADIUS, Camera, DIMENSION_MARGIN};
+use crate::view::scene::{DrawnAngle, Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -44,9 +44,15 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
     let touches = scene.touches.iter().enumerate();
     touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
+    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
     for (dimension, ends) in drawing.camera.dimensions(scene, None) {
-        if let Some((_, name)) = legend.names.iter().find(|(field, _)| *field == dimension.field) {
+        if let Some(name) = name(dimension.field) {
             drawing.dimension(ends, name, &mut text);
+        }
+    }
+    for (angle, places) in drawing.camera.angles(scene) {
+        if let Some(name) = name(angle.field) {
+            Drawing::angle(angle, places, name, &mut text);
         }
     }
     text.push_str("</svg>\n");
@@ -88,7 +94,8 @@ impl Drawing {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
         let dimensions = self.camera.dimensions(scene, None).into_iter().flat_map(|(_, ends)| ends);
         let mut extent = [[0.0; 2], self.camera.size];
-        for at in lines.chain(dimensions) {
+        let angles = self.camera.angles(scene).flat_map(|(_, places)| places);
+        for at in lines.chain(dimensions).chain(angles) {
             for i in [0, 1] {
                 extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
                 extent[1][i] = extent[1][i].max((at[i] + ROOM).ceil());
@@ -182,24 +189,52 @@ impl Drawing {
         }
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
         if length > 22.0 {
-            for (tip, way) in [(start, -1.0), (end, 1.0)] {
-                let back = [tip[0] - way * ux * 8.0, tip[1] - way * uy * 8.0];
-                let sides = [-3.4, 3.4].map(|half| pair([back[0] - uy * half, back[1] + ux * half]));
-                let _ = writeln!(text, "<path d=\"M{}L{}L{}Z\" fill=\"#2563eb\"/>", pair(tip), sides[0], sides[1]);
+            head(start, [-ux, -uy], text);
+            head(end, [ux, uy], text);
+        }
+        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
+        // An upright dimension is written upright, as on a drawing.
+        said(middle, dy.abs() > dx.abs(), name, text);
+    }
+
+    /// An angle: its sides, its arc with arrow heads, and what it says.
+    fn angle(angle: &DrawnAngle, [at, middle]: [Spot; 2], name: &str, text: &mut String) {
+        let [first, turn] = angle.turns;
+        let along = |radians: f64, far: f64| [at[0] + far * radians.cos(), at[1] - far * radians.sin()];
+        let sides = [first, first + turn];
+        let mut lines = String::new();
+        for side in sides {
+            let _ = write!(lines, "M{}L{}", pair(at), pair(along(side, ANGLE_RADIUS + 8.0)));
+        }
+        let [from, to] = sides.map(|side| along(side, ANGLE_RADIUS));
+        let (radius, sweep) = (decimal(ANGLE_RADIUS, 0), if turn > 0.0 { 0 } else { 1 });
+        let _ = write!(lines, "M{}A{radius} {radius} 0 0 {sweep} {}", pair(from), pair(to));
+        let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
+        if turn.abs() * ANGLE_RADIUS > 22.0 {
+            for (tip, side, sense) in [(from, sides[0], -turn.signum()), (to, sides[1], turn.signum())] {
+                head(tip, [-sense * side.sin(), -sense * side.cos()], text);
             }
         }
-        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0].map(|v| decimal(v, 1));
-        // An upright dimension is written upright, as on a drawing.
-        let turned =
-            if dy.abs() > dx.abs() { format!(" transform=\"rotate(-90 {} {})\"", middle[0], middle[1]) } else { String::new() };
-        let _ = writeln!(
-            text,
-            "<text x=\"{}\" y=\"{}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}>{}</text>",
-            middle[0],
-            middle[1],
-            escaped(name)
-        );
+        said(middle, false, name, text);
     }
+}
+
+/// An arrow head with its tip at a place.
+fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
+    let back = [tip[0] - ux * 8.0, tip[1] - uy * 8.0];
+    let sides = [-3.4, 3.4].map(|half| pair([back[0] - uy * half, back[1] + ux * half]));
+    let _ = writeln!(text, "<path d=\"M{}L{}L{}Z\" fill=\"#2563eb\"/>", pair(tip), sides[0], sides[1]);
+}
+
+/// What a dimension or an angle says.
+fn said(middle: Spot, upright: bool, name: &str, text: &mut String) {
+    let [x, y] = middle.map(|v| decimal(v, 1));
+    let turned = if upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+    let _ = writeln!(
+        text,
+        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}>{}</text>",
+        escaped(name)
+    );
 }
 
 fn pair(at: Spot) -> String {

@@ -289,24 +289,32 @@ impl View {
     pub fn look_for(&self, field: &str) -> Option<String> {
         let held = self.held()?;
         let (path, plane) = (&held.last.planned.path, held.plane);
-        let sees = |view| scene::drawn(path, plane, view).iter().any(|d| d.field == field);
+        let sees = |view| {
+            scene::drawn(path, plane, view).iter().any(|d| d.field == field)
+                || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
+        };
         let names = ["top", "front", "side"];
         let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
         let found = now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(sees));
         found.map(str::to_owned)
     }
 
-    /// The path of the field whose dimension is written at a pixel.
+    /// The path of the field whose dimension or angle is written at a pixel.
     #[wasm_bindgen(js_name = dimensionAt)]
     pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        let near = |[_, _, a, b]: [Spot; 4]| {
-            let upright = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
+        let near = |middle: Spot, upright: bool| {
             let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
-            ((a[0] + b[0]) / 2.0 - x).abs() <= wide && ((a[1] + b[1]) / 2.0 - y).abs() <= high
+            (middle[0] - x).abs() <= wide && (middle[1] - y).abs() <= high
         };
-        let found = self.camera.dimensions(scene, self.field.as_deref()).into_iter().find(|(_, line)| near(*line));
-        found.map(|(drawn, _)| drawn.field.to_owned())
+        let on_line = |[_, _, a, b]: [Spot; 4]| {
+            let middle = [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
+            near(middle, (b[1] - a[1]).abs() > (b[0] - a[0]).abs())
+        };
+        let dimensions = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
+        let found = dimensions.filter(|(_, line)| on_line(*line)).map(|(drawn, _)| drawn.field).next();
+        let angle = || self.camera.angles(scene).find(|(_, [_, name])| near(*name, false)).map(|(angle, _)| angle.field);
+        found.or_else(angle).map(str::to_owned)
     }
 
     /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
@@ -447,12 +455,12 @@ impl View {
 
     fn build(&self, last: Rc<Last>) -> Shown {
         let job::Picture { scene, mut names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
-        for (dimension, (field, name)) in scene.dimensions.iter().zip(&mut names) {
-            let Some((_, label)) = self.labels.iter().find(|(known, _)| known == field) else { continue };
-            *name = last.planned.name(field, dimension.length, Some(label));
-            if self.comma {
-                *name = name.replace('.', ",");
-            }
+        if !self.labels.is_empty() {
+            let label = |field: &str| self.labels.iter().find(|(known, _)| known == field).map(|(_, label)| label.as_str());
+            names = last.planned.names(&scene, label);
+        }
+        if self.comma {
+            names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));
         }
         let Planned { job, path, .. } = &last.planned;
         let held = Held {

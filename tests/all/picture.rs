@@ -2,7 +2,7 @@
 
 use touchpath::job;
 use touchpath::path::Path;
-use touchpath::view::dimension::dimensions;
+use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::scene::{Projection, Scene};
 
 use crate::common::{jobs, number_at, planned, with};
@@ -48,6 +48,42 @@ fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
     assert!(seen > 40, "{seen}");
 }
 
+/// As wide as its field says, and between the walls that are touched.
+#[test]
+fn an_angle_is_as_wide_as_its_field_says() {
+    let mut seen = 0;
+    for (name, job) in metric() {
+        let path = job::planned(&job).expect("the job is sound").path;
+        for angle in angles(&path) {
+            let said = number_at(&job, angle.field, 90.0);
+            let wide = angle.sides[0].angle_between(angle.sides[1]).to_degrees();
+            assert!((wide - said).abs() < 1e-6, "{name}: {} is {wide}°, the field says {said}", angle.field);
+            if angle.field == "cycle.angle" {
+                for (wall, side) in angle.sides.iter().enumerate() {
+                    let touch = path.touches.iter().find(|touch| touch.group == wall).expect("each wall is touched");
+                    let across = (touch.point - angle.at).dot(touch.vector);
+                    assert!(side.dot(touch.vector).abs() < 1e-9 && across.abs() < 1e-9, "{name}: wall {wall}");
+                    assert!((touch.point - angle.at).dot(*side) > 0.0, "{name}: its touches lie along side {wall}");
+                }
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen > 8, "{seen}");
+    let drawn = |job: &Value, view| built(job, view).0.angles.iter().map(|a| (a.field, a.turns)).collect::<Vec<_>>();
+    let corner = of("double-wall-internal-corner");
+    let [(field, [first, turn])] = drawn(&corner, Projection::Top)[..] else { panic!("one angle") };
+    assert_eq!(field, "cycle.angle");
+    // Wall 1 runs up the picture, wall 2 to the right: clockwise.
+    assert!((first.to_degrees() - 90.0).abs() < 1e-9 && (turn.to_degrees() + 90.0).abs() < 1e-9, "{first} {turn}");
+    assert!(drawn(&corner, Projection::Front).is_empty() && drawn(&corner, Projection::Isometric).is_empty());
+    let slope = with(&of("surface"), "cycle.elevation", crate::common::number(30.0));
+    assert!(drawn(&slope, Projection::Top).is_empty());
+    assert!((drawn(&slope, Projection::Front)[0].1[1].to_degrees() - 30.0).abs() < 1e-9);
+    let svg = job::svg(&corner, Projection::Top).expect("the job has a plan");
+    assert!(svg.contains(">Corner angle 90°</text>"), "{svg}");
+}
+
 /// The ends of a width are where its touches are: the picture measures what the probe measures.
 #[test]
 fn the_ends_of_a_width_lie_in_the_walls_that_are_touched() {
@@ -75,12 +111,17 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
     let job = of("internal-rectangle-protected");
     let fields = |view| built(&job, view).0.dimensions.iter().map(|d| d.field).collect::<Vec<_>>();
     assert_eq!(fields(Projection::Top), ["cycle.width1", "cycle.width2", "cycle.sideClearance1", "cycle.sideClearance2"]);
-    assert_eq!(fields(Projection::Front), ["cycle.width1", "cycle.depth", "cycle.sideClearance1", "cycle.topClearance"]);
-    assert_eq!(fields(Projection::Side), ["cycle.width2", "cycle.depth", "cycle.sideClearance2", "cycle.topClearance"]);
+    let upright = |width, clearance| [width, "cycle.depth", clearance, "cycle.topClearance", "cycle.feedDistance"];
+    assert_eq!(fields(Projection::Front), upright("cycle.width1", "cycle.sideClearance1"));
+    assert_eq!(fields(Projection::Side), upright("cycle.width2", "cycle.sideClearance2"));
     assert!(fields(Projection::Isometric).is_empty());
     let turned = with(&job, "cycle.rotation", crate::common::number(30.0));
     let front: Vec<_> = built(&turned, Projection::Front).0.dimensions.iter().map(|d| d.field).collect();
-    assert_eq!(front, ["cycle.depth", "cycle.topClearance"], "a turned width is foreshortened from the front");
+    assert_eq!(
+        front,
+        ["cycle.depth", "cycle.topClearance", "cycle.feedDistance"],
+        "a turned width is foreshortened from the front"
+    );
 }
 
 /// Of a round wall one half faces who looks: of a boss the near one, of a hole the far one.
@@ -177,7 +218,21 @@ fn corners_and_circles_have_their_dimensions_too() {
     let outside = ["cycle.clearance1", "cycle.step1", "cycle.distance1", "cycle.clearance2", "cycle.step2", "cycle.distance2"];
     assert_eq!(fields("double-wall-external-corner", Projection::Top), outside);
     assert_eq!(fields("triple-wall-internal-corner", Projection::Top), ["cycle.clearance1", "cycle.clearance2"]);
-    assert_eq!(fields("triple-wall-internal-corner", Projection::Front), ["cycle.clearance1", "cycle.clearance3"]);
+    let lifted = ["cycle.clearance1", "cycle.clearance3", "cycle.feedDistance"];
+    assert_eq!(fields("triple-wall-internal-corner", Projection::Front), lifted);
+    let [wall1, wall2] = [["cycle.clearance1", "cycle.distance1"], ["cycle.clearance2", "cycle.distance2"]];
+    let top = [wall1, wall2, ["cycle.topDistance1", "cycle.topDistance2"]].concat();
+    assert_eq!(fields("triple-wall-external-corner", Projection::Top), top);
+    let front = [
+        "cycle.clearance1",
+        "cycle.distance2",
+        "cycle.depth",
+        "cycle.topDistance1",
+        "cycle.topClearance",
+        "cycle.feedDistance",
+    ];
+    assert_eq!(fields("triple-wall-external-corner", Projection::Front), front);
+    assert_eq!(fields("surface", Projection::Front), ["cycle.clearance", "cycle.feedDistance"]);
     assert_eq!(fields("probing-two-circles", Projection::Top), ["cycle.diameter1", "cycle.diameter2"]);
 }
 
