@@ -1,7 +1,9 @@
 // Form edit to whole plan: natively and in WebAssembly, few touches and many, nominal part and another; and the wasm's size.
 // In WebAssembly times are of the
 // process itself, lower quartiles; natively of the clock. What counts are the ratios, all of one run on one machine.
-import { readdirSync, readFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { build } from "./build.mjs";
 import { at, run } from "./lib.mjs";
@@ -45,16 +47,21 @@ const cpu = () => {
   return user + system;
 };
 
-/** Microseconds of a call, the lower quartile of 21 rounds. */
-function time(/** @type {() => unknown} */ work, calls = 100) {
-  for (let i = 0; i < 3 * calls; i++) work();
-  const rounds = Array.from({ length: 21 }, () => {
-    const start = cpu();
-    for (let i = 0; i < calls; i++) work();
-    return (cpu() - start) / calls;
-  });
-  return rounds.sort((a, b) => a - b)[5] ?? Number.NaN;
+/** Microseconds of a call of each, the lower quartile of 21 rounds. They take turns: what slows the machine for a while slows them all. */
+function times(/** @type {(() => unknown)[]} */ works, calls = 100) {
+  for (const work of works) for (let i = 0; i < 3 * calls; i++) work();
+  /** @type {number[][]} */
+  const rounds = works.map(() => []);
+  for (let round = 0; round < 21; round++)
+    works.forEach((work, k) => {
+      const start = cpu();
+      for (let i = 0; i < calls; i++) work();
+      rounds[k]?.push((cpu() - start) / calls);
+    });
+  return rounds.map((own) => own.sort((a, b) => a - b)[5] ?? Number.NaN);
 }
+
+const time = (/** @type {() => unknown} */ work, calls = 100) => times([work], calls)[0] ?? Number.NaN;
 
 const args = Object.entries(jobs).map(([name, job]) => `${name}=${JSON.stringify(job)}`);
 const native = new Map(
@@ -90,18 +97,20 @@ console.log(
 const wasm = new Map();
 const timeOf = (/** @type {Map<string, number>} */ times, /** @type {string} */ name) => times.get(name) ?? Number.NaN;
 for (const [name, job] of Object.entries(jobs)) {
-  wasm.set(
-    name,
-    time(() => plan(job)),
-  );
   const read = (/** @type {import("touchpath").Plan} */ p) => [p.touches, p.moves, p.program, p.results, p.safety];
+  const [whole = Number.NaN, ...others] = times([
+    () => plan(job),
+    () => read(plan(job)),
+    () => ({ ...plan(job) }),
+    () => program(job),
+    () => check(job),
+  ]);
+  wasm.set(name, whole);
   const cells = [
     timeOf(native, name).toFixed(1).padStart(8),
     timeOf(wasm, name).toFixed(1).padStart(8),
     (timeOf(wasm, name) / timeOf(native, name)).toFixed(2).padStart(12),
-    ...[() => read(plan(job)), () => ({ ...plan(job) }), () => program(job), () => check(job)].map((work) =>
-      time(work).toFixed(1).padStart(12),
-    ),
+    ...others.map((micros) => micros.toFixed(1).padStart(12)),
   ];
   console.log(name.padEnd(26), ...cells);
 }
@@ -176,14 +185,14 @@ function* many(/** @type {number} */ count) {
 console.log("\nJobs to programs, one core: jobs a second (goal: 15,000), MB/s of program, memory in MB");
 for (const made of programs(many(2000))) if (!made.program) throw new Error(JSON.stringify(made.findings));
 let [done, text, start] = [0, 0, cpu()];
-for (const made of programs(many(40_000))) {
+for (const made of programs(many(200_000))) {
   text += made.program?.text.length ?? 0;
-  if (++done % 10_000 === 0) {
+  if (++done % 40_000 === 0) {
     const seconds = (cpu() - start) / 1e6;
     const memory = process.memoryUsage().rss / 1e6;
     console.log(
       String(done).padStart(8),
-      (10_000 / seconds).toFixed(0).padStart(8),
+      (40_000 / seconds).toFixed(0).padStart(8),
       (text / seconds / 1e6).toFixed(1).padStart(8),
       memory.toFixed(0).padStart(6),
     );
@@ -212,16 +221,17 @@ console.log(
 for (const lines of [50, 1000, 10_000, 100_000]) {
   const text = foreign(lines);
   const calls = Math.max(1, Math.round(20_000 / lines));
-  const own = time(() => readProgram(text), Math.max(calls, 3));
   let straight = 0;
   const theirs = () => {
     straight = 0;
     new GcodeToolpath({ addLine: () => straight++ }).loadFromStringSync(text);
   };
-  const [toolpath, parser] =
-    lines > 20_000
-      ? [once(theirs), once(() => parseStringSync(text))]
-      : [time(theirs, calls), time(() => parseStringSync(text), calls)];
+  const few = lines > 20_000;
+  const [own = Number.NaN, ...slow] = times(
+    [() => readProgram(text), ...(few ? [] : [theirs, () => parseStringSync(text)])],
+    calls,
+  );
+  const [toolpath = Number.NaN, parser = Number.NaN] = few ? [once(theirs), once(() => parseStringSync(text))] : slow;
   const { kind, kinds } = readProgram(text);
   const probes = kind.filter((k) => kinds[k] === "probe").length;
   console.log(
@@ -233,6 +243,28 @@ for (const lines of [50, 1000, 10_000, 100_000]) {
     `${probes}, ${straight - (kind.length - probes) > 0 ? straight - (kind.length - probes) : 0}`.padStart(26),
   );
 }
+
+// The same natively, beside two crates that give a program's words.
+console.log(
+  "\nNatively, µs of the clock: Touchpath's moves, and by how much that is faster than the words of the crates gcode and g-code",
+);
+const folder = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
+for (const lines of [50, 1000, 10_000, 100_000]) {
+  const file = join(folder, "program.ngc");
+  writeFileSync(file, foreign(lines));
+  const readers = ["--manifest-path", at("tools", "readers", "Cargo.toml"), "--target-dir", at("target")];
+  const said = run("cargo", ["run", "--quiet", "--locked", "--release", ...readers, "--", file], { quiet: true });
+  const [own = Number.NaN, ...crates] = said
+    .trim()
+    .split("\n")
+    .map((line) => Number(line.split(" ")[1]));
+  console.log(
+    String(lines).padEnd(10),
+    own.toFixed(1).padStart(11),
+    ...crates.map((micros) => (micros / own).toFixed(1).padStart(8)),
+  );
+}
+rmSync(folder, { recursive: true });
 
 /** What takes half a second is timed three times. */
 function once(/** @type {() => unknown} */ work) {

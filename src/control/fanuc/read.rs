@@ -3,7 +3,7 @@
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
-use crate::control::iso::script::{Expr, Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -120,7 +120,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
         cursor.expect("=")?;
         let value = cursor.value(grammar, script)?;
         match system(name) {
-            _ if name == "#3000" && matches!(script.nodes[value as usize], Expr::Number(_)) => What::Alarm,
+            _ if name == "#3000" && script.number(value).is_some() => What::Alarm,
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
             Some(_) => return Err(text!("the control's own values are not written")),

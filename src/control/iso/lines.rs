@@ -46,14 +46,17 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
 /// What a control reads a line as: its number, its code, its comment.
 pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()> + 'f;
 
-/// Reads line by line: `block` gets the code and the comment of each line. Every line that is not understood is listed.
+/// So many lines that are not understood are listed: behind them a text is no program of this control, and is not read on.
+const MOST_TROUBLES: usize = 200;
+
+/// Reads line by line: `block` gets the code and the comment of each line. The lines that are not understood are listed.
 pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut Block<'_, 't>) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let mut begun = false;
     let mut rest = text;
     for line in 0.. {
-        if rest.is_empty() {
+        if rest.is_empty() || troubles.len() == MOST_TROUBLES {
             break;
         }
         let full = next_line(&mut rest);

@@ -48,7 +48,7 @@ pub struct Run {
     pub may_stop: bool,
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 struct State {
     pc: usize,
     slots: Vec<f64>,
@@ -64,6 +64,19 @@ struct State {
     origins: Vec<(Part, f64)>,
     reading: Option<[Option<f64>; 3]>,
     warned: bool,
+}
+
+impl State {
+    /// Becomes another one. What it has room for is used again: this is done at every probing move.
+    fn become_like(&mut self, other: &State) {
+        let Self { pc, slots, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned } = self;
+        slots.clone_from(&other.slots);
+        stack.clone_from(&other.stack);
+        origins.clone_from(&other.origins);
+        (*pc, *at, *stated, *trigger) = (other.pc, other.at, other.stated, other.trigger);
+        (*contact, *deflected, *feed, *modes) = (other.contact, other.deflected, other.feed, other.modes);
+        (*reading, *warned) = (other.reading, other.warned);
+    }
 }
 
 /// A subroutine that is not done.
@@ -85,10 +98,10 @@ struct Machine<'s, 't> {
 }
 
 /// What a block leads to.
-enum Flow {
+enum Flow<'s> {
     Next,
-    Moved(Words, Motion),
-    Output(String, f64),
+    Moved(&'s Words, Motion),
+    Output(&'s str, f64),
     Wrote(i32, [bool; 3], bool),
     Native,
     Alarm,
@@ -107,7 +120,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
         let line = machine.line(block.line);
         match machine.step()? {
             Flow::Next => {}
-            Flow::Output(code, value) => trace.outputs.push((code, value)),
+            Flow::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
             Flow::Native => trace.natives.push(line),
             Flow::Wrote(number, axes, turn) => {
                 let after = trace.steps.len();
@@ -124,7 +137,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 if trace.steps.is_empty() {
                     trace.modes = machine.state.modes;
                 }
-                let mut step = machine.motion(line, &words, motion)?;
+                let mut step = machine.motion(line, words, motion)?;
                 machine.go(&mut step, motion, world, &mut scratch)?;
                 trace.steps.push(step);
                 if run.until.is_some_and(|(place, off)| near(place, machine.state.at, off)) {
@@ -182,15 +195,16 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Carries out a block, but for its motion.
-    fn step(&mut self) -> Result<Flow, Trouble> {
-        let block = &self.script.blocks[self.state.pc];
+    fn step(&mut self) -> Result<Flow<'s>, Trouble> {
+        let script = self.script;
+        let block = &script.blocks[self.state.pc];
         self.state.pc += 1;
         match &block.what {
             What::Nothing => {}
             What::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);
                 if let Some(motion) = words.motion {
-                    return Ok(Flow::Moved(words.clone(), motion));
+                    return Ok(Flow::Moved(words, motion));
                 }
             }
             What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
@@ -228,7 +242,7 @@ impl<'s, 't> Machine<'s, 't> {
                 called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
                 self.state.pc = called.back;
             }
-            What::Output(code, node) => return Ok(Flow::Output(code.clone(), self.value(*node))),
+            What::Output(code, node) => return Ok(Flow::Output(code, self.value(*node))),
             What::Reading(number, axes) => {
                 self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
                 return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), false));
@@ -326,7 +340,7 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// What a probing move leads to that meets this, without making it.
     fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
-        scratch.clone_from(&self.state);
+        scratch.become_like(&self.state);
         self.arrive(to, met);
         let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, false);
         std::mem::swap(&mut self.state, scratch);
@@ -354,7 +368,7 @@ impl<'s, 't> Machine<'s, 't> {
                 Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
                 Flow::Moved(words, motion) => {
                     let from = self.state.at;
-                    let step = self.motion(line, &words, motion)?;
+                    let step = self.motion(line, words, motion)?;
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if fresh => return Ok(Ending::ControlStops),
                         // A deflected probe ends every probing move where it begins.
@@ -428,7 +442,7 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     fn value(&self, node: Node) -> f64 {
-        match self.script.nodes[node as usize] {
+        match self.script.expr(node) {
             Expr::Number(x) => x,
             Expr::Slot(slot) => self.state.slots[slot as usize],
             Expr::System(system) => self.system(system),

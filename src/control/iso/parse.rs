@@ -52,8 +52,12 @@ pub enum Code {
     Nothing(&'static str),
 }
 
-/// Operators as words, in brackets `[ ]`.
+/// Operators as words, in brackets `[ ]`; the usual ones first.
 pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
+    ("+", 2, Binary::Add),
+    ("-", 2, Binary::Subtract),
+    ("*", 3, Binary::Multiply),
+    ("/", 3, Binary::Divide),
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
     ("EQ", 1, Binary::Equal),
@@ -62,24 +66,20 @@ pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("LE", 1, Binary::AtMost),
     ("GT", 1, Binary::Greater),
     ("GE", 1, Binary::AtLeast),
+];
+
+/// Operators as signs, in brackets `( )`; the usual ones first.
+pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("+", 2, Binary::Add),
     ("-", 2, Binary::Subtract),
     ("*", 3, Binary::Multiply),
     ("/", 3, Binary::Divide),
-];
-
-/// Operators as signs, in brackets `( )`.
-pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
     ("==", 1, Binary::Equal),
     ("<>", 1, Binary::Unequal),
     (">=", 1, Binary::AtLeast),
     ("<=", 1, Binary::AtMost),
-    ("+", 2, Binary::Add),
-    ("-", 2, Binary::Subtract),
-    ("*", 3, Binary::Multiply),
-    ("/", 3, Binary::Divide),
 ];
 
 /// A place in a line.

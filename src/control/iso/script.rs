@@ -1,6 +1,7 @@
 //! A program as it is read: blocks with resolved jumps, over one arena of expressions.
 
 use std::collections::{BTreeMap, HashMap};
+use std::num::NonZeroU32;
 
 use rustc_hash::FxBuildHasher;
 
@@ -18,8 +19,9 @@ pub struct Trouble {
     pub understood: bool,
 }
 
-/// A value, by its place in [`Script::nodes`].
-pub type Node = u32;
+/// A value, by its place in [`Script::nodes`], counted from one: so one that may be missing takes no more room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Node(NonZeroU32);
 
 /// A variable, by its place in [`Script::slots`].
 pub type Slot = u32;
@@ -302,12 +304,17 @@ impl<'t> Script<'t> {
     /// Keeps a value.
     pub fn node(&mut self, expr: Expr) -> Node {
         self.nodes.push(expr);
-        self.nodes.len() as Node - 1
+        Node(NonZeroU32::new(self.nodes.len() as u32).unwrap_or(NonZeroU32::MAX))
+    }
+
+    /// What a value is.
+    pub fn expr(&self, node: Node) -> Expr {
+        self.nodes[node.0.get() as usize - 1]
     }
 
     /// The number that a value is, where it is one.
     pub fn number(&self, node: Node) -> Option<f64> {
-        match self.nodes[node as usize] {
+        match self.expr(node) {
             Expr::Number(x) => Some(x),
             _ => None,
         }

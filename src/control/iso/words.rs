@@ -13,9 +13,14 @@ struct Block {
     ends: bool,
     allowed: &'static str,
     extended: Option<i32>,
-    /// L, P, R and whatever else stands there.
-    others: [Option<Node>; 26],
+    /// Which other letters stand there: a bit each, A the lowest.
+    others: u32,
+    /// The values of L, P and R.
+    values: [Option<Node>; 3],
 }
+
+/// The letters whose values matter in a block without a motion.
+const VALUED: [u8; 3] = [b'L', b'P', b'R'];
 
 /// A block of words.
 pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
@@ -62,7 +67,17 @@ impl Block {
                     None => Err(text!("this code is not understood")),
                 }
             }
-            _ => twice(&mut self.others[usize::from(letter - b'A')]),
+            _ => {
+                let bit = 1 << (letter - b'A');
+                if self.others & bit != 0 {
+                    return Err(text!("a word stands twice"));
+                }
+                self.others |= bit;
+                if let Some(i) = VALUED.iter().position(|known| *known == letter) {
+                    self.values[i] = Some(value);
+                }
+                Ok(())
+            }
         }
     }
 
@@ -89,29 +104,34 @@ impl Block {
         Ok(())
     }
 
+    fn value(&self, letter: u8) -> Option<Node> {
+        self.values[VALUED.iter().position(|known| *known == letter)?]
+    }
+
     fn finish(mut self, script: &mut Script<'_>) -> Parsed<What> {
         if let Some(from) = self.extended {
-            let number = self.others[usize::from(b'P' - b'A')].and_then(|node| script.number(node));
+            let number = self.value(b'P').and_then(|node| script.number(node));
             let number =
                 number.filter(|n| (1.0..=99.0).contains(n)).ok_or_else(|| text!("a work offset without its number"))?;
             self.words.modes.offset = Some(from + number as i32);
         }
-        let other = |letter: u8| self.others[usize::from(letter - b'A')];
         let allowed = if self.setting { "LPR" } else { self.allowed };
-        for (i, _) in self.others.iter().enumerate().filter(|(_, value)| value.is_some()) {
-            let letter = (b'A' + i as u8) as char;
+        let mut others = self.others;
+        while others != 0 {
+            let letter = (b'A' + others.trailing_zeros() as u8) as char;
             if !allowed.contains(letter) {
                 return Err(text!("the word {letter} is not understood here", letter));
             }
+            others &= others - 1;
         }
         if self.setting {
-            let whole = |letter: u8| other(letter).and_then(|node| script.number(node)).map(|x| x as i32);
+            let whole = |letter: u8| self.value(letter).and_then(|node| script.number(node)).map(|x| x as i32);
             let number = whole(b'P')
                 .filter(|n| (1..=999).contains(n))
                 .ok_or_else(|| text!("G10 without the number of a work offset"))?;
             return match whole(b'L') {
-                Some(20) if other(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
-                Some(2) => Ok(What::Origin(number, self.words.to, other(b'R'))),
+                Some(20) if self.value(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
+                Some(2) => Ok(What::Origin(number, self.words.to, self.value(b'R'))),
                 _ => Err(text!("G10 is understood with L2 and L20")),
             };
         }

@@ -22,6 +22,7 @@ fn system(name: &str) -> Option<System> {
         "#<_x>" => return Some(System::Place(0)),
         "#<_y>" => return Some(System::Place(1)),
         "#<_z>" => return Some(System::Place(2)),
+        _ if name.starts_with("#<") => return None,
         _ => {}
     }
     let number: i32 = name[1..].parse().ok()?;
