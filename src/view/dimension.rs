@@ -48,7 +48,7 @@ pub fn angles(path: &Path) -> Vec<Angle> {
         }
         _ => return Vec::new(),
     };
-    // None of a wall, and of nothing.
+    // A target vector in the plane has no arc.
     if sides[0].distance(sides[1]) < 1e-6 { Vec::new() } else { vec![Angle { field, at, sides }] }
 }
 

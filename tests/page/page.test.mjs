@@ -688,7 +688,10 @@ test("a program is compared with the one saved last and with that for another co
   const without = (/** @type {string} */ kind) => all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
   assert.deepEqual(without("less"), now);
   assert.deepEqual(without("more"), before);
-  assert.match(await textOf(page.locator("tp-program .compared [role=status]")), /^\d+ lines only here, \d+ lines only there$/);
+  assert.match(
+    await textOf(page.locator("tp-program .compared [role=status]")),
+    /^\d+ lines only here, \d+ lines only there$/,
+  );
   // Another control: its own words are there.
   await choice.selectOption("grbl");
   await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
