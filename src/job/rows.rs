@@ -138,7 +138,7 @@ pub struct ParameterRow {
     pub type_name: &'static str,
     /// The value, lengths in the job's units.
     pub value: ParameterValue,
-    /// What it means; in a row of JSON in English.
+    /// What it means, in English; `meanings(job)` has it for other languages.
     #[serde(serialize_with = "in_english")]
     pub meaning: Text,
     /// Path of the job's field it comes from.

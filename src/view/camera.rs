@@ -23,9 +23,31 @@ pub const SMALL_MARGIN: f64 = 8.0;
 /// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
 const STANDS_OFF: [f64; 2] = [46.0, 16.0];
 
-/// How far from its vertex an angle is drawn, pixels; and beside and above it the middle of what it says, which is wider than high.
-pub const ANGLE_RADIUS: f64 = 54.0;
+/// The radius of an angle's arc, pixels, where there is room for it.
+const ANGLE_RADIUS: f64 = 54.0;
+/// How far from its vertex an angle's name stands, pixels: to the side farther than up or down, since a name is wider than it is high.
 const ANGLE_NAME: [f64; 2] = [112.0, 76.0];
+/// A name has room where the nearest touch is farther than this from the vertex, pixels.
+const ROOM_FOR_NAME: f64 = 90.0;
+
+/// An angle as it is drawn, pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Arc<'a> {
+    /// The angle.
+    pub angle: &'a DrawnAngle,
+    /// Its vertex.
+    pub at: Spot,
+    /// The radius of its arc.
+    pub radius: f64,
+    /// The far ends of its two sides, a little beyond the arc.
+    pub sides: [Spot; 2],
+    /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
+    pub heads: Option<[(Spot, Spot); 2]>,
+    /// The ends of the arc.
+    pub ends: [Spot; 2],
+    /// The middle of its name; none where a name would cover touches.
+    pub name: Option<Spot>,
+}
 
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
@@ -64,13 +86,32 @@ impl Camera {
             .collect()
     }
 
-    /// The angles: each with its vertex and the middle of what it says, pixels.
-    pub fn angles<'a>(&self, scene: &'a Scene) -> impl Iterator<Item = (&'a DrawnAngle, [Spot; 2])> {
+    /// The angles that are drawn; one whose field has the focus has its name in any case.
+    pub fn angles<'a>(&self, scene: &'a Scene, focus: Option<&'a str>) -> impl Iterator<Item = Arc<'a>> {
         let camera = *self;
         scene.angles.iter().map(move |angle| {
             let at = camera.pixel(angle.at);
-            let (sin, cos) = (angle.turns[0] + angle.turns[1] / 2.0).sin_cos();
-            (angle, [at, [at[0] + ANGLE_NAME[0] * cos, at[1] - ANGLE_NAME[1] * sin]])
+            let room = angle.room * camera.scale;
+            let radius = ANGLE_RADIUS.min(room * 0.6);
+            let [first, turn] = angle.turns;
+            let along = |radians: f64, [wide, high]: [f64; 2]| {
+                let (sin, cos) = radians.sin_cos();
+                [at[0] + wide * cos, at[1] - high * sin]
+            };
+            let sides = [first, first + turn];
+            let ends = sides.map(|side| along(side, [radius; 2]));
+            // Along the arc, away from its middle.
+            let head = |end: usize, sense: f64| (ends[end], [-sense * sides[end].sin(), -sense * sides[end].cos()]);
+            let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
+            Arc {
+                angle,
+                at,
+                radius,
+                sides: sides.map(|side| along(side, [radius + 8.0; 2])),
+                heads: (turn.abs() * radius > 22.0).then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
+                ends,
+                name: named.then(|| along(first + turn / 2.0, ANGLE_NAME)),
+            }
         })
     }
 

@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{ANGLE_RADIUS, Camera};
-use crate::view::scene::{Arrow, DrawnAngle, Line, Scene, Spot, Stroke, WallShape};
+use crate::view::camera::{Arc, Camera};
+use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -128,6 +128,11 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
     Some([at(start, 18.0), at(start + sweep, 32.0)])
 }
 
+/// Whether a run comes to a line: not behind a collision.
+fn reached(scene: &Scene, line: &Line) -> bool {
+    scene.collision.is_none_or(|(index, _)| line.index <= index)
+}
+
 /// A canvas and what is drawn on it.
 #[derive(Debug)]
 pub struct Painter {
@@ -137,7 +142,8 @@ pub struct Painter {
     pub theme: Theme,
     /// Whether it is a small picture: no axes, no numbers, no handles.
     pub small: bool,
-    ratio: f64,
+    /// Device pixels in a CSS pixel.
+    pub ratio: f64,
     /// The font that is set: each time one is set, the browser works out the page's styles first.
     font: Cell<&'static str>,
 }
@@ -165,7 +171,7 @@ impl Painter {
         }
     }
 
-    /// A picture begins: everything is in the colour of the background.
+    /// Begins a picture: fills the canvas with the background, and sets the font.
     fn begin(&self, camera: &Camera, font: &'static str) {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
@@ -174,15 +180,17 @@ impl Painter {
         self.font(font);
     }
 
-    /// Draws the move that is pointed at and nothing else, on a canvas that lies over that of the picture.
-    pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: Option<usize>, part: f64) {
-        let c = &self.context;
-        let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        c.clear_rect(0.0, 0.0, camera.size[0], camera.size[1]);
-        c.set_line_cap("round");
-        let Some(index) = index else { return };
+    /// Empties a canvas that lies over that of a picture.
+    pub fn clear(&self, camera: &Camera) {
+        let _ = self.context.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        self.context.clear_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+    }
+
+    /// Draws a move of a picture, lit, on the canvas over it.
+    pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
+        self.context.set_line_cap("round");
         for line in scene.lines.iter().filter(|line| line.index == index) {
-            self.line(line, camera, true, true);
+            self.line(line, camera, true, reached(scene, line));
         }
         self.ball(scene, camera, index, part);
     }
@@ -207,11 +215,15 @@ impl Painter {
         for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
             self.wall(wall, camera);
         }
+        // Beneath the moves, the touches and the dimensions.
+        let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
+        for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
+            self.angle(&arc, name(arc.angle.field), marks.field == Some(arc.angle.field));
+        }
         // Touches lie on their ways back: drawn last, they are seen.
         for touches in [false, true] {
             for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                let reached = scene.collision.is_none_or(|(index, _)| line.index <= index);
-                self.line(line, camera, highlight == Some(line.index), reached);
+                self.line(line, camera, highlight == Some(line.index), reached(scene, line));
             }
         }
         if !self.small {
@@ -247,12 +259,8 @@ impl Painter {
         if let Some((origin, direction)) = scene.handle {
             self.handle(camera.pixel(origin), direction);
         }
-        let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
         for (drawn, line) in camera.dimensions(scene, marks.field) {
             self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
-        }
-        for (angle, places) in camera.angles(scene) {
-            self.angle(angle, places, name(angle.field), marks.field == Some(angle.field));
         }
         self.axes(scene, camera, marks.origin);
         if scene.metric {
@@ -430,8 +438,7 @@ impl Painter {
 
     /// An arrow head on every move that is long enough for one: of a touch at its contact, of the others on their way.
     fn arrows(&self, scene: &Scene, camera: &Camera) {
-        let reached = |line: &&Line| scene.collision.is_none_or(|(index, _)| line.index <= index);
-        for line in scene.lines.iter().filter(reached).filter(|l| l.stroke != Stroke::Overtravel) {
+        for line in scene.lines.iter().filter(|line| reached(scene, line)).filter(|l| l.stroke != Stroke::Overtravel) {
             let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
             let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
             let far = dx.hypot(dy);
@@ -487,27 +494,23 @@ impl Painter {
     }
 
     /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
-    fn angle(&self, angle: &DrawnAngle, [at, middle]: [Spot; 2], name: &str, lit: bool) {
+    fn angle(&self, arc: &Arc<'_>, name: &str, lit: bool) {
         let c = &self.context;
         let colour = &self.theme.ball;
-        let [first, turn] = angle.turns;
-        let along = |radians: f64, far: f64| [at[0] + far * radians.cos(), at[1] - far * radians.sin()];
-        for side in [first, first + turn] {
-            self.segment(at, along(side, ANGLE_RADIUS + 8.0), colour, 0.75, &[]);
-        }
+        let [first, turn] = arc.angle.turns;
+        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, colour, 0.75, &[]));
         c.begin_path();
-        let _ = c.arc_with_anticlockwise(at[0], at[1], ANGLE_RADIUS, -first, -first - turn, turn > 0.0);
+        let _ = c.arc_with_anticlockwise(arc.at[0], arc.at[1], arc.radius, -first, -first - turn, turn > 0.0);
         c.set_stroke_style_str(colour);
         c.set_line_width(if lit { 2.0 } else { 1.0 });
         self.dash(&[]);
         c.stroke();
-        if turn.abs() * ANGLE_RADIUS > 22.0 {
-            // Along the arc, away from its middle.
-            for (side, sense) in [(first, -turn.signum()), (first + turn, turn.signum())] {
-                self.head(along(side, ANGLE_RADIUS), [-sense * side.sin(), -sense * side.cos()], 8.0, colour);
-            }
+        for (tip, direction) in arc.heads.into_iter().flatten() {
+            self.head(tip, direction, 8.0, colour);
         }
-        self.name(middle, false, name, lit);
+        if let Some(middle) = arc.name {
+            self.name(middle, false, name, lit);
+        }
     }
 
     /// What a dimension or an angle says, in its box.

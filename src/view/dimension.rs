@@ -1,7 +1,7 @@
 //! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
 
 use crate::geom::Vec3;
-use crate::path::{Bore, Feature, Pair, Path, Protection, Purpose, Rectangle, Surface};
+use crate::path::{Bore, Feature, Feed, Pair, Path, Protection, Purpose, Rectangle, Surface};
 
 /// A dimension of the nominal part, in the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,8 @@ pub struct Angle {
     pub at: Vec3,
     /// The directions of its two sides, unit vectors.
     pub sides: [Vec3; 2],
+    /// How far from its vertex the nearest touch is, mm: nearer there is room for its arc and its name.
+    pub room: f64,
 }
 
 /// The angles of what a path probes: between the walls of a corner, and of a surface's target vector up from the plane. None where the touches
@@ -49,7 +51,12 @@ pub fn angles(path: &Path) -> Vec<Angle> {
         _ => return Vec::new(),
     };
     // A target vector in the plane has no arc.
-    if sides[0].distance(sides[1]) < 1e-6 { Vec::new() } else { vec![Angle { field, at, sides }] }
+    if sides[0].distance(sides[1]) < 1e-6 {
+        return Vec::new();
+    }
+    let touches = path.touches.iter().map(|touch| touch.point.distance(at)).filter(|far| *far > 1e-6);
+    let room = touches.fold(f64::INFINITY, f64::min);
+    vec![Angle { field, at, sides, room }]
 }
 
 /// The dimensions of what a path probes; none where the touches were picked, since then they say nothing of where it lies.
@@ -119,7 +126,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         }
         Feature::Surface { .. } => {
             if let (Some(touch), Some(start)) = (path.touches.first(), begin_of(path, 0)) {
-                let aside = w.cross(touch.vector).try_normalize().unwrap_or(v);
+                let aside = (w - touch.vector * w.dot(touch.vector)).try_normalize().unwrap_or(v);
                 all.push(Dimension {
                     field: "cycle.clearance",
                     from: touch.point,
@@ -132,11 +139,11 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         }
         Feature::Still => {}
     }
-    // How far above the start the ball comes in and goes out again.
+    // The last move, up from the start; there is none where the distance is 0.
     if let [.., before, last] = path.moves.as_slice()
         && path.feature.two_circles().is_none()
     {
-        let lifts = last.purpose == Purpose::Position && (last.to - before.to).cross(w).length() < 1e-9;
+        let lifts = last.feed == Feed::Return && (last.to - before.to).cross(w).length() < 1e-9;
         if lifts {
             let (from, to) = (before.to, last.to);
             all.push(Dimension { field: "cycle.feedDistance", from, to, aside: u, beyond: 0.0, on_demand: true });
@@ -156,15 +163,10 @@ fn on_top(path: &Path, all: &mut Vec<Dimension>) {
     let [first, second, third] = path.touches.as_slice() else { return };
     let (origin, w) = (path.frame.origin, path.frame.w);
     let level = w * (origin - first.point).dot(w);
-    let depth = Dimension {
-        field: "cycle.depth",
-        from: first.point + level,
-        to: first.point,
-        aside: first.vector,
-        beyond: 0.0,
-        on_demand: false,
-    };
-    all.push(depth);
+    // Away from both walls, so that it stands free from the front and from the side.
+    let aside = (first.vector + second.vector).try_normalize().unwrap_or(first.vector);
+    let (from, to) = (first.point + level, first.point);
+    all.push(Dimension { field: "cycle.depth", from, to, aside, beyond: 0.0, on_demand: false });
     for (wall, field) in [(first, "cycle.topDistance1"), (second, "cycle.topDistance2")] {
         let from = third.point + wall.vector * (wall.point - third.point).dot(wall.vector);
         let aside = w.cross(wall.vector);

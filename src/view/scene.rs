@@ -141,6 +141,8 @@ pub struct DrawnAngle {
     pub at: Spot,
     /// From the abscissa of the picture to its first side, and from there to its second, radians, counter-clockwise positive.
     pub turns: [f64; 2],
+    /// How far from its vertex the nearest touch is, mm.
+    pub room: f64,
 }
 
 /// Everything that is drawn.
@@ -324,7 +326,12 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
             return None;
         }
         let turn = (first[0] * second[1] - first[1] * second[0]).atan2(first[0] * second[0] + first[1] * second[1]);
-        Some(DrawnAngle { field: angle.field, at: view.spot(plane, angle.at), turns: [first[1].atan2(first[0]), turn] })
+        Some(DrawnAngle {
+            field: angle.field,
+            at: view.spot(plane, angle.at),
+            turns: [first[1].atan2(first[0]), turn],
+            room: angle.room,
+        })
     };
     angles(path).into_iter().filter_map(seen).collect()
 }

@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use crate::num::decimal;
-use crate::view::camera::{ANGLE_RADIUS, Camera, DIMENSION_MARGIN};
-use crate::view::scene::{DrawnAngle, Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN};
+use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -41,18 +41,18 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     );
     let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
     walls.for_each(|wall| drawing.wall(wall, &mut text));
+    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
+    for arc in drawing.camera.angles(scene, None) {
+        if let Some(name) = name(arc.angle.field) {
+            Drawing::angle(&arc, name, &mut text);
+        }
+    }
     scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
     let touches = scene.touches.iter().enumerate();
     touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
-    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
     for (dimension, ends) in drawing.camera.dimensions(scene, None) {
         if let Some(name) = name(dimension.field) {
             drawing.dimension(ends, name, &mut text);
-        }
-    }
-    for (angle, places) in drawing.camera.angles(scene) {
-        if let Some(name) = name(angle.field) {
-            Drawing::angle(angle, places, name, &mut text);
         }
     }
     text.push_str("</svg>\n");
@@ -94,7 +94,7 @@ impl Drawing {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
         let dimensions = self.camera.dimensions(scene, None).into_iter().flat_map(|(_, ends)| ends);
         let mut extent = [[0.0; 2], self.camera.size];
-        let angles = self.camera.angles(scene).flat_map(|(_, places)| places);
+        let angles = self.camera.angles(scene, None).flat_map(|arc| arc.sides.into_iter().chain(arc.name));
         for at in lines.chain(dimensions).chain(angles) {
             for i in [0, 1] {
                 extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
@@ -198,24 +198,19 @@ impl Drawing {
     }
 
     /// An angle: its sides, its arc with arrow heads, and what it says.
-    fn angle(angle: &DrawnAngle, [at, middle]: [Spot; 2], name: &str, text: &mut String) {
-        let [first, turn] = angle.turns;
-        let along = |radians: f64, far: f64| [at[0] + far * radians.cos(), at[1] - far * radians.sin()];
-        let sides = [first, first + turn];
+    fn angle(arc: &Arc<'_>, name: &str, text: &mut String) {
         let mut lines = String::new();
-        for side in sides {
-            let _ = write!(lines, "M{}L{}", pair(at), pair(along(side, ANGLE_RADIUS + 8.0)));
+        for side in arc.sides {
+            let _ = write!(lines, "M{}L{}", pair(arc.at), pair(side));
         }
-        let [from, to] = sides.map(|side| along(side, ANGLE_RADIUS));
-        let (radius, sweep) = (decimal(ANGLE_RADIUS, 0), if turn > 0.0 { 0 } else { 1 });
-        let _ = write!(lines, "M{}A{radius} {radius} 0 0 {sweep} {}", pair(from), pair(to));
+        let [from, to] = arc.ends.map(pair);
+        let (radius, sweep) = (decimal(arc.radius, 1), u8::from(arc.angle.turns[1] <= 0.0));
+        let _ = write!(lines, "M{from}A{radius} {radius} 0 0 {sweep} {to}");
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
-        if turn.abs() * ANGLE_RADIUS > 22.0 {
-            for (tip, side, sense) in [(from, sides[0], -turn.signum()), (to, sides[1], turn.signum())] {
-                head(tip, [-sense * side.sin(), -sense * side.cos()], text);
-            }
+        arc.heads.into_iter().flatten().for_each(|(tip, direction)| head(tip, direction, text));
+        if let Some(middle) = arc.name {
+            said(middle, false, name, text);
         }
-        said(middle, false, name, text);
     }
 }
 

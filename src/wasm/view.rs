@@ -97,11 +97,17 @@ impl View {
         })
     }
 
-    /// A canvas that lies over the other, as large and transparent: the move that is pointed at is drawn there, and the picture beneath stays as it
-    /// is. Given before `resize`.
+    /// A transparent canvas that lies over the other and is as large: the move that is pointed at is drawn there, and the picture beneath is not drawn
+    /// again.
     #[wasm_bindgen(js_name = setOverlay)]
     pub fn set_overlay(&mut self, canvas: web_sys::HtmlCanvasElement) {
         self.over = Painter::new(canvas);
+        let [width, height] = self.camera.size;
+        if let Some(over) = &mut self.over {
+            over.theme = self.painter.theme.clone();
+            over.resize(width, height, self.painter.ratio);
+        }
+        self.draw();
     }
 
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
@@ -169,6 +175,7 @@ impl View {
         self.shown = None;
         let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]], MARGIN);
         self.painter.draw_arrows(&arrows, &camera);
+        self.draw_lit();
         true
     }
 
@@ -313,7 +320,10 @@ impl View {
         };
         let dimensions = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
         let found = dimensions.filter(|(_, line)| on_line(*line)).map(|(drawn, _)| drawn.field).next();
-        let angle = || self.camera.angles(scene).find(|(_, [_, name])| near(*name, false)).map(|(angle, _)| angle.field);
+        let angle = || {
+            let mut angles = self.camera.angles(scene, self.field.as_deref());
+            angles.find(|arc| arc.name.is_some_and(|name| near(name, false))).map(|arc| arc.angle.field)
+        };
         found.or_else(angle).map(str::to_owned)
     }
 
@@ -534,8 +544,10 @@ impl View {
     }
 
     fn draw_lit(&self) {
-        if let (Some(over), Some(shown)) = (&self.over, &self.shown) {
-            over.draw_lit(&shown.scene, &self.camera, self.highlight, self.part);
+        let Some(over) = &self.over else { return };
+        over.clear(&self.camera);
+        if let (Some(shown), Some(index)) = (&self.shown, self.highlight) {
+            over.draw_lit(&shown.scene, &self.camera, index, self.part);
         }
     }
 

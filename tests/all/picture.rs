@@ -52,7 +52,7 @@ fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
 #[test]
 fn an_angle_is_as_wide_as_its_field_says() {
     let mut seen = 0;
-    for (name, job) in metric() {
+    for (name, job) in jobs() {
         let path = job::planned(&job).expect("the job is sound").path;
         for angle in angles(&path) {
             let said = number_at(&job, angle.field, 90.0);
@@ -70,6 +70,8 @@ fn an_angle_is_as_wide_as_its_field_says() {
         }
     }
     assert!(seen > 8, "{seen}");
+    let still = with(&of("hole"), "cycle.feedDistance", crate::common::number(0.0));
+    assert!(dimensions(&built(&still, Projection::Front).1).iter().all(|d| d.field != "cycle.feedDistance"), "0 has no line");
     let drawn = |job: &Value, view| built(job, view).0.angles.iter().map(|a| (a.field, a.turns)).collect::<Vec<_>>();
     let corner = of("double-wall-internal-corner");
     let [(field, [first, turn])] = drawn(&corner, Projection::Top)[..] else { panic!("one angle") };

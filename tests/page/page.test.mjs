@@ -106,6 +106,12 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
   assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
   assert.match((await page.locator(".scrub output").textContent()) ?? "", /5 of 27: step 4, touch 1, work/);
+  // A click keeps it lit; one beside the lines changes nothing.
+  await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
+  await page.locator("tp-program .step").nth(3).click();
+  await page.getByRole("tab", { name: "Program" }).hover();
+  assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
+  await page.getByRole("listbox", { name: "Program" }).press("Escape");
   await page.getByRole("tab", { name: "Parameters" }).click();
   assert.equal(await page.locator("tp-table tr.lit").count(), 0);
   await page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-112]" }).hover();
@@ -700,6 +706,8 @@ test("a program is compared with the one saved last and with that for another co
   await page.locator("tp-program .code[role=listbox]").waitFor();
   assert.equal(await shown.count(), 0);
   await field("control.post").selectOption("linuxcnc");
+  assert.equal(await choice.inputValue(), "", "the list says that nothing is compared");
+  await choice.selectOption("grbl");
   await shown.first().waitFor();
   // Side by side: each column is its whole program, and lines that replace others stand beside them.
   await page.getByRole("button", { name: "Side by side" }).click();
@@ -716,7 +724,14 @@ test("a program is compared with the one saved last and with that for another co
   assert.equal(`${await column(2)}\n`, plan(other).program.text);
   assert.ok((await rows.locator("td.less + td + td.more").count()) > 10);
   await page.keyboard.press("Escape");
-  assert.equal(await rows.count(), 0);
+  await settles(async () => (await rows.count()) === 0);
+  // Another control from outside closes it.
+  await page.getByRole("button", { name: "Side by side" }).click();
+  await rows.first().waitFor();
+  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "grbl" }));
+  await settles(async () => (await rows.count()) === 0 && (await choice.inputValue()) === "");
+  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "linuxcnc" }));
+  await choice.selectOption("grbl");
   // Back to the program.
   await choice.selectOption("");
   await page.locator("tp-program .code[role=listbox]").waitFor();

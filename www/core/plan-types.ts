@@ -65,7 +65,7 @@ export interface ParameterRow {
   type: string;
   /** The value, lengths in the job's units. */
   value: ParameterValue;
-  /** What it means; in a row of JSON in English. */
+  /** What it means, in English; `meanings(job)` has it for other languages. */
   meaning: string;
   /** Path of the job's field it comes from. */
   field: string | null;

@@ -26,7 +26,10 @@ export class Drawing {
     private readonly canvas: HTMLCanvasElement,
     private readonly show: (view: View) => void,
     private readonly over?: HTMLCanvasElement,
-  ) {}
+  ) {
+    // The browser may lose what a canvas shows, and the state it was drawn with.
+    canvas.addEventListener("contextrestored", () => this.dress());
+  }
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
   use<T>(work: (view: View) => T): T {

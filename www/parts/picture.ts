@@ -42,6 +42,11 @@ class PicturePart extends DrawnPart {
   private magnified: (typeof MAGNIFIED)[number] = 1;
   private frameAsked = 0;
 
+  /** The field whose dimension is lit: that which is dragged, though the picture has the focus then. */
+  private get lit(): string | undefined {
+    return this.end?.field ?? this.store.focused ?? undefined;
+  }
+
   /** Where it is looked at from. */
   get from(): (typeof VIEWS)[number] {
     return this.look;
@@ -97,7 +102,7 @@ class PicturePart extends DrawnPart {
           view.look(this.look);
           label(view, this.store);
           view.show(this.store.shown);
-          view.focus(this.store.focused ?? undefined);
+          view.focus(this.lit);
           view.highlight(this.store.highlight ?? undefined);
           view.measure(this.store.measured);
         },
@@ -119,7 +124,7 @@ class PicturePart extends DrawnPart {
         if (!this.live) view.show(shown);
         this.times = view.times();
       }
-      view.focus(focused ?? undefined);
+      view.focus(this.lit);
       view.measure(this.store.measured);
       view.magnify(this.magnified);
     });
@@ -292,6 +297,7 @@ class PicturePart extends DrawnPart {
       if (handle && x !== undefined && y !== undefined) this.grip = { handle, x: at.x - x, y: at.y - y };
       else this.end = this.store.readonly ? null : this.gripped(view, at);
       if (this.grip || this.end) view.hold(true);
+      view.focus(this.lit);
     });
     // Messages that come and go must not move the canvas under the pointer.
     if (this.grip || this.end)
@@ -305,7 +311,10 @@ class PicturePart extends DrawnPart {
     this.end = null;
     this.store.settle();
     this.frame().style.cssText = "";
-    this.drawing?.use((view) => view.hold(false));
+    this.drawing?.use((view) => {
+      view.hold(false);
+      view.focus(this.lit);
+    });
   }
 
   private move(event: PointerEvent): void {

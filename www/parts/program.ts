@@ -70,17 +70,18 @@ class ProgramPart extends Part {
             if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
           }} />
         <span role="status" class="told found"></span>
-        <select class=${this.comparing ? "compares chosen" : "compares"} aria-label=${this.t("Compare the program")} @change=${this.choose}>
-          <option value="" ?selected=${!this.comparing}>⇄ ${this.t("Compare with …")}</option>
-          <option value="saved" ?disabled=${this.store.saved === null} ?selected=${this.against === "saved"}>${this.t("the one saved last")}</option>
-          ${this.others().map((post) => html`<option value=${post.id} ?selected=${post.id === this.against}>${post.title}</option>`)}
+        <select class=${this.comparing ? "compares chosen" : "compares"} aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
+          <option value="">⇄ ${this.t("Compare with …")}</option>
+          <option value="saved" ?disabled=${this.store.saved === null}>${this.t("the one saved last")}</option>
+          ${this.others().map((post) => html`<option value=${post.id}>${post.title}</option>`)}
         </select>
         ${head > 0 && !this.comparing ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header ({count})", head)}</button>` : nothing}
       </div>
       ${withheld(this.store, "withheld-program")}
       ${this.comparing ? this.differences() : nothing}
       <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" lang="en" translate="no" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
-        @mouseover=${(e: MouseEvent) => this.store.point(this.moveAt(e))} @mouseleave=${() => this.store.point(null)} @click=${(e: MouseEvent) => this.store.pin(this.moveAt(e))}>
+        @mouseover=${(e: MouseEvent) => this.onLine(e, (move) => this.store.point(move))} @mouseleave=${() => this.store.point(null)}
+        @click=${(e: MouseEvent) => this.onLine(e, (move) => this.store.pin(move))}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
           const text = steps[block.step - 1];
@@ -93,10 +94,16 @@ class ProgramPart extends Part {
     `;
   }
 
-  /** Whether differences are shown in place of the program: a control that is the job's own now, or that has no program for its cycle, is none to compare with. */
+  /** Whether differences are shown in place of the program. */
   private get comparing(): boolean {
+    return this.against !== "" && this.compares !== null;
+  }
+
+  /** A comparison ends where its control becomes the job's own, or has no program for the job's cycle. */
+  protected override willUpdate(): void {
     const there = this.against === "saved" || this.others().some((post) => post.id === this.against);
-    return there && this.compares !== null;
+    if (!there) this.against = "";
+    if (!this.comparing || this.store.stale) this.wide = false;
   }
 
   /** The other controls that have a program for this cycle. */
@@ -130,20 +137,26 @@ class ProgramPart extends Part {
     return program ? { text: program.text } : { why: error ? this.message(error) : "" };
   }
 
-  /** Every line of both programs, told apart by a sign as well as by colour. */
+  /** Every line of both programs; a sign as well as a colour says in which one it is. */
   private differences(): TemplateResult {
     const other = this.other();
     if ("why" in other || !this.compares) return html`<p class="problem">${"why" in other ? other.why : ""}</p>`;
     const lines = this.compares.compare(other.text, this.store.plan.program.text);
     const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
-    const names = { " ": "", "-": this.t("not in this program"), "+": this.t("only in this program") };
     return html`<p class="compared"><span role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</span>
-        <button type="button" class="quiet" @click=${() => this.widen(true)}>${this.t("Side by side")}</button></p>
-      <dialog class="beside" aria-label=${this.t("Differences")} @close=${() => this.widen(false)}>${this.wide ? this.beside(lines) : nothing}</dialog>
+        <button type="button" class="quiet" ?disabled=${this.store.stale} @click=${() => this.widen(true)}>${this.t("Side by side")}</button></p>
+      <dialog class="beside" aria-label=${this.t("Side by side")} @close=${() => this.widen(false)}>${this.wide ? this.beside(lines) : nothing}</dialog>
       <div class=${this.store.stale ? "code differences stale" : "code differences"} lang="en" translate="no" tabindex="0" role="region" aria-label=${this.t("Differences")}>${lines.map(
         ({ sign, text, line }) =>
-          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : numberOf(line)}</span><span class="sign" aria-label=${names[sign] || nothing} role=${names[sign] ? "img" : nothing}>${sign}</span><span class="text">${text}</span></div>`,
+          html`<div class=${`line ${sign === "+" ? "more" : sign === "-" ? "less" : "plain"}`}><span class="no">${line === null ? "" : numberOf(line)}</span><span class="sign">${this.sign(sign)}</span><span class="text">${text}</span></div>`,
       )}</div>`;
+  }
+
+  /** In which of both programs a line is: a sign with its meaning. */
+  private sign(sign: Compared["sign"]): TemplateResult | string {
+    if (sign === " ") return sign;
+    const says = sign === "-" ? this.t("not in this program") : this.t("only in this program");
+    return html`<span role="img" aria-label=${says}>${sign}</span>`;
   }
 
   private async widen(wide: boolean): Promise<void> {
@@ -156,15 +169,21 @@ class ProgramPart extends Part {
   /** Both programs in two columns. */
   private beside(lines: Compared[]): TemplateResult | typeof nothing {
     const post = this.store.catalog.posts.find((p) => p.id === this.against);
-    const cells = (one: Compared | null, line: number | null | undefined, sign: string) =>
-      html`<td class="no">${typeof line === "number" ? line + 1 : ""}</td><td class=${one === null ? "none" : one.sign === " " ? "" : sign}>${one?.text}</td>`;
+    const cells = (one: Compared | null, line: number | null | undefined) => {
+      const kind = one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
+      return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
+    };
     return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
-      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="col">${post?.title ?? this.t("saved last")}</th><th colspan="2" scope="col">${this.t("this program")}</th></tr></thead>
-        <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other, "less")}${cells(right, right?.line, "more")}</tr>`)}</tbody></table>`;
+      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${post?.title ?? this.t("saved last")}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
+        <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other)}${cells(right, right?.line)}</tr>`)}</tbody></table>`;
   }
 
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
+    if (!this.wide) this.querySelector<HTMLDialogElement>("dialog.beside")?.close();
+    // A choice of the user stays in the list, whatever its options say.
+    const list = this.querySelector<HTMLSelectElement>("select.compares");
+    if (list) list.value = this.against;
     if (this.wanted !== "") this.mark();
     const { text } = this.store.plan.program;
     if (text === this.coloured) return;
@@ -188,7 +207,7 @@ class ProgramPart extends Part {
     const lit = this.lineAt(line) as HTMLElement | null;
     lit?.setAttribute("aria-selected", "true");
     for (const heading of this.querySelectorAll(`[data-step="${step}"]`)) heading.classList.add("lit");
-    if (this.matches(":hover")) return;
+    if (this.matches(":hover") || this.comparing) return;
     const box = this.querySelector<HTMLElement>(".code");
     if (!lit || !box) return;
     const above = lit.offsetTop;
@@ -249,11 +268,12 @@ class ProgramPart extends Part {
           : this.t("not found");
   }
 
-  /** The move whose line is under the pointer. */
-  private moveAt(event: MouseEvent): number | null {
+  /** What is done with the move of the line under the pointer; a line without a move has none, and beside the lines nothing is done. */
+  private onLine(event: MouseEvent, act: (move: number | null) => void): void {
     const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
-    const move = line === undefined ? -1 : this.store.plan.program.moveLines.lastIndexOf(Number(line));
-    return move < 0 ? null : move;
+    if (line === undefined) return;
+    const move = this.store.plan.program.moveLines.lastIndexOf(Number(line));
+    act(move < 0 ? null : move);
   }
 
   private lineAt(line: number): Element | null {

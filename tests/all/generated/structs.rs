@@ -203,7 +203,7 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
     found
 }
 
-/// Whether a text goes out composed, as a string.
+/// Whether JavaScript gets a text composed, as a string.
 fn composed(attributes: &[Attribute]) -> bool {
     serde_value(attributes, "serialize_with").is_some_and(|by| by == "in_english")
 }

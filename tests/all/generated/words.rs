@@ -82,3 +82,9 @@ fn described(found: &mut BTreeSet<String>) {
     catalog.rules.iter().for_each(|rule| [rule.says, rule.why].into_iter().for_each(&mut add));
     catalog.code_groups.iter().for_each(|group| add(group.title));
 }
+
+#[test]
+fn codes_and_numbers_need_no_words() {
+    assert!(["Width 1", "{a} mm at {b}", "not {a}"].into_iter().all(has_words));
+    assert!(!["G54 X{x}", "{touch}: {status}", "SET_UP"].into_iter().any(has_words));
+}
