@@ -250,6 +250,31 @@ for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
     assert.equal(Number(await field(path).inputValue()), before);
   });
 
+test("a dimension that is there for its field only stays while it is dragged; an end that does not move cannot be gripped", async () => {
+  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.choose("hole"));
+  const path = "cycle.feedDistance";
+  assert.equal((await lines())[path], undefined);
+  await field(path).focus();
+  await page.waitForFunction(
+    () =>
+      document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture [aria-pressed=true]")?.textContent ===
+      "front",
+  );
+  const [start, end] = (await lines())[path];
+  assert.ok(end.y < start.y, "up");
+  const cursor = () => page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => canvas.style.cursor);
+  await page.mouse.move(start.x, start.y + 2);
+  assert.notEqual(await cursor(), "grab");
+  await page.mouse.move(end.x, end.y - 2);
+  assert.equal(await cursor(), "grab");
+  await drag({ x: end.x, y: end.y - 2 }, 0, -30, 6);
+  assert.ok((await lines())[path], "it is seen while it is dragged");
+  assert.ok(Math.abs((await lines())[path][1].y - (end.y - 30)) < 1.6);
+  await page.mouse.up();
+  assert.ok(Number(await field(path).inputValue()) > 20);
+  assert.equal((await lines())[path], undefined, "the field has the focus no longer");
+});
+
 test("a dimension that only looks is not dragged, and a click on its end changes nothing", async () => {
   const [, end] = (await lines())["cycle.width1"];
   await page.mouse.click(end.x, end.y);

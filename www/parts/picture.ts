@@ -323,7 +323,7 @@ class PicturePart extends DrawnPart {
     if (!before) {
       this.drawing?.use((view) => {
         const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
-        const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.endAt(view, at));
+        const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.grippable(view, at));
         this.canvas().style.cursor = grips ? "grab" : over;
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
@@ -364,6 +364,18 @@ class PicturePart extends DrawnPart {
     );
     const near = ends.filter(({ field, far }) => far <= NEAR && typeof this.store.get(field) === "number");
     return near.sort((a, b) => a.far - b.far)[0] ?? null;
+  }
+
+  /** The end that was under the pointer last, and whether a drag would move it: of some dimensions only one end moves. */
+  private tried = { end: "", moves: false };
+
+  /** Whether an end that can be dragged is at a pixel; tried once for each end of a form. */
+  private grippable(view: View, at: { x: number; y: number }): boolean {
+    const under = this.endAt(view, at);
+    if (!under) return false;
+    const end = `${this.store.revision} ${this.look} ${under.field} ${under.index}`;
+    if (end !== this.tried.end) this.tried = { end, moves: this.gripped(view, at) !== null };
+    return this.tried.moves;
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
