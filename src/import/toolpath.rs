@@ -72,13 +72,17 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let dialect = dialect.unwrap_or_else(|| guessed(text));
     let mut reader = Reader::new(text, dialect);
-    let mut rest = text;
-    let mut line = 0;
-    while !rest.is_empty() {
-        reader.line = line;
-        let full = next_line(&mut rest);
-        reader.read(trimmed(full).as_bytes());
-        line += 1;
+    let mut block = EMPTY;
+    let (bytes, mut at) = (text.as_bytes(), 0);
+    while at < bytes.len() {
+        let end = memchr::memchr(b'\n', &bytes[at..]).map_or(bytes.len(), |length| at + length);
+        let line = match &bytes[at..end] {
+            line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
+            _ => text[at..end].trim().as_bytes(),
+        };
+        reader.read(line, &mut block);
+        reader.line += 1;
+        at = end + 1;
     }
     reader.finish()
 }
@@ -166,6 +170,15 @@ const EMPTY: Block = Block {
     strange: false,
 };
 
+impl Block {
+    /// Takes all words out. Places and centres stay: nothing says that they are given.
+    fn empty(&mut self) {
+        (self.given, self.computed, self.centered) = (0, 0, 0);
+        (self.radius, self.once, self.feed) = (None, None, None);
+        (self.elsewhere, self.machine, self.strange) = (false, false, false);
+    }
+}
+
 /// Something that is said once, with how often and where first.
 #[derive(Clone, Copy, Default)]
 struct Count {
@@ -239,8 +252,8 @@ impl Reader {
         }
     }
 
-    /// Reads one line.
-    fn read(&mut self, line: &[u8]) {
+    /// Reads one line into a block that was used before: made anew for each line, it would be the larger part of the work.
+    fn read(&mut self, line: &[u8], block: &mut Block) {
         match line.first() {
             None | Some(b'%' | b';') => return,
             Some(b'(') if self.ended => return,
@@ -253,7 +266,7 @@ impl Reader {
             Some(_) => {}
         }
         let before = self.modes;
-        let mut block = EMPTY;
+        block.empty();
         // A block that may be left out, `/2`, and the number of a main block, `:10`.
         let mut at = usize::from(matches!(line[0], b'/' | b':'));
         while at > 0 && line.get(at).is_some_and(u8::is_ascii_digit) {
@@ -265,7 +278,7 @@ impl Reader {
                 b';' => break,
                 b'(' if !self.sinumerik => at = end_of(line, at, b')'),
                 letter if letter.is_ascii_alphabetic() => {
-                    let Some(next) = self.word(line, at, &mut block) else {
+                    let Some(next) = self.word(line, at, block) else {
                         block.strange = true;
                         break;
                     };
@@ -289,7 +302,7 @@ impl Reader {
         self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
         // Without a place, a centre makes a whole circle back to where it begins.
         if block.given | block.centered != 0 {
-            self.moves(&block);
+            self.moves(block);
         } else if block.machine {
             self.place = [f64::NAN; 3];
             count(&mut self.machine, self.line);
@@ -515,7 +528,8 @@ impl Reader {
         let middle = match block.radius {
             Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
             None => {
-                let offset = |axis: usize| block.center[axis] * self.scale;
+                let given = |axis: usize| block.centered & (1 << axis) != 0;
+                let offset = |axis: usize| if given(axis) { block.center[axis] * self.scale } else { 0.0 };
                 if self.modes.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
             }
         };
@@ -632,7 +646,9 @@ fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     // Both are exact up to here, so their quotient is rounded once.
     const TENS: [f64; 16] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
     let size = if digits <= 15 {
-        mantissa as f64 / TENS[decimals]
+        // From a signed number it is one instruction.
+        let whole = mantissa as i64 as f64;
+        if decimals == 0 { whole } else { whole / TENS[decimals] }
     } else {
         read(std::str::from_utf8(&line[first..end]).ok()?).filter(|x| x.is_finite())?
     };

@@ -195,6 +195,36 @@ fn arcs_come_with_centre_and_degrees() {
     assert_eq!(path.end(4).x, 11.0);
 }
 
+/// What one block says is not said by the next: a centre of which only I is given has no J of the arc before.
+#[test]
+fn no_word_stays_for_the_next_block() {
+    let begin = "G21 G17\nG0 X10 Y0 Z0\n";
+    let before = [
+        "G3 X0 Y10 I-13 J-3 F100",
+        "G2 X0 Y10 R10 F70",
+        "G53 X5",
+        "G4 P2",
+        "G1 X3 Y4 Z5",
+        "G1 X#5 Y[2]",
+        "G1 X1 F=",
+        "G10 L2 X7",
+    ];
+    for after in ["G2 X10 Y0 I-10", "G3 X10 Y0 J12", "G3 X10 I1", "G1 X2", "X4", "G38.2 Z-1 F50", "G2 X10 Y0 R10", "I-4"] {
+        // To the same place, with the same feed and modes.
+        let set = "G1 X10 Y0 Z0 F100\n";
+        let alone = read_program(&format!("{begin}{set}{after}\n"), Some("iso"));
+        for first in before {
+            let both = read_program(&format!("{begin}{first}\n{set}{after}\n"), Some("iso"));
+            let last = |path: &Toolpath| {
+                let index = path.len() - 1;
+                let arc = path.arcs.last().filter(|arc| arc[0] == index as f64).map(|arc| arc[1..].to_vec());
+                format!("{:?} {} {} {arc:?}", path.end(index), path.kind[index], path.feed[index])
+            };
+            assert_eq!(last(&both), last(&alone), "{first}, then {after}");
+        }
+    }
+}
+
 /// Nothing in a text makes it panic, hang, or say a place that is no place.
 #[test]
 fn hostile_texts_are_read() {
