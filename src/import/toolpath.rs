@@ -252,7 +252,7 @@ impl Reader {
         }
     }
 
-    /// Reads one line into a block that was used before: made anew for each line, it would be the larger part of the work.
+    /// Reads one line, into a block that is used again for every line.
     fn read(&mut self, line: &[u8], block: &mut Block) {
         match line.first() {
             None | Some(b'%' | b';') => return,

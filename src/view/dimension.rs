@@ -29,7 +29,7 @@ pub struct Angle {
     pub at: Vec3,
     /// The directions of its two sides, unit vectors.
     pub sides: [Vec3; 2],
-    /// How far from its vertex the nearest touch is, mm: nearer there is room for its arc and its name.
+    /// How far from its vertex the nearest touch is, mm: its arc and its name end before that.
     pub room: f64,
 }
 
@@ -191,18 +191,31 @@ fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<
         // Beside the corner, where no other touch is.
         let along = path.frame.w.cross(first.vector).try_normalize().unwrap_or(path.frame.u);
         let aside = if along.dot(first.point - path.frame.origin) > 0.0 { -along } else { along };
-        if let Some(to) = begin_of(path, k) {
+        let begin = begin_of(path, k);
+        if let Some(to) = begin {
             let from = first.point;
             all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
         }
-        let aside = -first.vector;
+        // Behind the wall; of a corner from outside in front of the touches, since behind one wall stands the other.
+        let (aside, off) = if outside {
+            (first.vector, begin.map_or(Vec3::ZERO, |begin| begin - first.point))
+        } else {
+            (-first.vector, Vec3::ZERO)
+        };
+        let beside = |field, from: Vec3, to: Vec3, on_demand| Dimension {
+            field,
+            from: from + off,
+            to: to + off,
+            aside,
+            beyond: 0.0,
+            on_demand,
+        };
         if let (Some((_, next)), Some(field)) = (touches.next(), STEPS.get(wall)) {
-            all.push(Dimension { field, from: first.point, to: next.point, aside, beyond: 0.0, on_demand: false });
+            all.push(beside(field, first.point, next.point, false));
         }
         if let Some(field) = DISTANCES.get(wall).filter(|_| outside) {
             let (origin, w) = (path.frame.origin, path.frame.w);
-            let from = origin + w * (first.point - origin).dot(w);
-            all.push(Dimension { field, from, to: first.point, aside, beyond: 0.0, on_demand: true });
+            all.push(beside(field, origin + w * (first.point - origin).dot(w), first.point, true));
         }
     }
 }

@@ -318,8 +318,8 @@ impl View {
             let middle = [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
             near(middle, (b[1] - a[1]).abs() > (b[0] - a[0]).abs())
         };
-        let dimensions = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
-        let found = dimensions.filter(|(_, line)| on_line(*line)).map(|(drawn, _)| drawn.field).next();
+        let dimensions = self.camera.dimensions(scene, self.field.as_deref());
+        let found = dimensions.into_iter().find(|(_, line)| on_line(*line)).map(|(drawn, _)| drawn.field);
         let angle = || {
             let mut angles = self.camera.angles(scene, self.field.as_deref());
             angles.find(|arc| arc.name.is_some_and(|name| near(name, false))).map(|arc| arc.angle.field)

@@ -100,7 +100,7 @@ export interface Api {
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
   /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
   meanings(job: Job): Said[];
-  /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true length, dimensions. Throws `JobError`. */
+  /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
   svg(job: Job, view?: "top" | "front" | "side" | "isometric"): string;
   /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). What is neither a number nor such a text stays as it is. */
   convertUnits(job: unknown, units: "mm" | "inch"): Job;
