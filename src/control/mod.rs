@@ -264,8 +264,7 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
 
 /// A work offset that is chosen, and gets nothing.
 fn check_write(request: &Request<'_>, checker: &mut Checker) {
-    let datum = request.path.formula.datum.as_ref();
-    let something = datum.is_some_and(|d| d.measured() != [false; 3] || d.rotation.is_some());
+    let something = request.path.formula.datum.as_ref().is_some_and(Datum::writes);
     if request.work_offset.is_some() && !something {
         let message = text!(
             "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \

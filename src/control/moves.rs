@@ -94,7 +94,7 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
     }
     hooks.results(&mut w, formula);
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
-        && (datum.measured() != [false; 3] || datum.rotation.is_some())
+        && datum.writes()
     {
         hooks.write(&mut w, formula, number, datum);
     }

@@ -4,7 +4,7 @@ use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Script;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
-use crate::formula::{Dual, Expr};
+use crate::formula::{Dual, Variable};
 use crate::geom::Vec3;
 use crate::path::{Arc, Move, Purpose, Touch};
 use crate::text::{Text, text, words};
@@ -341,7 +341,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     }
     let (samples, directions) = sampled(request, &followed.triggers);
     let values = path.formula.evaluate(&samples, &directions);
-    let wanted = path.formula.results.iter().filter_map(|result| Some((result, values[result.variable?])));
+    let wanted = path.formula.results.iter().filter_map(|result| Some((result, values[result.variable?.index()])));
     let mut given = trace.outputs.iter();
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
@@ -382,7 +382,7 @@ fn equal(given: f64, value: Dual, unit: f64, size: f64) -> bool {
 /// After the write the measured point reads its nominal place, and the system is turned by what was measured.
 fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expected) -> Result<(), Fault> {
     let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
-    let Some(datum) = datum.filter(|d| d.measured() != [false; 3] || d.rotation.is_some()) else {
+    let Some(datum) = datum.filter(|datum| datum.writes()) else {
         return if trace.writes.is_empty() {
             Ok(())
         } else {
@@ -393,15 +393,18 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
     if let Some(other) = trace.writes.iter().find(|w| Some(w.number) != request.work_offset) {
         return Err(Fault::at(other.line, text!("this writes another work offset")));
     }
-    let value = |expr: &Expr| expr.value(values);
-    let turn = datum.rotation.as_ref().map_or(Dual::constant(0.0), value);
+    let value = |variable: Variable| values[variable.index()];
+    let turn = datum.rotation.map_or(Dual::constant(0.0), value);
     if !equal(written.turn, turn, 1.0, expected.size) {
         return Err(Fault::of(text!("the work offset is turned by another angle than was measured")));
     }
     // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
     let axes = request.plane.axes();
     let (sin, cos) = (-turn.value).to_radians().sin_cos();
-    let part = |i: usize| datum.place[i].as_ref().map(|(m, n)| (value(m), *n));
+    let part = |i: usize| {
+        let place = datum.place[i]?;
+        Some((place.measured.map_or(Dual::constant(place.nominal), value), place.nominal))
+    };
     let away = |i: usize| part(i).map_or(0.0, |(m, _)| written.place[axes[i]] * expected.scale - m.value);
     for (i, axis) in axes.into_iter().enumerate() {
         let Some((measured, nominal)) = part(i) else { continue };

@@ -1,8 +1,7 @@
-//! Circles through points: fitted geometrically, and by arithmetic that any control can do.
+//! Circles through points, fitted geometrically.
 
 use glam::DMat3;
 
-use crate::formula::{Expr, Formula, Function, Name, Value};
 use crate::geom::{Vec2, Vec3};
 
 /// A circle fitted to points of a plane.
@@ -67,45 +66,4 @@ fn algebraic(near: &[Vec2]) -> Option<(Vec2, f64)> {
     }
     let center = Vec2::new(vv * uz - uv * vz, uu * vz - uv * uz) / det;
     Some((center, (center.length_squared() + (uu + vv) / near.len() as f64).sqrt()))
-}
-
-impl Formula {
-    /// Kåsa's circle: minimises the sum of (x² + y² − 2ax − 2by − c)² about the mean of the points.
-    pub(super) fn circle(&mut self, number: usize, first: usize, count: usize, (a, o): (usize, usize)) -> [Value; 3] {
-        let own = |rest: &'static str| Name::new("c", number).and(rest);
-        let n = || Expr::Number(count as f64);
-        let samples = first..first + count;
-        let mean = |axis: usize| Expr::sum(samples.clone().map(|k| Expr::trigger(k, axis))) / n();
-        let (mean_a, mean_o) = (mean(a), mean(o));
-        let mean_a = self.set(own("_mean_a"), mean_a);
-        let mean_o = self.set(own("_mean_o"), mean_o);
-        let mut sums: [Option<Value>; 5] = Default::default();
-        for k in samples {
-            let u = self.set(Name::new("u", k + 1), Expr::trigger(k, a) - mean_a);
-            let v = self.set(Name::new("v", k + 1), Expr::trigger(k, o) - mean_o);
-            let z = self.set(Name::new("w", k + 1), u * u + v * v);
-            let terms = [u * u, v * v, u * v, u * z, v * z];
-            for (i, (sum, term)) in sums.iter_mut().zip(terms).enumerate() {
-                let name = own(["_uu_", "_vv_", "_uv_", "_uz_", "_vz_"][i]).at(k - first + 1);
-                *sum = Some(self.set(
-                    name,
-                    match *sum {
-                        Some(sum) => sum + term,
-                        None => term,
-                    },
-                ));
-            }
-        }
-        let [uu, vv, uv, uz, vz] = sums.map(|s| s.expect("three points or more"));
-        let det = (uu * vv - uv * uv) * Expr::Number(2.0);
-        let det = self.set(own("_det"), det);
-        let u = (vv * uz - uv * vz) / det;
-        let u = self.set(own("_u"), u);
-        let v = self.set(own("_v"), (uu * vz - uv * uz) / det);
-        let square = u * u + v * v + (uu + vv) / n();
-        let x = self.set(own("_a"), mean_a + u);
-        let y = self.set(own("_o"), mean_o + v);
-        let r = self.set(own("_r"), Expr::Call(Function::Sqrt, Box::new(square)));
-        [x, y, r]
-    }
 }

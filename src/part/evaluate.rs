@@ -1,6 +1,6 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Expr, Formula, ResultRow, Role, Unit};
+use crate::formula::{Formula, ResultRow, Role, Unit};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
@@ -19,7 +19,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
         .results
         .iter()
         .map(|def| {
-            let dual = def.variable.map(|v| values[v]).filter(|d| d.value.is_finite());
+            let dual = def.variable.map(|v| values[v.index()]).filter(|d| d.value.is_finite());
             ResultRow {
                 code: def.code.to_owned(),
                 meaning: Text::words(def.meaning),
@@ -92,11 +92,11 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
 
 /// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
 pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
-    let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.told) else { return };
+    let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.in_results) else { return };
     let axes = plane.axes();
     for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
-        let Some((Expr::Variable(variable), _)) = &datum.place[i] else { continue };
-        let Some(at) = formula.results.iter().position(|r| r.variable == Some(*variable)) else { continue };
+        let Some(variable) = datum.place[i].and_then(|place| place.measured) else { continue };
+        let Some(at) = formula.results.iter().position(|r| r.variable == Some(variable)) else { continue };
         let (row, nominal) = (&rows[at], formula.results[at].nominal);
         let meaning =
             text!("Shift of {offset} in {axis} that the program writes", name.to_owned(), crate::geom::AXIS_NAMES[axes[i]]);

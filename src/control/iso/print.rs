@@ -1,6 +1,6 @@
 //! Prints an expression the way a control writes it: its brackets, its names, degrees everywhere.
 
-use crate::formula::{Expr, Formula, Function, Name, Op};
+use crate::formula::{Formula, Function, Name, Node, NodeId, Op, Variable};
 use crate::num::{push_count, push_decimal};
 
 /// How a control writes expressions.
@@ -19,16 +19,16 @@ pub trait Notation {
     }
 }
 
-/// Prints `expr` of `formula`. `scale` is the millimetres in a unit of the program.
-pub fn print<N: Notation>(notation: &N, formula: &Formula, expr: &Expr, scale: f64) -> String {
-    let mut text = String::with_capacity(64);
-    print_to(&mut text, notation, formula, expr, scale);
-    text
+/// Prints a node of `formula` behind a text. `scale` is the millimetres in a unit of the program.
+pub fn print_to<N: Notation>(text: &mut String, notation: &N, formula: &Formula, node: NodeId, scale: f64) {
+    Printer { notation, formula, scale }.put(node, 0, text);
 }
 
-/// The same, written behind a text.
-pub fn print_to<N: Notation>(text: &mut String, notation: &N, formula: &Formula, expr: &Expr, scale: f64) {
-    Printer { notation, formula, scale }.put(expr, 0, text);
+/// The name of an assignment's value, as a control writes it.
+pub fn variable<N: Notation>(notation: &N, formula: &Formula, variable: Variable) -> String {
+    let mut text = String::new();
+    notation.variable(formula, variable.index(), &mut text);
+    text
 }
 
 /// The RS274 family: square brackets, named parameters.
@@ -71,13 +71,13 @@ struct Printer<'a, N> {
 
 impl<N: Notation> Printer<'_, N> {
     /// `binding` is how tightly the surroundings bind: 0 not at all, 1 as a sum, 2 as a product, 3 as what follows − or /.
-    fn put(&self, expr: &Expr, binding: u8, out: &mut String) {
-        match expr {
-            Expr::Number(x) => self.constant(*x, binding, out),
-            Expr::Length(x) => self.constant(x / self.scale, binding, out),
-            Expr::Variable(index) => self.notation.variable(self.formula, *index, out),
-            Expr::Trigger { touch, axis } => self.notation.trigger(*touch, *axis, out),
-            Expr::Call(function, a) => {
+    fn put(&self, node: NodeId, binding: u8, out: &mut String) {
+        match self.formula.node(node) {
+            Node::Number(x) => self.constant(x, binding, out),
+            Node::Length(x) => self.constant(x / self.scale, binding, out),
+            Node::Variable(variable) => self.notation.variable(self.formula, variable.index(), out),
+            Node::Trigger { sample, axis } => self.notation.trigger(usize::from(sample), usize::from(axis), out),
+            Node::Call(function, a) => {
                 out.push_str(match function {
                     Function::Sin => "SIN",
                     Function::Cos => "COS",
@@ -87,15 +87,15 @@ impl<N: Notation> Printer<'_, N> {
                 self.put(a, 0, out);
                 out.push(N::BRACKETS.1);
             }
-            Expr::Circle { .. } => unreachable!("programs get the plain formula"),
-            Expr::Atan2(y, x) => {
+            Node::Circle(..) => unreachable!("programs get the plain formula"),
+            Node::Atan2(y, x) => {
                 out.push_str(N::ATAN[0]);
                 self.put(y, 0, out);
                 out.push_str(N::ATAN[1]);
                 self.put(x, 0, out);
                 out.push_str(N::ATAN[2]);
             }
-            Expr::Binary(op, a, b) => {
+            Node::Binary(op, a, b) => {
                 let (sign, own, right) = match op {
                     Op::Add => ('+', 1, 1),
                     Op::Subtract => ('-', 1, 2),
@@ -130,18 +130,31 @@ impl<N: Notation> Printer<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formula::{Draft, Expr};
 
     #[test]
     fn brackets_only_where_they_are_needed() {
-        let mut f = Formula::default();
-        let a = f.set("a", Expr::trigger(0, 0));
-        let b = f.set("b", Expr::trigger(1, 2));
-        let shown = |e: &Expr| print(&Rs274, &f, e, 25.4);
-        assert_eq!(shown(&Expr::trigger(1, 2)), "#<z2>");
-        assert_eq!(shown(&((a + b) / Expr::Number(2.0))), "[#<a>+#<b>]/2");
-        assert_eq!(shown(&(a - (b - Expr::Length(25.4)))), "#<a>-[#<b>-1]");
-        assert_eq!(shown(&(a * Expr::Number(-0.5))), "#<a>*[-0.5]");
-        assert_eq!(shown(&(a / (b * a))), "#<a>/[#<b>*#<a>]");
-        assert_eq!(shown(&(a.atan2(b) / Expr::Number(2.0)).sin()), "SIN[ATAN[#<a>]/[#<b>]/2]");
+        let f = Draft::default();
+        let a = f.set("a", f.trigger(0, 0));
+        let b = f.set("b", f.trigger(1, 2));
+        let expressions = [
+            (a + b) / Expr::Number(2.0),
+            a - (b - Expr::Length(25.4)),
+            a * Expr::Number(-0.5),
+            a / (b * a),
+            (a.atan2(b) / Expr::Number(2.0)).sin(),
+        ];
+        for expr in expressions {
+            f.set("shown", expr);
+        }
+        let formula = f.finish(None);
+        let mut texts = Vec::new();
+        for assignment in &formula.assignments[1..] {
+            texts.push(String::new());
+            print_to(texts.last_mut().unwrap(), &Rs274, &formula, assignment.node, 25.4);
+        }
+        let expected =
+            ["#<z2>", "[#<a>+#<b>]/2", "#<a>-[#<b>-1]", "#<a>*[-0.5]", "#<a>/[#<b>*#<a>]", "SIN[ATAN[#<a>]/[#<b>]/2]"];
+        assert_eq!(texts, expected);
     }
 }

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::formula::{Expr, Formula, MOST_SAMPLES};
+use crate::formula::{Formula, MOST_SAMPLES, Node};
 
 /// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
 /// as long as it is needed.
@@ -34,20 +34,16 @@ impl Reads {
     fn of(formula: &Formula) -> Self {
         let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers: [[None; 3]; MOST_SAMPLES] };
         for (i, assignment) in formula.assignments.iter().enumerate() {
-            assignment.expr.each(&mut |node| match node {
-                Expr::Variable(index) => reads.variables[*index] = i,
-                Expr::Trigger { touch, axis } => reads.triggers[*touch][*axis] = Some(i),
+            formula.each(assignment.node, &mut |node| match node {
+                Node::Variable(variable) => reads.variables[variable.index()] = i,
+                Node::Trigger { sample, axis } => reads.triggers[usize::from(sample)][usize::from(axis)] = Some(i),
                 _ => {}
             });
         }
         // What the datum reads is kept to the end.
-        let datum = formula.datum.iter().flat_map(|d| d.place.iter().flatten().map(|p| &p.0).chain(&d.rotation));
-        for expr in datum {
-            expr.each(&mut |node| {
-                if let Expr::Variable(index) = node {
-                    reads.variables[*index] = TO_THE_END;
-                }
-            });
+        if let Some(datum) = &formula.datum {
+            let measured = datum.place.iter().flatten().filter_map(|place| place.measured);
+            measured.chain(datum.rotation).for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         }
         reads
     }
@@ -118,7 +114,8 @@ impl Registers {
         let mut last = 0;
         for variable in formula.results.iter().filter_map(|r| r.variable) {
             last += 1;
-            if variables[variable] == 0 { variables[variable] = last } else { copies.push((last, variable)) }
+            let index = variable.index();
+            if variables[index] == 0 { variables[index] = last } else { copies.push((last, index)) }
         }
         Registers { variables, triggers: Vec::new(), copies, results: last, last }
     }

@@ -20,7 +20,7 @@ use crate::control::{
     work_offset_word, written,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula};
+use crate::formula::{Datum, Formula, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, count, decimal};
 use crate::path::{Move, Purpose, RAPID_RATE, Touch};
@@ -171,7 +171,7 @@ impl Moves for LinuxCnc<'_> {
             text.push_str("#<");
             assignment.name.push_to(text);
             text.push_str(">=[");
-            print::print_to(text, &print::Rs274, formula, &assignment.expr, self.request.scale);
+            print::print_to(text, &print::Rs274, formula, assignment.node, self.request.scale);
             text.push(']');
         });
     }
@@ -183,7 +183,7 @@ impl Moves for LinuxCnc<'_> {
                     text.push_str("(PRINT,");
                     text.push_str(result.code);
                     text.push('=');
-                    print::Rs274.variable(formula, variable, text);
+                    print::Rs274.variable(formula, variable.index(), text);
                     text.push(')');
                 });
             }
@@ -348,13 +348,15 @@ fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Ste
 /// is counted.
 fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: i32, datum: &Datum) {
     let axes = request.plane.axes();
-    let name = |e: &Expr| print::print(&print::Rs274, formula, e, request.scale);
+    let name = |variable: Variable| print::variable(&print::Rs274, formula, variable);
     let current = axes.map(|axis| CURRENT[axis]);
-    let turned = datum.rotation.as_ref().map(name);
+    let turned = datum.rotation.map(name);
     if let Some(turn) = &turned {
-        if let [Some((x, _)), Some((y, _)), _] = &datum.place {
-            w.line(&format!("#<away_a>=[{}-{}]", current[0], name(x)));
-            w.line(&format!("#<away_o>=[{}-{}]", current[1], name(y)));
+        if let [Some(x), Some(y), _] = datum.place {
+            for (away, current, place) in [("away_a", current[0], x), ("away_o", current[1], y)] {
+                let measured = place.measured.map_or_else(|| decimal(place.nominal / request.scale, 12), name);
+                w.line(&format!("#<{away}>=[{current}-{measured}]"));
+            }
         }
         // Rotation of system n: #5230, #5250 ….
         w.line(&format!("G10 L2 P{n} R[#{}+{turn}]", 5210 + 20 * n));
@@ -370,13 +372,14 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: 
     };
     let mut words = [String::new(), String::new(), String::new()];
     for (i, place) in datum.place.iter().enumerate() {
-        let Some((measured, nominal)) = place else { continue };
-        let value = match (measured, &turned, i) {
+        let Some(place) = place else { continue };
+        let nominal = constant(place.nominal);
+        let value = match (place.measured, &turned, i) {
             // Not measured: it reads on as it does.
-            (Expr::Length(_), ..) => current[i].to_owned(),
-            (_, Some(turn), 0) => format!("#<away_a>*COS[{turn}]+#<away_o>*SIN[{turn}]{}", constant(*nominal)),
-            (_, Some(turn), 1) => format!("#<away_o>*COS[{turn}]-#<away_a>*SIN[{turn}]{}", constant(*nominal)),
-            _ => format!("{}-{}{}", current[i], name(measured), constant(*nominal)),
+            (None, ..) => current[i].to_owned(),
+            (_, Some(turn), 0) => format!("#<away_a>*COS[{turn}]+#<away_o>*SIN[{turn}]{nominal}"),
+            (_, Some(turn), 1) => format!("#<away_o>*COS[{turn}]-#<away_a>*SIN[{turn}]{nominal}"),
+            (Some(measured), ..) => format!("{}-{}{nominal}", current[i], name(measured)),
         };
         words[axes[i]] = format!(" {}[{value}]", AXIS_NAMES[axes[i]]);
     }

@@ -22,7 +22,7 @@ use crate::control::{
     written,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula};
+use crate::formula::{Datum, Formula, Place, Variable};
 use crate::geom::AXIS_NAMES;
 use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
@@ -118,8 +118,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// How many registers the write of the frame needs: a height, and a turn alone, need none.
 fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
-    let plane =
-        formula.datum.as_ref().is_some_and(|d| d.place[0].is_some() && (d.measured() != [false; 3] || d.rotation.is_some()));
+    let plane = formula.datum.as_ref().is_some_and(|datum| datum.place[0].is_some() && datum.writes());
     if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
 }
 
@@ -195,7 +194,7 @@ impl Moves for Sinumerik<'_> {
         w.build(|text| {
             self.notation().variable(formula, index, text);
             text.push('=');
-            print::print_to(text, &self.notation(), formula, &assignment.expr, self.request.scale);
+            print::print_to(text, &self.notation(), formula, assignment.node, self.request.scale);
             text.push_str(" ; ");
             assignment.name.push_to(text);
         });
@@ -331,19 +330,21 @@ fn must_be_free(w: &mut Writer<'_>, exit: &str) {
 /// T + R(a)·measured − R(b)·nominal.
 fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, n: i32, datum: &Datum) {
     let notation = RParameters { registers };
-    let value = |e: &Expr| print::print(&notation, formula, e, request.scale);
+    let name = |variable: Variable| print::variable(&notation, formula, variable);
     let constant = |mm: f64| decimal(mm / request.scale, 12);
+    let value = |place: &Place| place.measured.map_or_else(|| constant(place.nominal), name);
     let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
     let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
     w.comment("One write, at the very end: the shift that brings what was measured to its nominal place");
-    if let [Some((x, nx)), Some((y, ny)), _] = &datum.place {
+    if let [Some(x), Some(y), _] = &datum.place {
         let [before, after, mx, my, nominal_x, nominal_y] = [1, 2, 3, 4, 5, 6].map(|i| registers.last + i);
         w.line(&format!("R{before}={}", frame(tool, "RT")));
-        w.line(&match &datum.rotation {
-            Some(turn) => format!("R{after}=R{before}+{}", value(turn)),
+        w.line(&match datum.rotation {
+            Some(turn) => format!("R{after}=R{before}+{}", name(turn)),
             None => format!("R{after}=R{before}"),
         });
-        for (register, text) in [(mx, value(x)), (my, value(y)), (nominal_x, constant(*nx)), (nominal_y, constant(*ny))] {
+        let nominal = [(nominal_x, constant(x.nominal)), (nominal_y, constant(y.nominal))];
+        for (register, text) in [(mx, value(x)), (my, value(y))].into_iter().chain(nominal) {
             w.line(&format!("R{register}={text}"));
         }
         w.line(&format!(
@@ -355,11 +356,11 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
             frame(o, "TR")
         ));
     }
-    if let Some((z, nominal)) = &datum.place[2] {
-        w.line(&format!("{0}={0}+{1}-({2})", frame(tool, "TR"), value(z), constant(*nominal)));
+    if let Some(z) = &datum.place[2] {
+        w.line(&format!("{0}={0}+{1}-({2})", frame(tool, "TR"), value(z), constant(z.nominal)));
     }
-    if let Some(turn) = &datum.rotation {
-        w.line(&format!("{0}={0}+{1}", frame(tool, "RT"), value(turn)));
+    if let Some(turn) = datum.rotation {
+        w.line(&format!("{0}={0}+{1}", frame(tool, "RT"), name(turn)));
     }
     w.line(&(DEF.work_offset_word)(n));
 }

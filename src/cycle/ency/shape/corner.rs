@@ -7,7 +7,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Name, Role, Value, project};
+use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -264,7 +264,7 @@ impl Shape for Corner {
         let plane = on.setup.plane;
         let [a, o, _] = plane.axes();
         let origin = on.frame.origin;
-        let mut formula = Formula::default();
+        let f = Draft::with_room_for(on.touches.len());
         let firsts = [0, self.counts[0]];
         let [one, two] = [0, 1].map(|i| {
             let normal = flat(plane, on.touches[firsts[i]].vector);
@@ -275,31 +275,30 @@ impl Shape for Corner {
                 along: along(self.internal, self.angle < 0.0, i, normal),
                 normal,
             };
-            line.fit(&mut formula, (a, o), on.setup.radius)
+            line.fit(&f, (a, o), on.setup.radius)
         });
         // Cramer's rule on n1·p = q1, n2·p = q2.
-        let det = formula.set("det", one.normal.0.clone() * two.normal.1.clone() - one.normal.1.clone() * two.normal.0.clone());
-        let x = (one.offset * two.normal.1.clone() - two.offset * one.normal.1.clone()) / det;
-        let y = (two.offset * one.normal.0.clone() - one.offset * two.normal.0) / det;
-        let x = formula.set("corner_x", x);
-        let y = formula.set("corner_y", y);
+        let det = f.set("det", f.difference(one.normal.0 * two.normal.1, one.normal.1 * two.normal.0));
+        let x = (one.offset * two.normal.1 - two.offset * one.normal.1) / det;
+        let y = (two.offset * one.normal.0 - one.offset * two.normal.0) / det;
+        let x = f.set("corner_x", x);
+        let y = f.set("corner_y", y);
         // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
         // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
         let tilts = one.tilt.zip(two.tilt);
         let clockwise = self.internal != (self.angle < 0.0);
-        let rotation =
-            one.tilt.map(|tilt| formula.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt.into() }));
+        let rotation = one.tilt.map(|tilt| f.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt.into() }));
         let nominal = self.angle.abs();
         let angle = tilts.map(|(t1, t2)| {
             let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
-            formula.set("angle", sum)
+            f.set("angle", sum)
         });
-        formula.result("corner.x", Role::Abscissa, words!("Corner, abscissa"), origin[a], Some(x));
-        formula.result("corner.y", Role::Ordinate, words!("Corner, ordinate"), origin[o], Some(y));
-        formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-        formula.result("angle", Role::Angle, words!("Angle between the walls"), nominal, angle);
-        formula.result("rotation", Role::Direction, words!("Wall 1 against its nominal direction"), 0.0, rotation);
-        formula
+        f.result("corner.x", Role::Abscissa, words!("Corner, abscissa"), origin[a], Some(x));
+        f.result("corner.y", Role::Ordinate, words!("Corner, ordinate"), origin[o], Some(y));
+        f.result("angle", Role::Angle, words!("Angle between the walls"), nominal, angle);
+        f.result("rotation", Role::Direction, words!("Wall 1 against its nominal direction"), 0.0, rotation);
+        let datum = Datum::point((x, origin[a]), (y, origin[o]));
+        f.finish(Some(datum))
     }
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
@@ -348,61 +347,66 @@ struct Line {
 }
 
 /// The fitted wall: normal · p = offset, both in the plane.
-struct Fitted {
-    normal: (Expr, Expr),
-    offset: Value,
+struct Fitted<'f> {
+    normal: (Expr<'f>, Expr<'f>),
+    offset: Value<'f>,
     /// Its direction against the nominal one in (along, normal), degrees.
-    tilt: Option<Value>,
+    tilt: Option<Value<'f>>,
 }
 
 impl Line {
-    fn fit(&self, formula: &mut Formula, (a, o): (usize, usize), radius: f64) -> Fitted {
+    fn fit<'f>(&self, f: &'f Draft, (a, o): (usize, usize), radius: f64) -> Fitted<'f> {
         let n = self.number;
         let touches = self.first..self.first + self.count;
-        let place = |touch: usize, direction| project(Expr::trigger(touch, a), Expr::trigger(touch, o), direction);
+        let place = |touch: usize, direction| project(f.trigger(touch, a), f.trigger(touch, o), direction);
         if self.count == 1 {
             let height = place(self.first, self.normal) - Expr::Length(radius);
-            let offset = formula.set(Name::new("q", n), height);
+            let offset = f.set(Name::new("q", n), height);
             let normal = (constant(self.normal.0), constant(self.normal.1));
             return Fitted { normal, offset, tilt: None };
         }
-        let places: Vec<(Value, Value)> = touches
+        let places: Vec<(Value<'_>, Value<'_>)> = touches
             .map(|touch| {
-                let s = formula.set(Name::new("s", touch + 1), place(touch, self.along));
-                let h = formula.set(Name::new("h", touch + 1), place(touch, self.normal));
+                let s = f.set(Name::new("s", touch + 1), place(touch, self.along));
+                let h = f.set(Name::new("h", touch + 1), place(touch, self.normal));
                 (s, h)
             })
             .collect();
         let count = Expr::Number(self.count as f64);
-        let mean_s = formula.set(Name::new("mean_s", n), Expr::sum(places.iter().map(|p| p.0)) / count.clone());
-        let mean_h = formula.set(Name::new("mean_h", n), Expr::sum(places.iter().map(|p| p.1)) / count);
+        let mean_s = f.set(Name::new("mean_s", n), Expr::sum(places.iter().map(|p| p.0)) / count);
+        let mean_h = f.set(Name::new("mean_h", n), Expr::sum(places.iter().map(|p| p.1)) / count);
         let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
             ((*h2 - *h1) / (*s2 - *s1)).atan2(Expr::Number(1.0))
         } else {
-            self.least_squares(formula, &places, (mean_s, mean_h))
+            self.least_squares(f, &places, (mean_s, mean_h))
         };
-        let tilt = formula.set(Name::new("tilt", n), tilt);
-        let sin = formula.set(Name::new("sin", n), tilt.sin());
-        let cos = formula.set(Name::new("cos", n), tilt.cos());
+        let tilt = f.set(Name::new("tilt", n), tilt);
+        let sin = f.set(Name::new("sin", n), tilt.sin());
+        let cos = f.set(Name::new("cos", n), tilt.cos());
         let offset = mean_h * cos - mean_s * sin - Expr::Length(radius);
-        let offset = formula.set(Name::new("q", n), offset);
-        let mut turned =
-            |name: &'static str, along: f64, normal: f64| formula.set(Name::new(name, n), project(cos, sin, (normal, -along)));
+        let offset = f.set(Name::new("q", n), offset);
+        let turned =
+            |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), project(cos, sin, (normal, -along)));
         let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
         Fitted { normal, offset, tilt: Some(tilt) }
     }
 
     /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
-    fn least_squares(&self, formula: &mut Formula, places: &[(Value, Value)], (mean_s, mean_h): (Value, Value)) -> Expr {
+    fn least_squares<'f>(
+        &self,
+        f: &'f Draft,
+        places: &[(Value<'f>, Value<'f>)],
+        (mean_s, mean_h): (Value<'f>, Value<'f>),
+    ) -> Expr<'f> {
         let n = self.number;
         let (mut ss, mut hh, mut sh) = (Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0));
         for (i, &(s, h)) in places.iter().enumerate() {
             let touch = self.first + i + 1;
-            let ds = formula.set(Name::new("ds", touch), s - mean_s);
-            let dh = formula.set(Name::new("dh", touch), h - mean_h);
-            ss = formula.set(Name::new("ss", n).and("_").at(i + 1), ss + ds * ds).into();
-            hh = formula.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
-            sh = formula.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
+            let ds = f.set(Name::new("ds", touch), s - mean_s);
+            let dh = f.set(Name::new("dh", touch), h - mean_h);
+            ss = f.set(Name::new("ss", n).and("_").at(i + 1), ss + ds * ds).into();
+            hh = f.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
+            sh = f.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
         }
         (Expr::Number(2.0) * sh).atan2(ss - hh) / Expr::Number(2.0)
     }

@@ -107,7 +107,7 @@ pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option
 }
 
 /// A component of a direction in the plane, as a formula multiplies with it.
-pub fn constant(x: f64) -> Expr {
+pub fn constant(x: f64) -> Expr<'static> {
     Expr::Number(crate::num::tidy(x))
 }
 

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Name, Role, project};
+use crate::formula::{Datum, Draft, Expr, Formula, Name, Place, Role, project};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -206,56 +206,55 @@ impl Shape for Pairs {
         let plane = on.setup.plane;
         let [a, o, w] = plane.axes();
         let origin = on.frame.origin;
-        let mut formula = Formula::default();
-        let mut pair = |first: usize, names: [&'static str; 2]| {
+        let f = Draft::with_room_for(on.touches.len());
+        let pair = |first: usize, names: [&'static str; 2]| {
             let along = flat(plane, on.touches[first].vector * self.sign());
-            let mut wall = |touch: usize, side: f64| {
-                let place = project(Expr::trigger(touch, a), Expr::trigger(touch, o), along);
+            let wall = |touch: usize, side: f64| {
+                let place = project(f.trigger(touch, a), f.trigger(touch, o), along);
                 let radius = Expr::Length(-side * self.sign() * on.setup.radius);
-                formula.set(Name::new("wall", touch + 1), place + radius)
+                f.set(Name::new("wall", touch + 1), place + radius)
             };
             let (plus, minus) = (wall(first, 1.0), wall(first + 1, -1.0));
-            let width = formula.set(names[0], plus - minus);
-            let middle = formula.set(names[1], (plus + minus) / Expr::Number(2.0));
+            let width = f.set(names[0], plus - minus);
+            let middle = f.set(names[1], (plus + minus) / Expr::Number(2.0));
             (along, width, middle)
         };
         if self.sides.len() == 2 {
             let (along, width1, u) = pair(0, ["width1", "middle_u"]);
             let (across, width2, v) = pair(2, ["width2", "middle_v"]);
-            let x = formula.set("center_x", project(u, v, (along.0, across.0)));
-            let y = formula.set("center_y", project(u, v, (along.1, across.1)));
-            formula.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], Some(x));
-            formula.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], Some(y));
-            formula.datum = Some(Datum::point((x, origin[a]), (y, origin[o])));
-            formula.result("width1", Role::Size, words!("Width 1"), self.sides[0].width, Some(width1));
-            formula.result("width2", Role::Size, words!("Width 2"), self.sides[1].width, Some(width2));
-            formula.result("rotation", Role::Direction, words!("Rotation: one touch a wall gives no angle"), 0.0, None);
-            return formula;
+            let x = f.set("center_x", project(u, v, (along.0, across.0)));
+            let y = f.set("center_y", project(u, v, (along.1, across.1)));
+            f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], Some(x));
+            f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], Some(y));
+            f.result("width1", Role::Size, words!("Width 1"), self.sides[0].width, Some(width1));
+            f.result("width2", Role::Size, words!("Width 2"), self.sides[1].width, Some(width2));
+            f.result("rotation", Role::Direction, words!("Rotation: one touch a wall gives no angle"), 0.0, None);
+            let datum = Datum::point((x, origin[a]), (y, origin[o]));
+            return f.finish(Some(datum));
         }
         let (along, width, u) = pair(0, ["width", "middle"]);
         // Along the walls the middle stands where it nominally is.
         let across = (-along.1, along.0);
         let rest = origin[a] * across.0 + origin[o] * across.1;
-        let mut place = |name: &'static str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
+        let place = |name: &'static str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
             if crate::num::tidy(c) == 0.0 {
-                return Expr::Length(nominal);
+                return Some(Place { measured: None, nominal });
             }
             let along = project(u, Expr::Number(0.0), (c, 0.0));
-            let value = formula.set(name, along + Expr::Length(s * rest));
-            formula.result(code, Role::Reading, meaning, nominal, Some(value));
-            value.into()
+            let value = f.set(name, along + Expr::Length(s * rest));
+            f.result(code, Role::Reading, meaning, nominal, Some(value));
+            Some(Place::measured(value, nominal))
         };
         let x = place("center_x", "center.x", words!("Middle, abscissa"), origin[a], along.0, across.0);
         let y = place("center_y", "center.y", words!("Middle, ordinate"), origin[o], along.1, across.1);
-        formula.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
-        let mut datum = Datum::point((x, origin[a]), (y, origin[o]));
+        f.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
+        let mut datum = Datum::of([x, y, None]);
         if self.middle.is_some() {
-            let top = formula.set("top", Expr::trigger(2, w) - Expr::Length(on.setup.radius));
-            formula.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
-            datum.place[2] = Some((top.into(), on.touches[2].point[w]));
+            let top = f.set("top", f.trigger(2, w) - Expr::Length(on.setup.radius));
+            f.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
+            datum.place[2] = Some(Place::measured(top, on.touches[2].point[w]));
         }
-        formula.datum = Some(datum);
-        formula
+        f.finish(Some(datum))
     }
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Role};
+use crate::formula::{Datum, Draft, Expr, Formula, Place, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -62,10 +62,9 @@ impl Shape for Point {
         let axes = on.setup.plane.axes();
         let touch = &on.touches[0];
         let (n, nominal) = (touch.vector, touch.contact(on.setup.radius));
-        let mut formula = Formula::default();
-        let reach = axes.iter().map(|&axis| constant(n[axis]) * Expr::trigger(0, axis)).reduce(|sum, term| sum + term);
-        let reach = reach.unwrap_or(Expr::Number(0.0)) - Expr::Length(n.dot(nominal));
-        let off = formula.set("off", reach);
+        let f = Draft::with_room_for(on.touches.len());
+        let reach = Expr::sum(axes.iter().map(|&axis| constant(n[axis]) * f.trigger(0, axis)));
+        let off = f.set("off", reach - Expr::Length(n.dot(nominal)));
         let codes = [
             ("point.x", "point_x", words!("Point on the surface, abscissa")),
             ("point.y", "point_y", words!("Point on the surface, ordinate")),
@@ -75,25 +74,19 @@ impl Shape for Point {
         for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
             let (axis, at) = (axes[i], touch.point[axes[i]]);
             let measured = crate::num::tidy(n[axis]) != 0.0;
-            let value = formula.set(name, constant(n[axis]) * off + Expr::Length(at));
-            formula.result(code, Role::Reading, meaning, at, Some(value));
-            place[i] = Some((if measured { value.into() } else { Expr::Length(at) }, at));
+            let value = f.set(name, constant(n[axis]) * off + Expr::Length(at));
+            f.result(code, Role::Reading, meaning, at, Some(value));
+            place[i] = Some(Place { measured: measured.then_some(value.variable), nominal: at });
         }
-        if place[2].as_ref().is_some_and(|(e, _)| matches!(e, Expr::Length(_))) {
+        let nothing = |place: Option<Place>| place.is_none_or(|place| place.measured.is_none());
+        if nothing(place[2]) {
             place[2] = None;
         }
-        if place[..2].iter().flatten().all(|(e, _)| matches!(e, Expr::Length(_))) {
+        if nothing(place[0]) && nothing(place[1]) {
             (place[0], place[1]) = (None, None);
         }
-        formula.result(
-            "deviation",
-            Role::Shift,
-            words!("How far the surface is displaced along the target vector"),
-            0.0,
-            Some(off),
-        );
-        formula.datum = Some(Datum { place, rotation: None, told: false });
-        formula
+        f.result("deviation", Role::Shift, words!("How far the surface is displaced along the target vector"), 0.0, Some(off));
+        f.finish(Some(Datum::of(place)))
     }
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{CirclePart, Datum, Expr, Formula, Role, fit_circle};
+use crate::formula::{CirclePart, Datum, Draft, Expr, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
 use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::text::{Text, text, words};
@@ -199,19 +199,19 @@ impl Shape for Circle {
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let [a, o, _] = on.setup.plane.axes();
         let origin = on.frame.origin;
-        let mut formula = Formula::default();
+        let f = Draft::with_room_for(on.touches.len());
         let known = gives_circle(on.touches.iter().map(|t| t.vector));
-        let part = |part| Expr::Circle { first: 0, count: on.touches.len(), axes: (a, o), part };
-        let mut value = |name: &'static str, expr: Expr| known.then(|| formula.set(name, expr));
+        let part = |part| f.circle((0, on.touches.len()), (a, o), part);
+        let value = |name: &'static str, expr| known.then(|| f.set(name, expr));
         let x = value("center_x", part(CirclePart::Abscissa));
         let y = value("center_y", part(CirclePart::Ordinate));
         let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);
         let diameter = value("diameter", Expr::Number(2.0) * wall);
-        formula.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
-        formula.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
-        formula.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);
-        formula.datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
-        formula
+        f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
+        f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
+        f.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);
+        let datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
+        f.finish(datum)
     }
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {

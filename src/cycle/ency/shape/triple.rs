@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::corner::{self, sides_rule};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
 use crate::form::Checker;
-use crate::formula::{Datum, Expr, Formula, Name, Role, Value};
+use crate::formula::{Datum, Draft, Expr, Formula, Name, Place, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -198,13 +198,11 @@ impl Shape for Triple {
         let axes = on.setup.plane.axes();
         let n = [0, 1, 2].map(|k| on.touches[k].vector);
         let det = n[0].dot(n[1].cross(n[2]));
-        let mut formula = Formula::default();
-        let q: Vec<Value> = (0..3)
-            .map(|k| {
-                let sum = axes.iter().map(|&axis| Expr::trigger(k, axis) * constant(n[k][axis])).reduce(|s, t| s + t);
-                formula.set(Name::new("q", k + 1), sum.unwrap_or(Expr::Number(0.0)) - Expr::Length(on.setup.radius))
-            })
-            .collect();
+        let f = Draft::with_room_for(on.touches.len());
+        let q = [0, 1, 2].map(|k| {
+            let sum = Expr::sum(axes.iter().map(|&axis| f.trigger(k, axis) * constant(n[k][axis])));
+            f.set(Name::new("q", k + 1), sum - Expr::Length(on.setup.radius))
+        });
         let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];
         let nominal: Vec3 = (0..3).map(|k| weights[k] * n[k].dot(on.touches[k].point)).sum();
         let codes = [
@@ -215,13 +213,11 @@ impl Shape for Triple {
         let mut place = [None, None, None];
         for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
             let axis = axes[i];
-            let sum = (0..3).map(|k| q[k] * constant(weights[k][axis])).reduce(|s, t| s + t);
-            let value = formula.set(name, sum.unwrap_or(Expr::Number(0.0)));
-            formula.result(code, role, meaning, nominal[axis], Some(value));
-            place[i] = Some((value.into(), crate::num::tidy(nominal[axis])));
+            let value = f.set(name, Expr::sum((0..3).map(|k| q[k] * constant(weights[k][axis]))));
+            f.result(code, role, meaning, nominal[axis], Some(value));
+            place[i] = Some(Place::measured(value, crate::num::tidy(nominal[axis])));
         }
-        formula.datum = Some(Datum { place, rotation: None, told: false });
-        formula
+        f.finish(Some(Datum::of(place)))
     }
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {

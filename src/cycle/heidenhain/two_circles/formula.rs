@@ -1,7 +1,7 @@
 //! What the control computes in 1411.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Datum, Expr, Formula, Name, Role, Value};
+use crate::formula::{CirclePart, Datum, Draft, Expr, Formula, Name, Place, Role, Value};
 use crate::path::Setup;
 use crate::text::words;
 
@@ -35,9 +35,9 @@ const DIAMETER_OFFSETS: [(&str, &str); 2] =
     [("Q996", words!("Deviation of diameter 1")), ("Q997", words!("Deviation of diameter 2"))];
 
 /// What is known of one object: centre and diameter, each where it is.
-struct Measured {
-    centre: [Option<Value>; 3],
-    diameter: Option<Value>,
+struct Measured<'f> {
+    centre: [Option<Value<'f>>; 3],
+    diameter: Option<Value<'f>>,
 }
 
 /// The name of a value: `q950` of the code `Q950`.
@@ -48,17 +48,17 @@ fn q(code: &str) -> Name {
 impl TwoCircles {
     /// The formula: both circles, the turn of the line through their centres, deviations, and what is written.
     pub(super) fn computed(&self, setup: &Setup) -> Formula {
-        let mut f = Formula::default();
+        let f = Draft::with_room_for(2 * self.form.probe_points as usize);
         let mut first = 0;
         let objects = self.objects();
         let measured = [&objects[0], &objects[1]].map(|object| {
-            let measured = self.measured(&mut f, object, first, setup);
+            let measured = self.measured(&f, object, first, setup);
             if object.state == State::Probed {
                 first += self.form.probe_points as usize;
             }
             measured
         });
-        let rotation = self.rotation(&mut f, &objects, &measured);
+        let rotation = self.rotation(&f, &objects, &measured);
         for ((object, known), codes) in objects.iter().zip(&measured).zip(CENTRES) {
             for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let role = [Role::Abscissa, Role::Ordinate, Role::Height][axis];
@@ -89,16 +89,16 @@ impl TwoCircles {
             let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
             f.result(code, Role::Shift, meaning, 0.0, off);
         }
-        self.presets(&mut f, &objects, &measured, rotation);
-        f
+        let datum = self.presets(&f, &objects, &measured, rotation);
+        f.finish(Some(datum))
     }
 
-    fn measured(&self, f: &mut Formula, object: &Object, first: usize, setup: &Setup) -> Measured {
+    fn measured<'f>(&self, f: &'f Draft, object: &Object, first: usize, setup: &Setup) -> Measured<'f> {
         let number = object.number;
         match object.state {
             State::Semi => Measured { centre: [None, None, None], diameter: None },
             State::Given => {
-                let mut at = |axis: usize| {
+                let at = |axis: usize| {
                     let actual = object.point[axis].actual?;
                     Some(f.set(Name::new("given", number).and("_").at(axis), Expr::Length(actual)))
                 };
@@ -107,7 +107,7 @@ impl TwoCircles {
             State::Probed => {
                 let [a, o, _] = setup.plane.axes();
                 let count = self.form.probe_points as usize;
-                let part = |part| Expr::Circle { first, count, axes: (a, o), part };
+                let part = |part| f.circle((first, count), (a, o), part);
                 let x = f.set(q(CENTRES[number - 1][0].0), part(CirclePart::Abscissa));
                 let y = f.set(q(CENTRES[number - 1][1].0), part(CirclePart::Ordinate));
                 let height = object.point[2].nominal.unwrap_or(0.0);
@@ -122,7 +122,7 @@ impl TwoCircles {
 
     /// The turn of the measured line against the nominal one, wrapped to (−180, 180], counter-clockwise positive: the angle of
     /// the measured vector in axes along and across the nominal one.
-    fn rotation(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2]) -> Option<Value> {
+    fn rotation<'f>(&self, f: &'f Draft, objects: &[Object; 2], measured: &[Measured<'f>; 2]) -> Option<Value<'f>> {
         let (p, q) = (objects[0].place()?, objects[1].place()?);
         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
         let (cos, sin) = ((q[0] - p[0]) / length, (q[1] - p[1]) / length);
@@ -136,11 +136,17 @@ impl TwoCircles {
     }
 
     /// What Q1120, Q1121 and Q1126 make of it.
-    fn presets(&self, f: &mut Formula, objects: &[Object; 2], measured: &[Measured; 2], rotation: Option<Value>) {
+    fn presets<'f>(
+        &self,
+        f: &'f Draft,
+        objects: &[Object; 2],
+        measured: &[Measured<'f>; 2],
+        rotation: Option<Value<'f>>,
+    ) -> Datum {
         let form = &self.form;
         let mut place = [None, None, None];
         if form.transfer_position != 0 {
-            let mut axis = |i: usize, [mean, preset]: [&'static str; 2]| {
+            let axis = |i: usize, [mean, preset]: [&'static str; 2]| {
                 let one = measured[0].centre[i].zip(objects[0].point[i].nominal);
                 let two = measured[1].centre[i].zip(objects[1].point[i].nominal);
                 let (value, nominal) = match form.transfer_position {
@@ -155,14 +161,14 @@ impl TwoCircles {
                 Some((value, nominal, shift))
             };
             let (x, y) = (axis(0, ["mean_a", "preset_a"]), axis(1, ["mean_o", "preset_o"]));
-            let shift = |axis: Option<(Value, f64, Value)>| axis.map(|a| a.2);
+            let shift = |axis: Option<(Value<'f>, f64, Value<'f>)>| axis.map(|a| a.2);
             f.result("preset.x", Role::Shift, words!("Shift of the preset in the main axis (Q1120)"), 0.0, shift(x));
             f.result("preset.y", Role::Shift, words!("Shift of the preset in the minor axis (Q1120)"), 0.0, shift(y));
             if let Some((x, y)) = x.zip(y) {
-                place = [Some((x.0.into(), x.1)), Some((y.0.into(), y.1)), None];
+                place = [Some(Place::measured(x.0, x.1)), Some(Place::measured(y.0, y.1)), None];
             }
         }
-        let turned = |r: Value| Expr::Number(0.0) - r;
+        let turned = |r: Value<'f>| Expr::Number(0.0) - r;
         match form.confirm_rotation {
             1 => f.result("preset.rotation", Role::Turn, words!("Basic rotation written to the preset (Q1121)"), 0.0, rotation),
             2 => {
@@ -181,6 +187,7 @@ impl TwoCircles {
             let turn = rotation.map(|r| f.set("table_turn", turned(r)));
             f.result("table.turn", Role::Turn, words!("Turn of the rotary table (Q1126)"), 0.0, turn);
         }
-        f.datum = Some(Datum { place, told: true, rotation: rotation.filter(|_| form.confirm_rotation == 1).map(Expr::from) });
+        let rotation = rotation.filter(|_| form.confirm_rotation == 1).map(|value| value.variable);
+        Datum { place, in_results: true, rotation }
     }
 }

@@ -1,0 +1,208 @@
+//! A formula evaluated on triggers, with the derivative by each touch beside each value.
+
+use crate::formula::node::Fitted;
+use crate::formula::{CirclePart, Formula, Function, MOST_SAMPLES, Node, NodeId, Op, fit_circle};
+use crate::geom::{Vec2, Vec3};
+
+/// A number and its derivative by each touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual {
+    /// The number.
+    pub value: f64,
+    /// Its change for a unit shift of each trigger along its probing direction.
+    pub by_touch: [f64; MOST_SAMPLES],
+}
+
+impl Dual {
+    /// A number that depends on no touch.
+    pub const fn constant(value: f64) -> Self {
+        Dual { value, by_touch: [0.0; MOST_SAMPLES] }
+    }
+
+    /// The standard deviation of this number if every touch scatters independently by `sigma`: linear propagation.
+    pub fn uncertainty(&self, sigma: f64) -> f64 {
+        sigma * self.by_touch.iter().map(|d| d * d).sum::<f64>().sqrt()
+    }
+
+    /// Becomes f of itself, by the chain rule.
+    fn map(&mut self, value: f64, slope: f64) {
+        self.value = value;
+        self.by_touch.iter_mut().for_each(|d| *d *= slope);
+    }
+
+    /// Becomes f of itself and another number, by the chain rule.
+    fn join(&mut self, other: &Dual, value: f64, slope: f64, other_slope: f64) {
+        self.value = value;
+        for (d, o) in self.by_touch.iter_mut().zip(other.by_touch) {
+            *d = *d * slope + o * other_slope;
+        }
+    }
+}
+
+impl Op {
+    /// What it makes of two numbers.
+    pub(super) fn of(self, a: f64, b: f64) -> f64 {
+        match self {
+            Op::Add => a + b,
+            Op::Subtract => a - b,
+            Op::Multiply => a * b,
+            Op::Divide => a / b,
+        }
+    }
+
+    /// Its derivatives by both.
+    fn slopes(self, a: f64, b: f64) -> (f64, f64) {
+        match self {
+            Op::Add => (1.0, 1.0),
+            Op::Subtract => (1.0, -1.0),
+            Op::Multiply => (b, a),
+            Op::Divide => (1.0 / b, -a / (b * b)),
+        }
+    }
+}
+
+impl Function {
+    /// What it makes of a number; angles in degrees.
+    pub(super) fn of(self, x: f64) -> f64 {
+        match self {
+            Function::Sin => x.to_radians().sin(),
+            Function::Cos => x.to_radians().cos(),
+            Function::Sqrt => x.sqrt(),
+        }
+    }
+
+    /// Its derivative.
+    fn slope(self, x: f64) -> f64 {
+        match self {
+            Function::Sin => x.to_radians().cos().to_radians(),
+            Function::Cos => -x.to_radians().sin().to_radians(),
+            Function::Sqrt => 0.5 / x.sqrt(),
+        }
+    }
+}
+
+impl Formula {
+    /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
+    /// `directions` are the probing directions: the derivative of touch k is by a shift of its trigger along direction k.
+    pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
+        let mut run = Run { nodes: &self.nodes, values: Vec::with_capacity(self.assignments.len()), triggers, directions };
+        for assignment in &self.assignments {
+            let mut value = Dual::constant(0.0);
+            run.put(assignment.node, &mut value);
+            run.values.push(value);
+        }
+        run.values
+    }
+}
+
+/// What a formula is evaluated with, and the values so far.
+struct Run<'a> {
+    nodes: &'a [Node],
+    values: Vec<Dual>,
+    triggers: &'a [Option<Vec3>],
+    directions: &'a [Vec3],
+}
+
+impl Run<'_> {
+    /// Puts the value of a node into `out`.
+    fn put(&self, node: NodeId, out: &mut Dual) {
+        match self.nodes[node.0 as usize] {
+            Node::Number(x) | Node::Length(x) => *out = Dual::constant(x),
+            Node::Variable(variable) => *out = self.values[variable.index()],
+            Node::Trigger { sample, axis } => {
+                let (sample, axis) = (usize::from(sample), usize::from(axis));
+                *out = Dual::constant(self.triggers[sample].map_or(f64::NAN, |t| t[axis]));
+                out.by_touch[sample] = self.directions[sample][axis];
+            }
+            Node::Binary(op, left, right) => {
+                self.put(left, out);
+                self.with(right, |right| {
+                    let (a, b) = (out.value, right.value);
+                    let (by_a, by_b) = op.slopes(a, b);
+                    out.join(right, op.of(a, b), by_a, by_b);
+                });
+            }
+            Node::Call(function, a) => {
+                self.put(a, out);
+                out.map(function.of(out.value), function.slope(out.value));
+            }
+            Node::Circle(fitted, part) => *out = self.circle(fitted, part),
+            Node::Atan2(y, x) => {
+                self.put(y, out);
+                self.with(x, |other| {
+                    let (y, x) = (out.value, other.value);
+                    let square = x * x + y * y;
+                    out.join(other, y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees());
+                });
+            }
+        }
+    }
+
+    /// The value of an operand. Most have a name: they are read where they stand.
+    fn with(&self, node: NodeId, read: impl FnOnce(&Dual)) {
+        if let Node::Variable(variable) = self.nodes[node.0 as usize] {
+            return read(&self.values[variable.index()]);
+        }
+        let mut own = Dual::constant(0.0);
+        self.put(node, &mut own);
+        read(&own);
+    }
+
+    /// A part of the circle fitted to these samples.
+    fn circle(&self, fitted: Fitted, part: CirclePart) -> Dual {
+        let flat = |v: &Vec3| Vec2::new(v[usize::from(fitted.axes.0)], v[usize::from(fitted.axes.1)]);
+        let points: Option<Vec<Vec2>> = self.triggers[fitted.samples()].iter().map(|t| t.as_ref().map(flat)).collect();
+        let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
+        let row = match part {
+            CirclePart::Abscissa => 0,
+            CirclePart::Ordinate => 1,
+            CirclePart::Radius => 2,
+        };
+        let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
+        for (i, k) in fitted.samples().enumerate() {
+            let d = flat(&self.directions[k]);
+            let [by_first, by_second] = fit.by_point[i];
+            dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;
+        }
+        dual
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::formula::{Draft, Dual, Expr};
+    use crate::geom::Vec3;
+
+    /// d(atan2(y, x)), the product rule and the functions against a difference quotient.
+    #[test]
+    fn derivatives_agree_with_difference_quotients() {
+        let f = Draft::default();
+        let x = f.set("x", f.trigger(0, 0) * f.trigger(1, 1) / Expr::Number(7.0));
+        let y = f.set("y", f.trigger(0, 0) - f.trigger(1, 0));
+        f.set("angle", y.atan2(x));
+        f.set("wave", x.sin() * y.cos());
+        f.set("root", (x * x + y * y).sqrt() / y);
+        let formula = f.finish(None);
+        let directions = [Vec3::X, Vec3::Y];
+        let at = |a: f64, b: f64| formula.evaluate(&[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))], &directions);
+        let (a, b, h) = (3.0, 5.0, 1e-6);
+        let [exact, right, left, up, down] = [(a, b), (a + h, b), (a - h, b), (a, b + h), (a, b - h)].map(|(a, b)| at(a, b));
+        let slope = |high: &[Dual], low: &[Dual], i: usize| (high[i].value - low[i].value) / (2.0 * h);
+        for (i, dual) in exact.iter().enumerate() {
+            let by_quotient = [slope(&right, &left, i), slope(&up, &down, i)];
+            for (touch, quotient) in by_quotient.iter().enumerate() {
+                assert!((dual.by_touch[touch] - quotient).abs() < 1e-6, "{i}: {} {quotient}", dual.by_touch[touch]);
+            }
+        }
+    }
+
+    #[test]
+    fn a_missing_trigger_reaches_only_what_needs_it() {
+        let f = Draft::default();
+        f.set("a", f.trigger(0, 0) + Expr::Length(3.0));
+        f.set("b", f.trigger(1, 0) + Expr::Length(3.0));
+        let values = f.finish(None).evaluate(&[Some(Vec3::X), None], &[Vec3::X, Vec3::X]);
+        assert_eq!(values[0].value, 4.0);
+        assert!(values[1].value.is_nan());
+    }
+}

@@ -1,0 +1,95 @@
+//! What a formula is made of, as one flat list: each node names those it is made of by their places in front of it.
+
+/// The place of a node in the list of its formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NodeId(pub(super) u32);
+
+/// An expression over the triggers of the touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// A pure number.
+    Number(f64),
+    /// A length in mm.
+    Length(f64),
+    /// The value of an earlier assignment.
+    Variable(Variable),
+    /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated ones.
+    Trigger {
+        /// Index of the sample.
+        sample: u8,
+        /// 0, 1, 2 for X, Y, Z.
+        axis: u8,
+    },
+    /// Two operands.
+    Binary(Op, NodeId, NodeId),
+    /// A function of one operand.
+    Call(Function, NodeId),
+    /// A part of a fitted circle.
+    Circle(Fitted, CirclePart),
+    /// The angle in degrees whose tangent is the first by the second, in the right quadrant.
+    Atan2(NodeId, NodeId),
+}
+
+/// The index of an assignment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variable(pub(super) u32);
+
+impl Variable {
+    /// Its place in the list of assignments.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Op {
+    /// +
+    Add,
+    /// −
+    Subtract,
+    /// ×
+    Multiply,
+    /// ÷
+    Divide,
+}
+
+/// A function of one operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// Sine of degrees.
+    Sin,
+    /// Cosine of degrees.
+    Cos,
+    /// Square root.
+    Sqrt,
+}
+
+/// The circle fitted to some samples: geometric least squares, exact for three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fitted {
+    /// Index of the first sample.
+    pub(super) first: u8,
+    /// How many samples.
+    pub(super) count: u8,
+    /// Axes of abscissa and ordinate.
+    pub(super) axes: (u8, u8),
+}
+
+impl Fitted {
+    /// Its samples.
+    pub(super) fn samples(self) -> std::ops::Range<usize> {
+        usize::from(self.first)..usize::from(self.first) + usize::from(self.count)
+    }
+}
+
+/// A part of a fitted circle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CirclePart {
+    /// Abscissa of its centre.
+    Abscissa,
+    /// Ordinate of its centre.
+    Ordinate,
+    /// Its radius.
+    Radius,
+}
