@@ -55,6 +55,10 @@ impl Text {
 
     /// Writes it in English.
     fn write(&self, out: &mut String) {
+        if self.values.is_empty() {
+            debug_assert!(names(self.template).is_empty(), "each name of \"{}\" has its value", self.template);
+            return out.push_str(self.template);
+        }
         let names = names(self.template);
         debug_assert!(names.len() == self.values.len(), "each name of \"{}\" has its value", self.template);
         for (before, name) in pieces(self.template) {
@@ -91,17 +95,12 @@ fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
     let mut rest = Some(template);
     std::iter::from_fn(move || {
         let text = rest?;
-        // The open brace that has had nothing but a name behind it.
-        let mut open = None;
-        for (at, byte) in text.bytes().enumerate() {
-            match (byte, open) {
-                (b'{', _) => open = Some(at),
-                (b'}', Some(open)) if at > open + 1 => {
-                    rest = Some(&text[at + 1..]);
-                    return Some((&text[..open], Some(&text[open + 1..at])));
-                }
-                (byte, _) if !byte.is_ascii_alphanumeric() && byte != b'_' => open = None,
-                _ => {}
+        for open in memchr::memchr_iter(b'{', text.as_bytes()) {
+            let name = &text[open + 1..];
+            let end = name.bytes().position(|b| !b.is_ascii_alphanumeric() && b != b'_').unwrap_or(name.len());
+            if end > 0 && name[end..].starts_with('}') {
+                rest = Some(&name[end + 1..]);
+                return Some((&text[..open], Some(&name[..end])));
             }
         }
         rest = None;

@@ -7,7 +7,7 @@ use crate::control::iso::lines::{next_line, trimmed};
 use crate::form::{Checker, Finding};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
-use crate::num::read;
+use crate::num::read_digits;
 use crate::text::{Text, text};
 
 /// The longest program that is read, in bytes.
@@ -623,36 +623,8 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
 fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     let negative = line.get(at) == Some(&b'-');
     let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
-    let rest = line.get(first..)?;
-    let (mut mantissa, mut digits, mut point) = (0u64, 0, usize::MAX);
-    let mut i = 0;
-    for b in rest {
-        let digit = b.wrapping_sub(b'0');
-        if digit < 10 {
-            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
-            digits += 1;
-        } else if *b == b'.' && point == usize::MAX {
-            point = digits;
-        } else {
-            break;
-        }
-        i += 1;
-    }
-    let decimals = if point == usize::MAX { 0 } else { digits - point };
-    if digits == 0 {
-        return None;
-    }
-    let end = first + i;
-    // Both are exact up to here, so their quotient is rounded once.
-    const TENS: [f64; 16] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
-    let size = if digits <= 15 {
-        // From a signed number it is one instruction.
-        let whole = mantissa as i64 as f64;
-        if decimals == 0 { whole } else { whole / TENS[decimals] }
-    } else {
-        read(std::str::from_utf8(&line[first..end]).ok()?).filter(|x| x.is_finite())?
-    };
-    Some((if negative { -size } else { size }, end))
+    let (size, length) = read_digits(line.get(first..)?)?;
+    Some((if negative { -size } else { size }, first + length))
 }
 
 /// Behind the bracket that closes; the end of the line where none does.

@@ -3,7 +3,7 @@
 mod read;
 mod whole;
 
-pub use read::read;
+pub use read::{read, read_digits};
 
 use std::ops::Deref;
 
@@ -24,7 +24,7 @@ pub fn push_decimal(text: &mut String, value: f64, places: usize) {
 }
 
 /// A number as text: [`decimal`] without an allocation, since a program is made of thousands.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Digits {
     /// As nearly every number is: the last `len` bytes.
     Short {

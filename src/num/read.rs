@@ -52,6 +52,37 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
+/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with one point anywhere. None where there
+/// are no digits, or the number is infinite.
+#[inline]
+pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
+    let (mut mantissa, mut digits, mut point) = (0u64, 0, usize::MAX);
+    let mut length = 0;
+    for b in text {
+        let digit = b.wrapping_sub(b'0');
+        if digit < 10 {
+            mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+            digits += 1;
+        } else if *b == b'.' && point == usize::MAX {
+            point = digits;
+        } else {
+            break;
+        }
+        length += 1;
+    }
+    let decimals = if point == usize::MAX { 0 } else { digits - point };
+    match digits {
+        0 => None,
+        // Both are exact up to here, so their quotient is rounded once.
+        1..=15 => {
+            // From a signed number it is one instruction.
+            let whole = mantissa as i64 as f64;
+            Some((if decimals == 0 { whole } else { whole / super::POWERS[decimals] }, length))
+        }
+        _ => Some((read(std::str::from_utf8(&text[..length]).ok()?).filter(|x| x.is_finite())?, length)),
+    }
+}
+
 /// The digits behind an E, within what matters.
 fn exponent(text: &[u8]) -> Option<i64> {
     let (negative, digits) = match text {
@@ -110,7 +141,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::read;
+    use super::{read, read_digits};
 
     /// Bit for bit what the library reads.
     fn same(text: &str) {
@@ -161,6 +192,28 @@ mod tests {
         }
         for text in ["inf", "NaN", "-infinity"] {
             assert_eq!(read(text), None, "{text}");
+        }
+    }
+
+    /// What stands behind the digits is left; the digits are read as the library reads them.
+    #[test]
+    fn digits_at_the_beginning_of_a_text() {
+        for (text, length) in [
+            ("15 Y3", 2),
+            ("0.707106781187*[", 14),
+            (".5]", 2),
+            ("5.", 2),
+            ("7..5", 2),
+            ("1.2.3", 3),
+            ("12e3", 2),
+            ("1234567890.123456", 17),
+        ] {
+            let number = text[..length].parse::<f64>().unwrap();
+            assert_eq!(read_digits(text.as_bytes()), Some((number, length)), "{text}");
+        }
+        let long = "9".repeat(400);
+        for text in ["", ".", "-5", "+5", "e5", "X1", "..5", &long] {
+            assert_eq!(read_digits(text.as_bytes()), None, "{text}");
         }
     }
 

@@ -111,8 +111,12 @@ impl<'t> Cursor<'t> {
 
     pub(super) fn take(&mut self, bytes: usize) -> &'t str {
         let (taken, rest) = self.rest.split_at(bytes);
-        // Nearly always there is nothing to trim.
-        self.rest = if rest.as_bytes().first().is_some_and(|b| b.is_ascii_graphic()) { rest } else { rest.trim_start() };
+        // Nearly always there is nothing to trim, or one blank.
+        self.rest = match rest.as_bytes() {
+            [first, ..] if first.is_ascii_graphic() => rest,
+            [b' ', second, ..] if second.is_ascii_graphic() => &rest[1..],
+            _ => rest.trim_start(),
+        };
         taken
     }
 
@@ -153,9 +157,8 @@ impl<'t> Cursor<'t> {
 
     /// A number without a sign.
     pub fn number(&mut self) -> Parsed<f64> {
-        let end = self.rest.bytes().position(|b| !(b.is_ascii_digit() || b == b'.')).unwrap_or(self.rest.len());
-        match crate::num::read(&self.rest[..end]) {
-            Some(number) if number.is_finite() => {
+        match crate::num::read_digits(self.rest.as_bytes()) {
+            Some((number, end)) if self.rest.as_bytes().get(end) != Some(&b'.') => {
                 self.take(end);
                 Ok(number)
             }

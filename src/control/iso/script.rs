@@ -276,22 +276,28 @@ const USUAL_NAMES: usize = 1000;
 impl<'t> Script<'t> {
     /// An empty script with room for a program as long as this text.
     pub fn with_room_for(text: &str) -> Self {
-        // A block has about thirty characters, and a value about ten.
-        let (blocks, nodes) = (text.len() / 32 + 16, text.len() / 12 + 16);
-        Script { blocks: Vec::with_capacity(blocks), nodes: Vec::with_capacity(nodes), ..Script::default() }
+        // A block or two a line, a value about eight characters, and a variable a few lines.
+        let lines = memchr::memchr_iter(b'\n', text.as_bytes()).count();
+        let names = (lines / 2).min(USUAL_NAMES);
+        Script {
+            blocks: Vec::with_capacity(lines + 16),
+            nodes: Vec::with_capacity(text.len() / 8 + 16),
+            slots: Vec::with_capacity(names),
+            names: HashMap::with_capacity_and_hasher(names, FxBuildHasher),
+            ..Script::default()
+        }
     }
 
     /// The variable of this name, a new one where there is none yet.
     pub fn slot(&mut self, name: &'t str) -> Slot {
-        if let Some(slot) = self.find(name) {
-            return slot;
-        }
-        let slot = self.slots.len() as Slot;
-        self.slots.push(name);
-        if self.names.len() < USUAL_NAMES {
-            self.names.insert(name, slot);
+        let new = self.slots.len() as Slot;
+        let slot = if self.names.len() < USUAL_NAMES {
+            *self.names.entry(name).or_insert(new)
         } else {
-            self.more_names.insert(name, slot);
+            self.find(name).unwrap_or_else(|| *self.more_names.entry(name).or_insert(new))
+        };
+        if slot == new {
+            self.slots.push(name);
         }
         slot
     }

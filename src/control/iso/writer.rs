@@ -38,8 +38,11 @@ pub struct Writer<'a> {
     text: String,
     lines: usize,
     move_lines: Vec<Option<usize>>,
-    /// The numbers of the last block's axis words.
+    /// The numbers of the last block's axis words, and what they are the numbers of.
     last: [Digits; 3],
+    last_mm: Vec3,
+    /// The last feed and its number.
+    last_rate: (f64, Digits),
     /// Which axes a block has named.
     stated: [bool; 3],
 }
@@ -55,10 +58,13 @@ impl<'a> Writer<'a> {
             lines: 0,
             move_lines,
             last: [const { Digits::NONE }; 3],
+            last_mm: Vec3::NAN,
+            last_rate: (f64::NAN, Digits::NONE),
             stated: [false; 3],
         };
         if let Some(start) = request.path.start {
             writer.last = writer.numbers(start);
+            writer.last_mm = start;
         }
         writer
     }
@@ -183,13 +189,13 @@ impl<'a> Writer<'a> {
     /// stated, else only those that change.
     pub fn straight(&mut self, word: &str, to: Vec3, all: bool, rate: Option<f64>) {
         let words = self.changed(to, all);
-        self.block(word, words, rate);
+        self.block(word, to, words, rate);
     }
 
     /// The same with all three axis words, whatever the last block said.
     pub fn straight_in_full(&mut self, word: &str, to: Vec3, rate: f64) {
         let words = (self.numbers(to), [true; 3]);
-        self.block(word, words, Some(rate));
+        self.block(word, to, words, Some(rate));
     }
 
     /// A touch as one block: it runs on past its contact by the search length, along the inverted target vector.
@@ -211,18 +217,18 @@ impl<'a> Writer<'a> {
 
     /// All three axis words, whatever the last block said.
     pub fn all_words(&mut self, to: Vec3) -> String {
-        self.named(self.numbers(to), [true; 3])
+        self.named(to, self.numbers(to), [true; 3])
     }
 
     /// Words of the two axes of the plane, whatever the last block said.
     pub fn plane_words(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
-        self.named(self.numbers(to), [0, 1, 2].map(|axis| axis == a || axis == o))
+        self.named(to, self.numbers(to), [0, 1, 2].map(|axis| axis == a || axis == o))
     }
 
     /// The word of the tool axis, whatever the last block said.
     pub fn tool_word(&mut self, to: Vec3) -> String {
-        self.named(self.numbers(to), self.tool())
+        self.named(to, self.numbers(to), self.tool())
     }
 
     /// The next line makes the next move.
@@ -237,22 +243,21 @@ impl<'a> Writer<'a> {
 
     /// The ball stands at a place that a block named by other means than axis words.
     pub fn stands_at(&mut self, place: Vec3) {
-        self.last = self.numbers(place);
-        self.stated = [true; 3];
+        self.keep(place, self.numbers(place), [true; 3]);
     }
 
     /// The axis words of a block to `target`: those that differ from the last block, and with `all` every other one that was stated
     /// before. The axes of the plane are first named together. A block never is empty.
     pub fn place(&mut self, target: Vec3, all: bool) -> String {
         let (numbers, wanted) = self.changed(target, all);
-        self.named(numbers, wanted)
+        self.named(target, numbers, wanted)
     }
 
     /// The numbers of a block to `target`, and which of them it names.
     fn changed(&self, target: Vec3, all: bool) -> ([Digits; 3], [bool; 3]) {
         let [a, o, _] = self.request.plane.axes();
         let numbers = self.numbers(target);
-        let mut wanted = [0, 1, 2].map(|i| *numbers[i] != *self.last[i] || (all && self.stated[i]));
+        let mut wanted = [0, 1, 2].map(|i| numbers[i] != self.last[i] || (all && self.stated[i]));
         let in_plane = wanted[a] || wanted[o];
         if in_plane && !(self.stated[a] && self.stated[o]) {
             (wanted[a], wanted[o]) = (true, true);
@@ -269,22 +274,23 @@ impl<'a> Writer<'a> {
         Program { text: self.text, move_lines: self.move_lines }
     }
 
-    fn named(&mut self, numbers: [Digits; 3], wanted: [bool; 3]) -> String {
+    fn named(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) -> String {
         let block = axis_words(&numbers, wanted);
-        self.keep(numbers, wanted);
+        self.keep(place, numbers, wanted);
         block
     }
 
     /// What a block has named stands until the next one.
-    fn keep(&mut self, numbers: [Digits; 3], wanted: [bool; 3]) {
+    fn keep(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) {
         for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {
             self.last[i] = number;
+            self.last_mm[i] = place[i];
             self.stated[i] = true;
         }
     }
 
     /// A block of a word, axis words, and a feed where there is one.
-    fn block(&mut self, word: &str, (numbers, wanted): ([Digits; 3], [bool; 3]), rate: Option<f64>) {
+    fn block(&mut self, word: &str, to: Vec3, (numbers, wanted): ([Digits; 3], [bool; 3]), rate: Option<f64>) {
         let (sign, feed) = self.feed(rate);
         self.build(|text| {
             text.push_str(word);
@@ -292,16 +298,21 @@ impl<'a> Writer<'a> {
             text.push_str(sign);
             text.push_str(&feed);
         });
-        self.keep(numbers, wanted);
+        self.keep(to, numbers, wanted);
     }
 
     /// The word of a feed in two parts; nothing where there is none.
-    fn feed(&self, rate: Option<f64>) -> (&'static str, Digits) {
-        rate.map_or(("", Digits::NONE), |rate| (" F", self.number(rate)))
+    fn feed(&mut self, rate: Option<f64>) -> (&'static str, Digits) {
+        let Some(rate) = rate else { return ("", Digits::NONE) };
+        if self.last_rate.0 != rate {
+            self.last_rate = (rate, self.number(rate));
+        }
+        (" F", self.last_rate.1.clone())
     }
 
+    /// The numbers of a place. Most coordinates are those of the last block.
     fn numbers(&self, place: Vec3) -> [Digits; 3] {
-        [0, 1, 2].map(|i| self.number(place[i]))
+        [0, 1, 2].map(|i| if place[i] == self.last_mm[i] { self.last[i].clone() } else { self.number(place[i]) })
     }
 
     fn decimals(&self) -> usize {

@@ -114,7 +114,9 @@ fn o_word<'t>(
     cursor.expect("o")?;
     let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
-    match cursor.name().unwrap_or("").to_ascii_lowercase().as_str() {
+    let word = cursor.name().unwrap_or("");
+    let known = ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known));
+    match known.unwrap_or(word) {
         "sub" => {
             // The main program passes by.
             script.push(line, What::Jump(0));
