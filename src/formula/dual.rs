@@ -170,14 +170,14 @@ impl Run<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::formula::{Draft, Dual, Expr};
+    use crate::formula::{Draft, Dual};
     use crate::geom::Vec3;
 
     /// d(atan2(y, x)), the product rule and the functions against a difference quotient.
     #[test]
     fn derivatives_agree_with_difference_quotients() {
         let f = Draft::default();
-        let x = f.set("x", f.trigger(0, 0) * f.trigger(1, 1) / Expr::Number(7.0));
+        let x = f.set("x", f.trigger(0, 0) * f.trigger(1, 1) / f.number(7.0));
         let y = f.set("y", f.trigger(0, 0) - f.trigger(1, 0));
         f.set("angle", y.atan2(x));
         f.set("wave", x.sin() * y.cos());
@@ -199,8 +199,8 @@ mod tests {
     #[test]
     fn a_missing_trigger_reaches_only_what_needs_it() {
         let f = Draft::default();
-        f.set("a", f.trigger(0, 0) + Expr::Length(3.0));
-        f.set("b", f.trigger(1, 0) + Expr::Length(3.0));
+        f.set("a", f.trigger(0, 0) + f.length(3.0));
+        f.set("b", f.trigger(1, 0) + f.length(3.0));
         let values = f.finish(None).evaluate(&[Some(Vec3::X), None], &[Vec3::X, Vec3::X]);
         assert_eq!(values[0].value, 4.0);
         assert!(values[1].value.is_nan());

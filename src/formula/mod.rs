@@ -16,7 +16,7 @@ mod node;
 mod plain;
 
 pub use circle::{CircleFit, fit_circle};
-pub use draft::{Draft, Expr, Value, project};
+pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Fitted, Function, Node, NodeId, Op, Variable};

@@ -1,7 +1,7 @@
 //! A formula written again in arithmetic that any control can do.
 
 use crate::formula::node::{Fitted, Variable};
-use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
+use crate::formula::{CirclePart, Draft, Formula, Name, Node, NodeId, Value};
 
 /// Writes the assignments of a formula, behind those of the circles that they need. Where each of them stands now.
 pub(super) fn write(formula: &Formula, draft: &Draft) -> Vec<Variable> {
@@ -26,14 +26,14 @@ impl<'f> Plain<'_, 'f> {
     /// Writes a node and everything in it.
     fn node(&mut self, id: NodeId) -> NodeId {
         let node = match self.formula.node(id) {
-            Node::Variable(variable) => return self.values[variable.index()].node,
-            Node::Circle(fitted, part) => return self.part(fitted, part).node,
+            Node::Variable(variable) => Node::Variable(self.values[variable.index()].variable),
+            Node::Circle(fitted, part) => Node::Variable(self.part(fitted, part).variable),
             leaf @ (Node::Number(_) | Node::Length(_) | Node::Trigger { .. }) => leaf,
             Node::Call(function, a) => Node::Call(function, self.node(a)),
             Node::Binary(op, a, b) => Node::Binary(op, self.node(a), self.node(b)),
             Node::Atan2(y, x) => Node::Atan2(self.node(y), self.node(x)),
         };
-        self.draft.push(node)
+        self.draft.push(node).node
     }
 
     /// A part of a circle, which is written where it is needed first.
@@ -57,8 +57,8 @@ fn circle(f: &Draft, number: usize, fitted: Fitted) -> [Value<'_>; 3] {
     let own = |rest: &'static str| Name::new("c", number).and(rest);
     let [a, o] = [fitted.axes.0, fitted.axes.1].map(usize::from);
     let samples = fitted.samples();
-    let n = Expr::Number(samples.len() as f64);
-    let mean = |axis: usize| Expr::sum(samples.clone().map(|k| f.trigger(k, axis))) / n;
+    let n = f.number(samples.len() as f64);
+    let mean = |axis: usize| f.sum(samples.clone().map(|k| f.trigger(k, axis))) / n;
     let mean_a = f.set(own("_mean_a"), mean(a));
     let mean_o = f.set(own("_mean_o"), mean(o));
     let mut sums: [Option<Value<'_>>; 5] = Default::default();
@@ -73,7 +73,7 @@ fn circle(f: &Draft, number: usize, fitted: Fitted) -> [Value<'_>; 3] {
         }
     }
     let [uu, vv, uv, uz, vz] = sums.map(|sum| sum.expect("three points or more"));
-    let det = f.set(own("_det"), (uu * vv - uv * uv) * Expr::Number(2.0));
+    let det = f.set(own("_det"), (uu * vv - uv * uv) * f.number(2.0));
     let u = f.set(own("_u"), (vv * uz - uv * vz) / det);
     let v = f.set(own("_v"), (uu * vz - uv * uz) / det);
     let x = f.set(own("_a"), mean_a + u);

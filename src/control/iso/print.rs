@@ -130,7 +130,7 @@ impl<N: Notation> Printer<'_, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::{Draft, Expr};
+    use crate::formula::Draft;
 
     #[test]
     fn brackets_only_where_they_are_needed() {
@@ -138,11 +138,11 @@ mod tests {
         let a = f.set("a", f.trigger(0, 0));
         let b = f.set("b", f.trigger(1, 2));
         let expressions = [
-            (a + b) / Expr::Number(2.0),
-            a - (b - Expr::Length(25.4)),
-            a * Expr::Number(-0.5),
+            (a + b) / f.number(2.0),
+            a - (b - f.length(25.4)),
+            a * f.number(-0.5),
             a / (b * a),
-            (a.atan2(b) / Expr::Number(2.0)).sin(),
+            (a.atan2(b) / f.number(2.0)).sin(),
         ];
         for expr in expressions {
             f.set("shown", expr);

@@ -7,7 +7,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value, project};
+use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -278,7 +278,7 @@ impl Shape for Corner {
             line.fit(&f, (a, o), on.setup.radius)
         });
         // Cramer's rule on n1·p = q1, n2·p = q2.
-        let det = f.set("det", f.difference(one.normal.0 * two.normal.1, one.normal.1 * two.normal.0));
+        let det = f.set("det", one.normal.0 * two.normal.1 - one.normal.1 * two.normal.0);
         let x = (one.offset * two.normal.1 - two.offset * one.normal.1) / det;
         let y = (two.offset * one.normal.0 - one.offset * two.normal.0) / det;
         let x = f.set("corner_x", x);
@@ -287,10 +287,10 @@ impl Shape for Corner {
         // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
         let tilts = one.tilt.zip(two.tilt);
         let clockwise = self.internal != (self.angle < 0.0);
-        let rotation = one.tilt.map(|tilt| f.set("rotation", if clockwise { Expr::Number(0.0) - tilt } else { tilt.into() }));
+        let rotation = one.tilt.map(|tilt| f.set("rotation", if clockwise { f.number(0.0) - tilt } else { tilt.into() }));
         let nominal = self.angle.abs();
         let angle = tilts.map(|(t1, t2)| {
-            let sum = if self.internal { Expr::Number(nominal) - t1 - t2 } else { Expr::Number(nominal) + t1 + t2 };
+            let sum = if self.internal { f.number(nominal) - t1 - t2 } else { f.number(nominal) + t1 + t2 };
             f.set("angle", sum)
         });
         f.result("corner.x", Role::Abscissa, words!("Corner, abscissa"), origin[a], Some(x));
@@ -358,11 +358,11 @@ impl Line {
     fn fit<'f>(&self, f: &'f Draft, (a, o): (usize, usize), radius: f64) -> Fitted<'f> {
         let n = self.number;
         let touches = self.first..self.first + self.count;
-        let place = |touch: usize, direction| project(f.trigger(touch, a), f.trigger(touch, o), direction);
+        let place = |touch: usize, direction| f.project(f.trigger(touch, a), f.trigger(touch, o), direction);
         if self.count == 1 {
-            let height = place(self.first, self.normal) - Expr::Length(radius);
+            let height = place(self.first, self.normal) - f.length(radius);
             let offset = f.set(Name::new("q", n), height);
-            let normal = (constant(self.normal.0), constant(self.normal.1));
+            let normal = (constant(f, self.normal.0), constant(f, self.normal.1));
             return Fitted { normal, offset, tilt: None };
         }
         let places: Vec<(Value<'_>, Value<'_>)> = touches
@@ -372,21 +372,21 @@ impl Line {
                 (s, h)
             })
             .collect();
-        let count = Expr::Number(self.count as f64);
-        let mean_s = f.set(Name::new("mean_s", n), Expr::sum(places.iter().map(|p| p.0)) / count);
-        let mean_h = f.set(Name::new("mean_h", n), Expr::sum(places.iter().map(|p| p.1)) / count);
+        let count = f.number(self.count as f64);
+        let mean_s = f.set(Name::new("mean_s", n), f.sum(places.iter().map(|p| p.0)) / count);
+        let mean_h = f.set(Name::new("mean_h", n), f.sum(places.iter().map(|p| p.1)) / count);
         let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
-            ((*h2 - *h1) / (*s2 - *s1)).atan2(Expr::Number(1.0))
+            ((*h2 - *h1) / (*s2 - *s1)).atan2(f.number(1.0))
         } else {
             self.least_squares(f, &places, (mean_s, mean_h))
         };
         let tilt = f.set(Name::new("tilt", n), tilt);
         let sin = f.set(Name::new("sin", n), tilt.sin());
         let cos = f.set(Name::new("cos", n), tilt.cos());
-        let offset = mean_h * cos - mean_s * sin - Expr::Length(radius);
+        let offset = mean_h * cos - mean_s * sin - f.length(radius);
         let offset = f.set(Name::new("q", n), offset);
         let turned =
-            |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), project(cos, sin, (normal, -along)));
+            |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), f.project(cos, sin, (normal, -along)));
         let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
         Fitted { normal, offset, tilt: Some(tilt) }
     }
@@ -399,7 +399,7 @@ impl Line {
         (mean_s, mean_h): (Value<'f>, Value<'f>),
     ) -> Expr<'f> {
         let n = self.number;
-        let (mut ss, mut hh, mut sh) = (Expr::Number(0.0), Expr::Number(0.0), Expr::Number(0.0));
+        let (mut ss, mut hh, mut sh) = (f.number(0.0), f.number(0.0), f.number(0.0));
         for (i, &(s, h)) in places.iter().enumerate() {
             let touch = self.first + i + 1;
             let ds = f.set(Name::new("ds", touch), s - mean_s);
@@ -408,6 +408,6 @@ impl Line {
             hh = f.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
             sh = f.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
         }
-        (Expr::Number(2.0) * sh).atan2(ss - hh) / Expr::Number(2.0)
+        (f.number(2.0) * sh).atan2(ss - hh) / f.number(2.0)
     }
 }

@@ -16,7 +16,7 @@ pub use triple::{Outside, Triple};
 
 use crate::cycle::ency::{Pick, Placement};
 use crate::form::Checker;
-use crate::formula::{Expr, Formula};
+use crate::formula::{Draft, Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer};
 use crate::text::{Text, text};
@@ -107,8 +107,8 @@ pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option
 }
 
 /// A component of a direction in the plane, as a formula multiplies with it.
-pub fn constant(x: f64) -> Expr<'static> {
-    Expr::Number(crate::num::tidy(x))
+pub fn constant(f: &Draft, x: f64) -> Expr<'_> {
+    f.number(crate::num::tidy(x))
 }
 
 /// Abscissa and ordinate of a vector.

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Expr, Formula, Name, Place, Role, project};
+use crate::formula::{Datum, Draft, Formula, Name, Place, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -210,20 +210,20 @@ impl Shape for Pairs {
         let pair = |first: usize, names: [&'static str; 2]| {
             let along = flat(plane, on.touches[first].vector * self.sign());
             let wall = |touch: usize, side: f64| {
-                let place = project(f.trigger(touch, a), f.trigger(touch, o), along);
-                let radius = Expr::Length(-side * self.sign() * on.setup.radius);
+                let place = f.project(f.trigger(touch, a), f.trigger(touch, o), along);
+                let radius = f.length(-side * self.sign() * on.setup.radius);
                 f.set(Name::new("wall", touch + 1), place + radius)
             };
             let (plus, minus) = (wall(first, 1.0), wall(first + 1, -1.0));
             let width = f.set(names[0], plus - minus);
-            let middle = f.set(names[1], (plus + minus) / Expr::Number(2.0));
+            let middle = f.set(names[1], (plus + minus) / f.number(2.0));
             (along, width, middle)
         };
         if self.sides.len() == 2 {
             let (along, width1, u) = pair(0, ["width1", "middle_u"]);
             let (across, width2, v) = pair(2, ["width2", "middle_v"]);
-            let x = f.set("center_x", project(u, v, (along.0, across.0)));
-            let y = f.set("center_y", project(u, v, (along.1, across.1)));
+            let x = f.set("center_x", f.project(u, v, (along.0, across.0)));
+            let y = f.set("center_y", f.project(u, v, (along.1, across.1)));
             f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], Some(x));
             f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], Some(y));
             f.result("width1", Role::Size, words!("Width 1"), self.sides[0].width, Some(width1));
@@ -240,8 +240,8 @@ impl Shape for Pairs {
             if crate::num::tidy(c) == 0.0 {
                 return Some(Place { measured: None, nominal });
             }
-            let along = project(u, Expr::Number(0.0), (c, 0.0));
-            let value = f.set(name, along + Expr::Length(s * rest));
+            let along = f.project(u, f.number(0.0), (c, 0.0));
+            let value = f.set(name, along + f.length(s * rest));
             f.result(code, Role::Reading, meaning, nominal, Some(value));
             Some(Place::measured(value, nominal))
         };
@@ -250,7 +250,7 @@ impl Shape for Pairs {
         f.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
         let mut datum = Datum::of([x, y, None]);
         if self.middle.is_some() {
-            let top = f.set("top", f.trigger(2, w) - Expr::Length(on.setup.radius));
+            let top = f.set("top", f.trigger(2, w) - f.length(on.setup.radius));
             f.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
             datum.place[2] = Some(Place::measured(top, on.touches[2].point[w]));
         }

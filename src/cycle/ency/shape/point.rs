@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Expr, Formula, Place, Role};
+use crate::formula::{Datum, Draft, Formula, Place, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -63,8 +63,8 @@ impl Shape for Point {
         let touch = &on.touches[0];
         let (n, nominal) = (touch.vector, touch.contact(on.setup.radius));
         let f = Draft::with_room_for(on.touches.len());
-        let reach = Expr::sum(axes.iter().map(|&axis| constant(n[axis]) * f.trigger(0, axis)));
-        let off = f.set("off", reach - Expr::Length(n.dot(nominal)));
+        let reach = f.sum(axes.iter().map(|&axis| constant(&f, n[axis]) * f.trigger(0, axis)));
+        let off = f.set("off", reach - f.length(n.dot(nominal)));
         let codes = [
             ("point.x", "point_x", words!("Point on the surface, abscissa")),
             ("point.y", "point_y", words!("Point on the surface, ordinate")),
@@ -74,7 +74,7 @@ impl Shape for Point {
         for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
             let (axis, at) = (axes[i], touch.point[axes[i]]);
             let measured = crate::num::tidy(n[axis]) != 0.0;
-            let value = f.set(name, constant(n[axis]) * off + Expr::Length(at));
+            let value = f.set(name, constant(&f, n[axis]) * off + f.length(at));
             f.result(code, Role::Reading, meaning, at, Some(value));
             place[i] = Some(Place { measured: measured.then_some(value.variable), nominal: at });
         }

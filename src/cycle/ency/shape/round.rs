@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{CirclePart, Datum, Draft, Expr, Formula, Role, fit_circle};
+use crate::formula::{CirclePart, Datum, Draft, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
 use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::text::{Text, text, words};
@@ -205,8 +205,8 @@ impl Shape for Circle {
         let value = |name: &'static str, expr| known.then(|| f.set(name, expr));
         let x = value("center_x", part(CirclePart::Abscissa));
         let y = value("center_y", part(CirclePart::Ordinate));
-        let wall = part(CirclePart::Radius) + Expr::Length(-self.sign() * on.setup.radius);
-        let diameter = value("diameter", Expr::Number(2.0) * wall);
+        let wall = part(CirclePart::Radius) + f.length(-self.sign() * on.setup.radius);
+        let diameter = value("diameter", f.number(2.0) * wall);
         f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
         f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
         f.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);

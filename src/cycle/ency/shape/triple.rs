@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::corner::{self, sides_rule};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Expr, Formula, Name, Place, Role};
+use crate::formula::{Datum, Draft, Formula, Name, Place, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -200,8 +200,8 @@ impl Shape for Triple {
         let det = n[0].dot(n[1].cross(n[2]));
         let f = Draft::with_room_for(on.touches.len());
         let q = [0, 1, 2].map(|k| {
-            let sum = Expr::sum(axes.iter().map(|&axis| f.trigger(k, axis) * constant(n[k][axis])));
-            f.set(Name::new("q", k + 1), sum - Expr::Length(on.setup.radius))
+            let sum = f.sum(axes.iter().map(|&axis| f.trigger(k, axis) * constant(&f, n[k][axis])));
+            f.set(Name::new("q", k + 1), sum - f.length(on.setup.radius))
         });
         let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];
         let nominal: Vec3 = (0..3).map(|k| weights[k] * n[k].dot(on.touches[k].point)).sum();
@@ -213,7 +213,7 @@ impl Shape for Triple {
         let mut place = [None, None, None];
         for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
             let axis = axes[i];
-            let value = f.set(name, Expr::sum((0..3).map(|k| q[k] * constant(weights[k][axis]))));
+            let value = f.set(name, f.sum((0..3).map(|k| q[k] * constant(&f, weights[k][axis]))));
             f.result(code, role, meaning, nominal[axis], Some(value));
             place[i] = Some(Place::measured(value, crate::num::tidy(nominal[axis])));
         }

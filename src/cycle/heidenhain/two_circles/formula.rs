@@ -1,7 +1,7 @@
 //! What the control computes in 1411.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Datum, Draft, Expr, Formula, Name, Place, Role, Value};
+use crate::formula::{CirclePart, Datum, Draft, Formula, Name, Place, Role, Value};
 use crate::path::Setup;
 use crate::text::words;
 
@@ -67,7 +67,7 @@ impl TwoCircles {
                 f.referred_to(object.reference(axis).unwrap_or(f64::NAN));
             }
         }
-        let turned = rotation.map(|r| f.set("q965", Expr::Number(0.0) - r));
+        let turned = rotation.map(|r| f.set("q965", f.number(0.0) - r));
         f.result("Q964", Role::Direction, words!("Measured basic rotation"), 0.0, rotation);
         f.result("Q965", Role::Turn, words!("Measured table rotation"), 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETERS) {
@@ -78,7 +78,7 @@ impl TwoCircles {
             for (axis, (code, meaning)) in codes.into_iter().enumerate() {
                 let reference = object.reference(axis);
                 let off = known.centre[axis].zip(reference);
-                let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
+                let off = off.map(|(value, reference)| f.set(q(code), value - f.length(reference)));
                 f.result(code, Role::Shift, meaning, 0.0, off);
             }
         }
@@ -86,7 +86,7 @@ impl TwoCircles {
         f.result("Q995", Role::Turn, words!("Angle deviation of the table rotation"), 0.0, turned);
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETER_OFFSETS) {
             let off = known.diameter.zip(object.diameter.reference());
-            let off = off.map(|(value, reference)| f.set(q(code), value - Expr::Length(reference)));
+            let off = off.map(|(value, reference)| f.set(q(code), value - f.length(reference)));
             f.result(code, Role::Shift, meaning, 0.0, off);
         }
         let datum = self.presets(&f, &objects, &measured, rotation);
@@ -100,7 +100,7 @@ impl TwoCircles {
             State::Given => {
                 let at = |axis: usize| {
                     let actual = object.point[axis].actual?;
-                    Some(f.set(Name::new("given", number).and("_").at(axis), Expr::Length(actual)))
+                    Some(f.set(Name::new("given", number).and("_").at(axis), f.length(actual)))
                 };
                 Measured { centre: [at(0), at(1), at(2)], diameter: None }
             }
@@ -111,10 +111,10 @@ impl TwoCircles {
                 let x = f.set(q(CENTRES[number - 1][0].0), part(CirclePart::Abscissa));
                 let y = f.set(q(CENTRES[number - 1][1].0), part(CirclePart::Ordinate));
                 let height = object.point[2].nominal.unwrap_or(0.0);
-                let z = f.set(q(CENTRES[number - 1][2].0), Expr::Length(height));
+                let z = f.set(q(CENTRES[number - 1][2].0), f.length(height));
                 // The ball centres of a hole lie a radius inside its wall, those of a stud outside.
-                let wall = part(CirclePart::Radius) + Expr::Length(object.outward() * setup.radius);
-                let diameter = f.set(q(DIAMETERS[number - 1].0), Expr::Number(2.0) * wall);
+                let wall = part(CirclePart::Radius) + f.length(object.outward() * setup.radius);
+                let diameter = f.set(q(DIAMETERS[number - 1].0), f.number(2.0) * wall);
                 Measured { centre: [Some(x), Some(y), Some(z)], diameter: Some(diameter) }
             }
         }
@@ -130,8 +130,8 @@ impl TwoCircles {
         let [x2, y2, _] = measured[1].centre;
         let dx = f.set("line_a", x2? - x1?);
         let dy = f.set("line_o", y2? - y1?);
-        let along = f.set("line_along", crate::formula::project(dx, dy, (cos, sin)));
-        let across = f.set("line_across", crate::formula::project(dx, dy, (-sin, cos)));
+        let along = f.set("line_along", f.project(dx, dy, (cos, sin)));
+        let across = f.set("line_across", f.project(dx, dy, (-sin, cos)));
         Some(f.set("q964", across.atan2(along)))
     }
 
@@ -154,10 +154,10 @@ impl TwoCircles {
                     2 => two?,
                     _ => {
                         let ((v1, n1), (v2, n2)) = (one?, two?);
-                        (f.set(mean, (v1 + v2) / Expr::Number(2.0)), (n1 + n2) / 2.0)
+                        (f.set(mean, (v1 + v2) / f.number(2.0)), (n1 + n2) / 2.0)
                     }
                 };
-                let shift = f.set(preset, value - Expr::Length(nominal));
+                let shift = f.set(preset, value - f.length(nominal));
                 Some((value, nominal, shift))
             };
             let (x, y) = (axis(0, ["mean_a", "preset_a"]), axis(1, ["mean_o", "preset_o"]));
@@ -168,7 +168,7 @@ impl TwoCircles {
                 place = [Some(Place::measured(x.0, x.1)), Some(Place::measured(y.0, y.1)), None];
             }
         }
-        let turned = |r: Value<'f>| Expr::Number(0.0) - r;
+        let turned = |r: Value<'f>| f.number(0.0) - r;
         match form.confirm_rotation {
             1 => f.result("preset.rotation", Role::Turn, words!("Basic rotation written to the preset (Q1121)"), 0.0, rotation),
             2 => {
