@@ -1,6 +1,6 @@
 //! A program line by line: comments, numbers of blocks, jumps by name.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use crate::control::iso::parse::Parsed;
 use crate::control::iso::script::{Script, Trouble, What};
@@ -115,28 +115,32 @@ pub struct Targets<'t> {
     pub wanted: Vec<(usize, &'t str)>,
 }
 
+/// A name that stands in front of more than one place.
+const TWICE: u32 = u32::MAX;
+
 impl Targets<'_> {
     /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
-        let mut places: HashMap<String, (usize, bool)> = HashMap::new();
-        for (name, place) in &self.known {
-            places.entry(name.to_ascii_lowercase()).and_modify(|known| known.1 = true).or_insert((*place, false));
+        let names: Vec<String> = self.known.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
+        let mut places: BTreeMap<&str, u32> = BTreeMap::new();
+        for (name, (_, place)) in names.iter().zip(&self.known) {
+            places.entry(name).and_modify(|known| *known = TWICE).or_insert(*place as u32);
         }
         for (from, name) in &self.wanted {
-            let message = match places.get(&name.to_ascii_lowercase()) {
-                Some((to, false)) if !below || to > from => {
+            let message = match places.get(name.to_ascii_lowercase().as_str()) {
+                None => text!("the target of this jump is nowhere"),
+                Some(&TWICE) => text!("the target of this jump is there more than once"),
+                Some(&to) if below && to as usize <= *from => text!("a jump down finds its label above only"),
+                Some(&to) => {
                     match &mut script.blocks[*from].what {
                         What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _) => {
-                            *target = *to
+                            *target = to as usize;
                         }
                         _ => {}
                     }
                     continue;
                 }
-                Some((_, false)) => text!("a jump down finds its label above only"),
-                None => text!("the target of this jump is nowhere"),
-                Some((_, true)) => text!("the target of this jump is there more than once"),
             };
             troubles.push(Trouble { line: script.blocks[*from].line, message, understood: true });
         }
