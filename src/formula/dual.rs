@@ -31,13 +31,21 @@ impl Dual {
     }
 
     /// Becomes f of itself and another number, by the chain rule.
-    fn join(&mut self, other: &Dual, value: f64, slope: f64, other_slope: f64) {
+    fn join(&mut self, other: &Dual, (value, slope, other_slope): Joined) {
         self.value = value;
-        for (d, o) in self.by_touch.iter_mut().zip(other.by_touch) {
+        for (d, o) in self.by_touch.iter_mut().zip(&other.by_touch) {
             *d = *d * slope + o * other_slope;
         }
     }
+
+    /// The same of two others.
+    fn of(a: &Dual, b: &Dual, (value, by_a, by_b): Joined) -> Dual {
+        Dual { value, by_touch: std::array::from_fn(|k| a.by_touch[k] * by_a + b.by_touch[k] * by_b) }
+    }
 }
+
+/// What f makes of two numbers, and its derivatives by both.
+type Joined = (f64, f64, f64);
 
 impl Op {
     /// What it makes of two numbers.
@@ -50,13 +58,14 @@ impl Op {
         }
     }
 
-    /// Its derivatives by both.
-    fn slopes(self, a: f64, b: f64) -> (f64, f64) {
+    /// The same, with its derivatives by both.
+    fn joined(self, a: f64, b: f64) -> Joined {
+        let value = self.of(a, b);
         match self {
-            Op::Add => (1.0, 1.0),
-            Op::Subtract => (1.0, -1.0),
-            Op::Multiply => (b, a),
-            Op::Divide => (1.0 / b, -a / (b * b)),
+            Op::Add => (value, 1.0, 1.0),
+            Op::Subtract => (value, 1.0, -1.0),
+            Op::Multiply => (value, b, a),
+            Op::Divide => (value, 1.0 / b, -a / (b * b)),
         }
     }
 }
@@ -114,38 +123,42 @@ impl Run<'_> {
                 *out = Dual::constant(self.triggers[sample].map_or(f64::NAN, |t| t[axis]));
                 out.by_touch[sample] = self.directions[sample][axis];
             }
-            Node::Binary(op, left, right) => {
-                self.put(left, out);
-                self.with(right, |right| {
-                    let (a, b) = (out.value, right.value);
-                    let (by_a, by_b) = op.slopes(a, b);
-                    out.join(right, op.of(a, b), by_a, by_b);
-                });
-            }
+            Node::Binary(op, left, right) => self.two(left, right, out, |a, b| op.joined(a, b)),
             Node::Call(function, a) => {
                 self.put(a, out);
                 out.map(function.of(out.value), function.slope(out.value));
             }
             Node::Circle(fitted, part) => *out = self.circle(fitted, part),
-            Node::Atan2(y, x) => {
-                self.put(y, out);
-                self.with(x, |other| {
-                    let (y, x) = (out.value, other.value);
-                    let square = x * x + y * y;
-                    out.join(other, y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees());
-                });
+            Node::Atan2(y, x) => self.two(y, x, out, |y, x| {
+                let square = x * x + y * y;
+                (y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees())
+            }),
+        }
+    }
+
+    /// Puts f of two operands into `out`. Most operands have a name: they are read where they stand.
+    fn two(&self, left: NodeId, right: NodeId, out: &mut Dual, f: impl Fn(f64, f64) -> Joined) {
+        match (self.named(left), self.named(right)) {
+            (Some(a), Some(b)) => *out = Dual::of(a, b, f(a.value, b.value)),
+            (_, Some(b)) => {
+                self.put(left, out);
+                out.join(b, f(out.value, b.value));
+            }
+            _ => {
+                let mut b = Dual::constant(0.0);
+                self.put(left, out);
+                self.put(right, &mut b);
+                out.join(&b, f(out.value, b.value));
             }
         }
     }
 
-    /// The value of an operand. Most have a name: they are read where they stand.
-    fn with(&self, node: NodeId, read: impl FnOnce(&Dual)) {
-        if let Node::Variable(variable) = self.nodes[node.0 as usize] {
-            return read(&self.values[variable.index()]);
+    /// The value of a node that is a name.
+    fn named(&self, node: NodeId) -> Option<&Dual> {
+        match self.nodes[node.0 as usize] {
+            Node::Variable(variable) => self.values.get(variable.index()),
+            _ => None,
         }
-        let mut own = Dual::constant(0.0);
-        self.put(node, &mut own);
-        read(&own);
     }
 
     /// A part of the circle fitted to these samples.

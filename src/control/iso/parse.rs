@@ -85,7 +85,9 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
 /// A place in a line.
 #[derive(Debug)]
 pub struct Cursor<'t> {
-    pub(super) rest: &'t str,
+    text: &'t str,
+    /// What is left of it.
+    rest: &'t [u8],
     depth: usize,
     operators: usize,
 }
@@ -96,7 +98,8 @@ pub type Parsed<T> = Result<T, Text>;
 impl<'t> Cursor<'t> {
     /// The beginning of a text.
     pub fn new(text: &'t str) -> Self {
-        Cursor { rest: text.trim_start(), depth: 0, operators: 0 }
+        let text = text.trim_start();
+        Cursor { text, rest: text.as_bytes(), depth: 0, operators: 0 }
     }
 
     /// Whether nothing is left.
@@ -104,27 +107,65 @@ impl<'t> Cursor<'t> {
         self.rest.is_empty()
     }
 
-    /// What is left, in part, for a message.
-    pub fn left(&self) -> String {
-        crate::form::printable(&self.rest.chars().take(40).collect::<String>())
+    /// How many bytes are passed.
+    pub(super) fn at(&self) -> usize {
+        self.text.len() - self.rest.len()
     }
 
-    pub(super) fn take(&mut self, bytes: usize) -> &'t str {
-        let (taken, rest) = self.rest.split_at(bytes);
-        // Nearly always there is nothing to trim, or one blank.
-        self.rest = match rest.as_bytes() {
-            [first, ..] if first.is_ascii_graphic() => rest,
-            [b' ', second, ..] if second.is_ascii_graphic() => &rest[1..],
-            _ => rest.trim_start(),
-        };
-        taken
+    /// What was passed since a place.
+    pub(super) fn since(&self, at: usize) -> &'t str {
+        &self.text[at..self.at()]
+    }
+
+    /// What is left, in part, for a message.
+    pub fn left(&self) -> String {
+        self.from(self.at())
+    }
+
+    /// What stands from a place on, in part, for a message.
+    pub(super) fn from(&self, at: usize) -> String {
+        crate::form::printable(&self.text[at..].chars().take(40).collect::<String>())
+    }
+
+    /// The next byte.
+    pub(super) fn next(&self) -> Option<u8> {
+        self.rest.first().copied()
+    }
+
+    /// How many bytes that are left are such, at the beginning.
+    fn count(&self, such: impl Fn(u8) -> bool) -> usize {
+        self.rest.iter().position(|b| !such(*b)).unwrap_or(self.rest.len())
+    }
+
+    /// Goes past these bytes, which are ASCII, and the blanks behind them. Nearly always there are none.
+    #[inline]
+    pub(super) fn skip(&mut self, bytes: usize) {
+        self.rest = &self.rest[bytes..];
+        if self.rest.first().is_some_and(|b| !b.is_ascii_graphic()) {
+            self.trim();
+        }
+    }
+
+    #[inline(never)]
+    fn trim(&mut self) {
+        match self.rest {
+            [b' ', second, ..] if second.is_ascii_graphic() => self.rest = &self.rest[1..],
+            _ => self.rest = self.text[self.at()..].trim_start().as_bytes(),
+        }
+    }
+
+    /// The same, and what they are.
+    fn take(&mut self, bytes: usize) -> &'t str {
+        let at = self.at();
+        self.skip(bytes);
+        &self.text[at..at + bytes]
     }
 
     /// Goes past a word or sign where it is next.
     pub fn eat(&mut self, word: &str) -> bool {
-        let next = self.rest.as_bytes().get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
+        let next = self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
         if next {
-            self.take(word.len());
+            self.skip(word.len());
         }
         next
     }
@@ -141,25 +182,24 @@ impl<'t> Cursor<'t> {
 
     /// A name: letters, digits and underscores.
     pub fn name(&mut self) -> Option<&'t str> {
-        let end = self.rest.bytes().position(|b| !(b.is_ascii_alphanumeric() || b == b'_')).unwrap_or(self.rest.len());
-        let named = self.rest.bytes().next().is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
-        named.then(|| self.take(end))
+        let named = self.next().is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
+        named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
     }
 
     /// The name of an O word: `<tp_exit>`, `12`.
     pub fn label(&mut self) -> Option<&'t str> {
-        let end = match self.rest.bytes().next()? {
-            b'<' => self.rest.bytes().position(|b| b == b'>')? + 1,
-            _ => self.rest.bytes().position(|b| !b.is_ascii_digit()).unwrap_or(self.rest.len()),
+        let end = match self.next()? {
+            b'<' => self.rest.iter().position(|b| *b == b'>')? + 1,
+            _ => self.count(|b| b.is_ascii_digit()),
         };
         (end > 0).then(|| self.take(end))
     }
 
     /// A number without a sign.
     pub fn number(&mut self) -> Parsed<f64> {
-        match crate::num::read_digits(self.rest.as_bytes()) {
-            Some((number, end)) if self.rest.as_bytes().get(end) != Some(&b'.') => {
-                self.take(end);
+        match crate::num::read_digits(self.rest) {
+            Some((number, end)) if self.rest.get(end) != Some(&b'.') => {
+                self.skip(end);
                 Ok(number)
             }
             _ => Err(text!("a number is missing before \"{left}\"", self.left())),
@@ -168,7 +208,7 @@ impl<'t> Cursor<'t> {
 
     /// A variable with its sign and brackets: `#5061`, `#<center_x>`, `R12`, `$AA_MW[X]`.
     pub fn variable(&mut self, names: Names) -> Option<&'t str> {
-        let bytes = self.rest.as_bytes();
+        let bytes = self.rest;
         let end = match (names, bytes.first()?) {
             (Names::Hash, b'#') if bytes.get(1) == Some(&b'<') => bytes.iter().position(|b| *b == b'>')? + 1,
             (Names::Hash, b'#') if bytes.get(1) == Some(&b'[') => bytes.iter().position(|b| *b == b']')? + 1,
@@ -178,7 +218,7 @@ impl<'t> Cursor<'t> {
                     .iter()
                     .position(|b| !(b.is_ascii_alphanumeric() || *b == b'_'))
                     .map_or(bytes.len(), |end| end + 1);
-                if bytes.get(end) == Some(&b'[') { end + self.rest[end..].find(']')? + 1 } else { end }
+                if bytes.get(end) == Some(&b'[') { end + bytes[end..].iter().position(|b| *b == b']')? + 1 } else { end }
             }
             (Names::Words, _) => return self.name(),
             _ => return None,
@@ -195,7 +235,7 @@ impl<'t> Cursor<'t> {
     fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
         let mut left = self.operand(grammar, script)?;
         while let Some((word, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
-            self.take(word.len());
+            self.skip(word.len());
             self.operators += 1;
             if self.operators > LONGEST {
                 return Err(text!("this value is too long"));
@@ -208,7 +248,7 @@ impl<'t> Cursor<'t> {
 
     /// The operator that is next, without going past it.
     fn operator<'g>(&self, grammar: &'g Grammar) -> Option<(&'g str, u8, &'g Binary)> {
-        let first = self.rest.as_bytes().first()?;
+        let first = self.rest.first()?;
         // Most values end in a bracket or at the end of the line.
         if *first == grammar.brackets.1 {
             return None;
@@ -216,7 +256,7 @@ impl<'t> Cursor<'t> {
         let here = |(word, ..): &&(&str, u8, Binary)| {
             let word = word.as_bytes();
             word[0].eq_ignore_ascii_case(first)
-                && self.rest.as_bytes().get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word))
+                && self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word))
         };
         grammar.operators.iter().find(here).map(|(word, binds, binary)| (*word, *binds, binary))
     }
@@ -234,10 +274,10 @@ impl<'t> Cursor<'t> {
 
     fn inner(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
         let (open, close) = grammar.brackets;
-        match self.rest.bytes().next() {
+        match self.next() {
             None => Err(text!("a value is missing")),
             Some(b'-') => {
-                self.take(1);
+                self.skip(1);
                 let inner = self.operand(grammar, script)?;
                 Ok(match script.number(inner) {
                     Some(x) => script.node(Expr::Number(-x)),
@@ -250,12 +290,12 @@ impl<'t> Cursor<'t> {
             }
             Some(b) if b == open => self.bracketed(grammar, script),
             Some(_) => {
-                let before = self.rest;
+                let before = self.at();
                 if let Some(name) = self.function(open) {
                     return self.call(name, close, grammar, script);
                 }
                 let Some(name) = self.variable(grammar.names) else {
-                    return Err(text!("\"{left}\" is not understood", Cursor::new(before).left()));
+                    return Err(text!("\"{left}\" is not understood", self.from(before)));
                 };
                 Ok(match (grammar.system)(name) {
                     Some(System::Fixed(x)) => script.node(Expr::Number(x)),
@@ -271,8 +311,8 @@ impl<'t> Cursor<'t> {
 
     /// The name of a function: letters with a bracket behind them.
     fn function(&mut self, open: u8) -> Option<&'t str> {
-        let end = self.rest.bytes().position(|b| !b.is_ascii_alphanumeric())?;
-        (end > 1 && self.rest.as_bytes()[end] == open).then(|| self.take(end))
+        let end = self.count(|b| b.is_ascii_alphanumeric());
+        (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))
     }
 
     fn call(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
@@ -292,7 +332,7 @@ impl<'t> Cursor<'t> {
             self.expect("/")?;
             (y, self.bracketed(grammar, script)?)
         } else if name.eq_ignore_ascii_case("ATAN2") {
-            self.take(1);
+            self.skip(1);
             let y = self.value(grammar, script)?;
             self.expect(",")?;
             let x = self.value(grammar, script)?;
@@ -315,10 +355,10 @@ impl<'t> Cursor<'t> {
 
     /// Goes past a bracket that must be next.
     fn bracket(&mut self, bracket: u8) -> Parsed<()> {
-        if self.rest.as_bytes().first() != Some(&bracket) {
+        if self.next() != Some(bracket) {
             return self.expect(sign(bracket));
         }
-        self.take(1);
+        self.skip(1);
         Ok(())
     }
 }

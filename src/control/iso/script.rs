@@ -276,8 +276,8 @@ const USUAL_NAMES: usize = 1000;
 impl<'t> Script<'t> {
     /// An empty script with room for a program as long as this text.
     pub fn with_room_for(text: &str) -> Self {
-        // A block or two a line, a value about eight characters, and a variable a few lines.
-        let lines = memchr::memchr_iter(b'\n', text.as_bytes()).count();
+        // A line and its block have about thirty characters, a value about eight; every other line has a variable of its own.
+        let lines = text.len() / 24;
         let names = (lines / 2).min(USUAL_NAMES);
         Script {
             blocks: Vec::with_capacity(lines + 16),

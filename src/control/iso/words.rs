@@ -28,22 +28,21 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
     if cursor.is_done() {
         return Ok(What::Nothing);
     }
-    while !cursor.is_done() {
-        let letter = cursor.rest.as_bytes()[0].to_ascii_uppercase();
+    while let Some(letter) = cursor.next() {
+        let letter = letter.to_ascii_uppercase();
         if !letter.is_ascii_uppercase() {
             return Err(text!("\"{left}\" is not understood", cursor.left()));
         }
-        let word = cursor.rest;
-        cursor.take(1);
+        let begin = cursor.at();
+        cursor.skip(1);
         let value = cursor.operand(grammar, script)?;
-        let written = &word[1..word.len() - cursor.rest.len()];
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
-        if counted && !written.contains('.') {
-            return Err(text!("a number has no point: \"{left}\"", Cursor::new(word).left()));
+        if counted && !cursor.since(begin).contains('.') {
+            return Err(text!("a number has no point: \"{left}\"", cursor.from(begin)));
         }
         block
             .add(letter, value, grammar, script)
-            .map_err(|reason| text!("{reason}: \"{word}\"", reason, Cursor::new(word).left()))?;
+            .map_err(|reason| text!("{reason}: \"{word}\"", reason, cursor.from(begin)))?;
     }
     block.finish(script)
 }
