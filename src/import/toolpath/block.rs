@@ -1,0 +1,104 @@
+//! What one block of a program says: its words, and the numbers in them.
+
+use crate::num::read_digits;
+
+/// How a block moves.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Motion {
+    Rapid,
+    Straight,
+    Clockwise,
+    Counter,
+    Probe,
+}
+
+/// A value of a word.
+#[derive(Clone, Copy)]
+pub(super) enum Word {
+    Number(f64),
+    /// What the control would compute.
+    Computed,
+}
+
+/// Which of X, Y, Z, or of I, J, K: a bit each.
+pub(super) type Axes = u8;
+
+/// What a block says.
+pub(super) struct Block {
+    /// X, Y, Z, where they are given.
+    pub places: [f64; 3],
+    pub given: Axes,
+    /// Those of them that the control would compute.
+    pub computed: Axes,
+    /// I, J, K from where the arc begins, or as places.
+    pub center: [f64; 3],
+    pub centered: Axes,
+    pub radius: Option<f64>,
+    /// A motion for this block alone.
+    pub once: Option<Motion>,
+    /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
+    pub elsewhere: bool,
+    /// Its places are of the machine: where that is in the work system is not known.
+    pub machine: bool,
+    /// Its feed, or the time of a dwell.
+    pub feed: Option<f64>,
+    /// Something in it is not a word.
+    pub strange: bool,
+}
+
+pub(super) const EMPTY: Block = Block {
+    places: [0.0; 3],
+    given: 0,
+    computed: 0,
+    center: [0.0; 3],
+    centered: 0,
+    radius: None,
+    once: None,
+    elsewhere: false,
+    machine: false,
+    feed: None,
+    strange: false,
+};
+
+impl Block {
+    /// Takes all words out. Places and centres stay: nothing says that they are given.
+    pub fn empty(&mut self) {
+        (self.given, self.computed, self.centered) = (0, 0, 0);
+        (self.radius, self.once, self.feed) = (None, None, None);
+        (self.elsewhere, self.machine, self.strange) = (false, false, false);
+    }
+}
+
+/// A number, and where it ends.
+pub(super) fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
+    let negative = line.get(at) == Some(&b'-');
+    let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
+    let (size, length) = read_digits(line.get(first..)?)?;
+    Some((if negative { -size } else { size }, first + length))
+}
+
+/// Behind the bracket that closes; the end of the line where none does.
+pub(super) fn end_of(line: &[u8], at: usize, close: u8) -> usize {
+    line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
+}
+
+/// Behind a value that is not a plain number: brackets belong together.
+pub(super) fn end_of_value(line: &[u8], at: usize) -> usize {
+    let mut depth = 0usize;
+    for (n, b) in line.iter().enumerate().skip(at) {
+        match b {
+            b'[' | b'(' | b'<' => depth += 1,
+            b']' | b')' | b'>' => {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    return n + 1;
+                }
+            }
+            b' ' | b'\t' | b';' if depth == 0 => return n,
+            // `#5` ends where the next word begins.
+            b if depth == 0 && n > at && line[at] == b'#' && b.is_ascii_alphabetic() => return n,
+            _ => {}
+        }
+    }
+    line.len()
+}

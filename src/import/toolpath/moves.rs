@@ -1,0 +1,105 @@
+//! The moves that blocks make: where each ends, and the arcs.
+
+use crate::geom::Plane;
+use crate::import::toolpath::block::{Block, Motion};
+use crate::import::toolpath::reader::{Reader, count};
+use crate::import::toolpath::{FEED, PROBE, RAPID};
+
+impl Reader {
+    /// Makes the move of a block that names places.
+    pub fn moves(&mut self, block: &Block) {
+        let motion = block.once.unwrap_or(self.modes.motion);
+        let from = self.place;
+        for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
+            let x = block.places[axis] * self.scale;
+            *place = if block.computed & (1 << axis) != 0 {
+                count(&mut self.computed, self.line);
+                f64::NAN
+            } else if block.machine {
+                f64::NAN
+            } else if self.modes.absolute {
+                x
+            } else if from[axis].is_nan() {
+                // The begin is not known: it is counted from 0.
+                count(&mut self.from_unknown, self.line);
+                x
+            } else {
+                from[axis] + x
+            };
+        }
+        if block.machine {
+            count(&mut self.machine, self.line);
+        }
+        if matches!(motion, Motion::Clockwise | Motion::Counter) {
+            match self.arc(block, from, motion == Motion::Counter) {
+                Some([a, b, c, sweep]) => {
+                    let plane = match self.modes.plane.unwrap_or_default() {
+                        Plane::G17 => 17.0,
+                        Plane::G18 => 18.0,
+                        Plane::G19 => 19.0,
+                    };
+                    self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
+                }
+                None => count(&mut self.arcs_unsolved, self.line),
+            }
+        }
+        self.place.into_iter().for_each(|x| self.path.to.push(x));
+        let kind = match motion {
+            Motion::Rapid => RAPID,
+            Motion::Straight | Motion::Clockwise | Motion::Counter => FEED,
+            Motion::Probe => PROBE,
+        };
+        self.path.kind.push(kind);
+        self.path.feed.push(if kind == RAPID { f64::NAN } else { self.feed });
+        self.path.line.push(self.line as u32);
+    }
+
+    /// Centre and sweep of an arc, in degrees; none where the block does not give one.
+    fn arc(&self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
+        let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
+        let (begin, end) = ([from[a], from[o]], [self.place[a], self.place[o]]);
+        if begin.iter().chain(&end).any(|x| x.is_nan()) {
+            return None;
+        }
+        let middle = match block.radius {
+            Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
+            None => {
+                let given = |axis: usize| block.centered & (1 << axis) != 0;
+                let offset = |axis: usize| if given(axis) { block.center[axis] * self.scale } else { 0.0 };
+                if self.modes.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
+            }
+        };
+        let angle = |at: [f64; 2]| (at[1] - middle[1]).atan2(at[0] - middle[0]).to_degrees();
+        let mut sweep = (angle(end) - angle(begin)).rem_euclid(360.0);
+        if !counter {
+            sweep -= 360.0;
+        }
+        // A circle comes back to where it began.
+        let same = (end[0] - begin[0]).hypot(end[1] - begin[1]) < 1e-9;
+        if same || sweep == 0.0 {
+            sweep = if counter { 360.0 } else { -360.0 };
+        }
+        let out = (begin[0] - middle[0]).hypot(begin[1] - middle[1]);
+        // An end that is not on the circle is an alarm of any control, but for rounding.
+        if ((end[0] - middle[0]).hypot(end[1] - middle[1]) - out).abs() > 0.02 + 0.01 * out {
+            return None;
+        }
+        let mut center = [self.place[0], self.place[1], self.place[2]];
+        (center[a], center[o]) = (middle[0], middle[1]);
+        (out > 0.0 && out.is_finite()).then_some([center[0], center[1], center[2], sweep])
+    }
+}
+
+/// The centre of an arc of this radius; of a negative one the long way round.
+fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Option<[f64; 2]> {
+    let (dx, dy) = (end[0] - begin[0], end[1] - begin[1]);
+    let chord = dx.hypot(dy);
+    // A little too short is rounding.
+    let square = radius * radius - chord * chord / 4.0;
+    if chord < 1e-9 || square < -1e-3 * radius * radius {
+        return None;
+    }
+    let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
+    let off = side * square.max(0.0).sqrt() / chord;
+    Some([(begin[0] + end[0]) / 2.0 - dy * off, (begin[1] + end[1]) / 2.0 + dx * off])
+}
