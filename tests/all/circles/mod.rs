@@ -1,12 +1,13 @@
-//! HEIDENHAIN 1411: motion, results, tolerances, Klartext in and out, and the same cycle on LinuxCNC.
+//! HEIDENHAIN 1411: motion, results, tolerances.
 
-use crate::common::{compare_moves, interpret, interpret_from, job, law, number, number_at, planned, point, with};
-use proptest::prelude::*;
+mod interpreted;
+mod klartext;
+
+use crate::common::{interpret, job, number, planned, point, with};
 use touchpath::form::{Level, Value};
 use touchpath::formula::fit_circle;
 use touchpath::geom::Vec2;
-use touchpath::import::import;
-use touchpath::job::{Plan, ResultRow, check, evaluate, plan};
+use touchpath::job::{Plan, ResultRow, check, evaluate};
 
 fn text(t: &str) -> Value {
     Value::Text(t.to_owned())
@@ -41,135 +42,6 @@ fn errors(job: &Value) -> Vec<String> {
 
 fn warnings(job: &Value) -> Vec<String> {
     check(job).iter().filter(|f| f.level == Level::Warning).map(|f| f.code.clone()).collect()
-}
-
-/// The example of the manual, block by block.
-const SEED: &str = "11 TCH PROBE 1411 PROBING TWO CIRCLES ~
-Q1100=+0 ;1ST POINT REF AXIS ~
-Q1101=+0 ;1ST POINT MINOR AXIS ~
-Q1102=+0 ;1ST POINT TOOL AXIS ~
-Q1116=+0 ;DIAMETER 1 ~
-Q1103=+0 ;2ND POINT REF AXIS ~
-Q1104=+0 ;2ND POINT MINOR AXIS ~
-Q1105=+0 ;2ND POINT TOOL AXIS ~
-Q1117=+0 ;DIAMETER 2 ~
-Q1115=+0 ;GEOMETRY TYPE ~
-Q423=+4 ;NO. OF PROBE POINTS ~
-Q325=+0 ;STARTING ANGLE ~
-Q1119=+360 ;ANGULAR LENGTH ~
-Q320=+0 ;SET-UP CLEARANCE ~
-Q260=+100 ;CLEARANCE HEIGHT ~
-Q1125=+2 ;CLEAR. HEIGHT MODE ~
-Q309=+0 ;ERROR REACTION ~
-Q1126=+0 ;ALIGN ROTARY AXIS ~
-Q1120=+0 ;TRANSER POSITION ~
-Q1121=+0 ;CONFIRM ROTATION";
-
-fn block_lines(program: &str) -> Vec<String> {
-    // The number of the block is that of a program with other comments.
-    let lines = program.lines().skip_while(|l| !l.contains("TCH PROBE 1411")).take(20);
-    lines.map(|l| l.trim_start_matches(|c: char| c.is_ascii_digit()).split_whitespace().collect::<Vec<_>>().join(" ")).collect()
-}
-
-/// The manual's own example is read as it stands, and written again letter by letter. Its diameters of 0 cannot be probed, so
-/// they are made 10 and the points put apart before it is planned; the other lines must be the manual's.
-#[test]
-fn the_manuals_example_is_read_and_written() {
-    let imported = import(SEED).unwrap();
-    assert_eq!(imported.job.get("cycle").unwrap().get("diameter1"), Some(&number(0.0)));
-    let mut job = with(&imported.job, "cycle.diameter1", number(10.0));
-    job = with(&job, "cycle.diameter2", number(10.0));
-    job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
-    let program = planned(&job).program.text;
-    let expected =
-        SEED.replacen("Q1116=+0", "Q1116=+10", 1).replacen("Q1117=+0", "Q1117=+10", 1).replacen("Q1103=+0", "Q1103=+50", 1);
-    assert_eq!(block_lines(&program), block_lines(&expected));
-    assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 ; Job: PROBE\n2 ; HEIDENHAIN cycle 1411: Probing two circles\n"));
-    // Blocks are numbered one by one.
-    let numbers =
-        program.lines().filter(|l| !l.starts_with(' ')).map(|l| l.split(' ').next().unwrap().parse::<usize>().unwrap());
-    assert!(numbers.enumerate().all(|(i, number)| i == number) && program.ends_with(" END PGM PROBE MM\n"));
-}
-
-#[test]
-fn other_ways_to_write_the_block_are_read() {
-    let iso = "N10 G1411 Q1100=-30 Q1101=+0,5 Q1102=-10 QS1116=\"10H7\" Q1103=+30 Q1104=+0 Q1105=-10 Q1117=+12.5 Q1115=+2 Q423=+3 \
-               Q325=+0 Q1119=+360 Q320=+1 Q260=+80 Q1125=+1 Q309=+0 Q1126=+0 Q1120=+1 Q1121=+1";
-    let cycle = import(iso).unwrap().job.get("cycle").unwrap().clone();
-    assert_eq!(cycle.get("point1"), Some(&point([-30.0, 0.5, -10.0])));
-    assert_eq!(cycle.get("diameter1"), Some(&text("10H7")));
-    assert_eq!((cycle.get("geometryType"), cycle.get("transferPosition")), (Some(&number(2.0)), Some(&number(1.0))));
-    let messy = "0 BEGIN PGM A_B INCH\r\n1 L Z+100 R0 FMAX M91\r\n2 TOOL CALL 7 Y S50\r\n3 TCH PROBE 1493 EXTRUSION PROBING ~\r\n\
-                 Q1140=+1 ;anything at all ~\r\n Q1145=+4 ~\r\nQ1146=-2,5;x ~\r\nQ1149=+0\r\n4 TCH PROBE 1411 ~\r\n  Q1100=+1 ;x ~\r\n Q9999=+1\r\n\
-                 5 END PGM A_B INCH\r\n";
-    let imported = import(messy).unwrap();
-    let at = |path: &str| number_at(&imported.job, path, f64::NAN);
-    assert_eq!(imported.job.get("units"), Some(&text("inch")));
-    assert_eq!((imported.job.get("plane"), at("control.tool")), (Some(&text("G18")), 7.0));
-    assert_eq!((at("cycle.extrusion.points"), at("cycle.extrusion.length")), (4.0, -2.5));
-    let codes: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
-    assert!(codes.contains(&"unknown-parameter") && codes.contains(&"missing-parameter") && codes.contains(&"passed-over"));
-    assert!(import("nothing at all").is_err() && import("").is_err() && import("{").is_err());
-}
-
-/// Emit, import, emit: the same bytes.
-#[test]
-fn a_program_is_read_back_as_it_was_written() {
-    law(
-        300,
-        60,
-        (
-            proptest::array::uniform4(-400.0..400.0f64),
-            -50.0..0.0f64,
-            (10.0..80.0f64, 0usize..6),
-            0..4i32,
-            3..9i32,
-            (-360.0..360.0f64, 30.0..360.0f64),
-            (-1..3i32, 0..3i32, 0..4i32, 0..2i32),
-            any::<bool>(),
-            any::<bool>(),
-            "[A-Za-z ]{0,12}",
-        ),
-        |(places, height, diameters, geometry, points, angles, modes, extruded, inch, name)| {
-            let forms = ["15H7", "22m", "30+0.01-0.015", "18-0.2", "25h6", "16+1-1"];
-            let scale = if inch { 25.4 } else { 1.0 };
-            let second = if inch { number(diameters.0 / scale) } else { text(forms[diameters.1]) };
-            let mut job = with(&holes(), "units", text(if inch { "inch" } else { "mm" }));
-            job = with(&job, "name", text(&name));
-            job = with(&job, "cycle.point1", point([places[0] / scale, places[1] / scale, height / scale]));
-            job = with(&job, "cycle.point2", point([places[2] / scale, places[3] / scale, height / scale]));
-            job = with(&job, "cycle.diameter1", number(diameters.0 / scale));
-            job = with(&job, "cycle.diameter2", second);
-            for (key, value) in [
-                ("geometryType", geometry),
-                ("probePoints", points),
-                ("clearanceHeightMode", modes.0),
-                ("errorReaction", modes.1),
-                ("transferPosition", modes.2),
-                ("confirmRotation", modes.3),
-            ] {
-                job = with(&job, &format!("cycle.{key}"), number(f64::from(value)));
-            }
-            job = with(&job, "cycle.startingAngle", number(angles.0));
-            job = with(&job, "cycle.angularLength", number(angles.1));
-            job = with(&job, "stylus.diameter", number(1.0 / scale));
-            job = with(&job, "cycle.start", point([0.0, 0.0, 100.0]));
-            if extruded {
-                job = with(
-                    &job,
-                    "cycle.extrusion",
-                    Value::Map(vec![("points".into(), number(2.0)), ("length".into(), number(-1.0 / scale))]),
-                );
-            }
-            let Ok(first) = plan(&job) else { return Ok(false) };
-            let imported = import(&first.program.text).map_err(|e| TestCaseError::fail(e.to_string()))?;
-            let again = with(&imported.job, "stylus.diameter", number(1.0 / scale));
-            let again = with(&again, "cycle.start", point([0.0, 0.0, 100.0]));
-            let second = plan(&again).map_err(|e| TestCaseError::fail(format!("{e}: {:?}", e.findings)))?;
-            prop_assert_eq!(first.program.text, second.program.text);
-            Ok(true)
-        },
-    );
 }
 
 /// Clearance 2 + ball 3 = 5 off a wall of radius 10: the touches of a hole start 5 from its centre and end at 7.
@@ -549,130 +421,6 @@ fn uncertainties_agree_with_draws() {
     }
 }
 
-fn circle_jobs() -> Vec<(String, Value, Plan)> {
-    let jobs = crate::common::jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
-    jobs.map(|(name, job)| (name, planned(&job), job)).map(|(name, plan, job)| (name, job, plan)).collect()
-}
-
-/// How far past its contact a touch searches: DIST less the set-up clearance.
-fn search(job: &Value) -> f64 {
-    let unit = if job.get("units") == Some(&text("inch")) { 25.4 } else { 1.0 };
-    number_at(job, "cycle.probe.dist", 10.0 / unit)
-        - number_at(job, "cycle.probe.setUp", 2.0 / unit)
-        - number_at(job, "cycle.setUpClearance", 0.0)
-}
-
-/// LinuxCNC's interpreter runs the cycle: moves and arcs are the path, and the printed Q results are those of the points the
-/// probe ended at, by the crate's own evaluation (geometric) and by an independent circle.
-#[test]
-fn linuxcnc_runs_the_cycle() {
-    let jobs = circle_jobs();
-    assert!(jobs.len() >= 4);
-    let mut arcs = 0;
-    for (name, job, plan) in jobs {
-        // Watched, every positioning move is a probe move too: the touches are told apart where it is not.
-        let ran = interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
-        compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}, watched: {e}"));
-        let job = with(&job, "control.protection", text("none"));
-        let plan = planned(&job);
-        let ran = interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
-        compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}: {e}"));
-        arcs += ran.moves.iter().filter(|m| m.kind == "arc").count();
-        let ends: Vec<[f64; 3]> = ran.moves.iter().filter(|m| m.kind == "probe").map(|m| m.to).collect();
-        let repeats = ends.len() / (2 * number_at(&job, "cycle.probePoints", 4.0) as usize);
-        // Evaluated by the crate: the points the probe ended at, straight from the interpreter.
-        let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
-        let scale = checked.scale;
-        let triggers: Vec<_> = ends.iter().map(|p| Some(touchpath::geom::Vec3::from_array(*p) * scale)).collect();
-        let rows = touchpath::part::evaluate(&path, &triggers, 0.001);
-        for (code, printed) in &ran.prints {
-            let row = rows.iter().find(|r| r.code == *code).unwrap_or_else(|| panic!("{name}: {code}"));
-            let unit = if row.unit == touchpath::formula::Unit::Length { scale } else { 1.0 };
-            let wanted = row.value.unwrap() / unit;
-            // The interpreter prints its places with four decimals.
-            let tolerance = if unit == scale && row.unit == touchpath::formula::Unit::Length { 2e-4 } else { 1e-3 };
-            assert!((wanted - printed).abs() < tolerance, "{name}: {code} printed {printed}, evaluated {wanted}");
-        }
-        // And by hand: the circle through the first, the third … point is the same circle, from perpendicular bisectors.
-        let [a, o] = if job.get("plane") == Some(&text("G18")) { [2, 0] } else { [0, 1] };
-        let mean = |k: usize| {
-            let own = &ends[k * repeats..(k + 1) * repeats];
-            let n = repeats as f64;
-            (own.iter().map(|p| p[a]).sum::<f64>() / n, own.iter().map(|p| p[o]).sum::<f64>() / n)
-        };
-        let (p, q, s) = (mean(0), mean(1), mean(2));
-        let (d1, d2) = ((q.0 - p.0, q.1 - p.1), (s.0 - p.0, s.1 - p.1));
-        let det = 2.0 * (d1.0 * d2.1 - d1.1 * d2.0);
-        let (l1, l2) = (d1.0 * d1.0 + d1.1 * d1.1, d2.0 * d2.0 + d2.1 * d2.1);
-        let center = (p.0 + (d2.1 * l1 - d1.1 * l2) / det, p.1 + (d1.0 * l2 - d2.0 * l1) / det);
-        let printed = |code: &str| ran.prints.iter().find(|(c, _)| c == code).unwrap().1;
-        assert!((printed("Q950") - center.0).abs() < 1e-3 && (printed("Q951") - center.1).abs() < 1e-3, "{name}: {center:?}");
-    }
-    assert!(arcs > 4, "arcs are run as arcs");
-}
-
-/// On the virtual part: the probe's targets are replaced by the triggers, and the program prints the results that are shown.
-#[test]
-fn linuxcnc_computes_what_is_shown() {
-    for (name, _, plan) in circle_jobs() {
-        let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-        for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
-            let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap().map(|v| format!("{v:.9}"));
-            let line = &mut lines[plan.program.move_lines[index] as usize];
-            let feed = line.split(' ').next_back().unwrap().to_owned();
-            *line = format!("G38.2 X{x} Y{y} Z{z} {feed}");
-        }
-        let ran = interpret(&(lines.join("\n") + "\n")).unwrap_or_else(|e| panic!("{name}: {e}"));
-        assert!(ran.prints.len() > 18, "{name}");
-        for (code, printed) in &ran.prints {
-            let shown = value(&plan, code);
-            assert!((shown - printed).abs() < 2e-6, "{name}: {code} printed {printed}, shown {shown}");
-        }
-    }
-}
-
-/// The write under a rotation that was active before: what is at the measured point in the old system is at its nominal
-/// place in the new one, and the measured line has its nominal direction there.
-#[test]
-fn linuxcnc_writes_offset_and_rotation() {
-    for before in [0.0, 25.0] {
-        let (_, job, plan) = circle_jobs().into_iter().find(|(name, ..)| name == "circles-linuxcnc").unwrap();
-        let program = format!("G21\nG10 L2 P1 X7 Y-3 Z2 R{before}\n{}", plan.program.text);
-        // A lying part: the second circle's touches end 0.6 higher.
-        let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
-        let moved: Vec<usize> =
-            lines.iter().enumerate().filter(|(_, l)| l.starts_with("G38.2")).map(|(i, _)| i).skip(4).collect();
-        for i in moved {
-            let step = plan.moves[plan.program.move_lines.iter().position(|l| *l == i as i32 - 2).unwrap()].clone();
-            let vector = plan.touches[step.touch.unwrap()].vector;
-            let target: Vec<f64> =
-                (0..3).map(|axis| step.to[axis] - search(&job) * vector[axis] + if axis == 1 { 0.6 } else { 0.0 }).collect();
-            lines[i] = format!("G38.2 X{:.6} Y{:.6} Z{:.6} F300", target[0], target[1], target[2]);
-        }
-        let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
-        let printed = |code: &str| ran.prints.iter().find(|(c, _)| c == code).unwrap().1;
-        assert!((printed("Q964") - 0.01f64.atan().to_degrees()).abs() < 1e-4, "60 along, 0.6 across");
-        let turned = before + printed("Q964");
-        let writes: Vec<&String> = lines.iter().filter(|l| l.starts_with("G10")).collect();
-        assert_eq!(writes.len(), 3, "the test's own, the rotation, the offset: {writes:?}");
-        // After the rotation's write the offset's: the last SET_G5X_OFFSET before the modes are given back.
-        let output = ran.offsets_after_moves.last().copied().expect("a write");
-        let machine = |offset: [f64; 3], degrees: f64, p: [f64; 2]| {
-            let (sin, cos) = degrees.to_radians().sin_cos();
-            [offset[0] + p[0] * cos - p[1] * sin, offset[1] + p[0] * sin + p[1] * cos]
-        };
-        // Q1120 = 3: the mean of both centres, nominally (0, 0), measured (0, 0.3).
-        let old = machine(
-            [7.0, -3.0, 2.0],
-            before,
-            [(printed("Q950") + printed("Q953")) / 2.0, (printed("Q951") + printed("Q954")) / 2.0],
-        );
-        let new = machine(output, turned, [0.0, 0.0]);
-        assert!((old[0] - new[0]).abs() < 2e-4 && (old[1] - new[1]).abs() < 2e-4, "{before}: {old:?} {new:?}");
-        assert!((ran.rotations_after_moves.last().unwrap() - turned).abs() < 1e-4);
-    }
-}
-
 #[test]
 fn measured_points_of_circles() {
     // Hole 1 about (−29.9, 0.1), radius of the ball centres 7.02; hole 2 nominal.
@@ -714,26 +462,6 @@ fn touches_that_cannot_tell_a_circle_are_refused_or_warned_of() {
     assert_eq!(warnings(&spread(360.0, 3.0)), [""; 0]);
 }
 
-#[test]
-fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
-    let with_tools = |before: &str, after: &str| import(&format!("0 BEGIN PGM A MM\n{before}\n{SEED}\n{after}\n")).unwrap();
-    let later = with_tools("1 TOOL CALL 100 Y S50\n2 TOOL CALL S60", "13 TOOL CALL 5 Z S3000");
-    assert_eq!(number_at(&later.job, "control.tool", 0.0), 100.0);
-    assert_eq!(later.job.get("plane"), Some(&text("G18")), "a call without an axis leaves the plane");
-    let named = with_tools("1 TOOL CALL \"TOUCH_PROBE\" Z", "");
-    assert!(named.findings.iter().any(|f| f.code == "tool-by-name"));
-    let block = SEED.replace(" ~\n", " ").replacen("11 TCH PROBE 1411 PROBING TWO CIRCLES", "N20 G1411", 1);
-    let block: String = block
-        .split_whitespace()
-        .filter(|w| w.starts_with('Q') || w.starts_with('N') && w.len() == 3 || *w == "G1411")
-        .collect::<Vec<_>>()
-        .join(" ");
-    let iso = import(&format!("%A G70 *\nN10 T7 G19 S50 *\n{block}\n")).unwrap();
-    assert_eq!((iso.job.get("units"), iso.job.get("plane")), (Some(&text("inch")), Some(&text("G19"))));
-    assert_eq!(number_at(&iso.job, "control.tool", 0.0), 7.0);
-    assert!(import(&block).unwrap().findings.iter().any(|f| f.code == "units-unknown"));
-}
-
 /// Mode −1: the clearance height plays no part; the ball crosses where it stands and goes down at the probing feed.
 #[test]
 fn without_the_clearance_height() {
@@ -770,32 +498,6 @@ fn plain_moves_do_not_pretend_to_judge() {
         Value::Map(vec![("direction".into(), number(1.0)), ("points".into(), number(3.0)), ("length".into(), number(2.0))]),
     );
     assert_eq!(errors(&sideways), ["extrusion-direction cycle.extrusion.direction"]);
-}
-
-/// With scatter the two fits differ; what is shown for LinuxCNC is what its program computes from the very points.
-#[test]
-fn linuxcnc_and_the_page_agree_on_scattered_points() {
-    let mut job = on_linuxcnc(&with(&with(&holes(), "cycle.probePoints", number(5.0)), "cycle.angularLength", number(60.0)));
-    job = with(&job, "cycle.clearanceHeight", number(20.0));
-    let plan = planned(&job);
-    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    let mut points = Vec::new();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
-        let k = step.touch.unwrap();
-        let off = 0.01 * f64::from([3, -4, 5, -2, 1][k % 5]) / 5.0;
-        let p = [0, 1, 2].map(|i| step.to[i] + off * plan.touches[k].vector[i]);
-        lines[plan.program.move_lines[index] as usize] = format!("G38.2 X{:.9} Y{:.9} Z{:.9} F300", p[0], p[1], p[2]);
-        points.push(point(p));
-    }
-    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
-    let shown = evaluate(&job, &Value::List(points.clone())).unwrap();
-    for (code, printed) in &ran.prints {
-        let wanted = row(&shown, code).value.unwrap();
-        assert!((wanted - printed).abs() < 2e-6, "{code}: {printed} {wanted}");
-    }
-    let control = with(&with(&job, "control.post", text("heidenhain")), "control.form", text("cycle"));
-    let geometric = evaluate(&control, &Value::List(points)).unwrap();
-    assert!((row(&geometric, "Q950").value.unwrap() - row(&shown, "Q950").value.unwrap()).abs() > 1e-5);
 }
 
 /// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position:
