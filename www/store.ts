@@ -1,9 +1,7 @@
 // The one state of the page: the job as it stands in the form, and what follows from it.
 import {
-  type Catalog,
   type Cycle,
   type CycleEntry,
-  catalog,
   check,
   convertUnits,
   defaultJob,
@@ -19,10 +17,13 @@ import {
   type Words,
 } from "./core/browser.js";
 import { stem } from "./core/names.js";
+import { History } from "./history.js";
+import { Host } from "./host.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
+import { Phrases } from "./phrases.js";
 import { type Preset, SECTIONS } from "./presets.js";
-import { type Lang, w, worded } from "./words.js";
+import { type Lang, w } from "./words.js";
 
 export type { Draft } from "./job.js";
 
@@ -33,7 +34,7 @@ interface Left {
   points: Points;
 }
 
-type Units = "mm" | "inch";
+export type Units = "mm" | "inch";
 /** Measured points as text, by the units they were typed in: read in other units they would be other points. */
 type Points = Record<Units, string>;
 const noPoints = (): Points => ({ mm: "", inch: "" });
@@ -46,13 +47,7 @@ interface Moment {
   left: [string, Left][];
 }
 
-/** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
-const ECHO = 1000;
-
 const LOOK_ONLY: Said = [w("Nothing was changed: this job can only be looked at")];
-
-/** So many steps can be taken back. */
-const MOST_STEPS = 200;
 
 /** What outlives a reload. */
 interface State {
@@ -61,26 +56,9 @@ interface State {
   points?: Points;
 }
 
-/** What the page itself refuses; its message is in the language of the page. */
-export class Refusal extends JobError {}
-
-/** What feeds are called. */
-const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
-  approach: w("approach"),
-  longLink: w("long link"),
-  work: w("work"),
-  retract: w("retract"),
-  return: w("return"),
-  rapid: w("rapid"),
-};
-
-export class Store extends EventTarget {
-  private readonly english: Catalog = catalog();
-  /** The catalog in the language of the page. */
-  catalog: Catalog = this.english;
-  /** The language, and its words. */
-  lang: Lang = "en";
-  words: Words = {};
+export class Store extends Phrases {
+  /** What the page around puts in. */
+  readonly host = new Host(this);
   draft: Draft;
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
@@ -107,18 +85,12 @@ export class Store extends EventTarget {
   private points = noPoints();
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
-  private past: Moment[] = [];
-  private future: Moment[] = [];
-  /** What the last change was of: further changes of the same belong to the same step. */
-  private changing: string | null = null;
-
+  private readonly history = new History<Moment>();
   /** Whether the user can change the job. What is put in from outside is taken all the same. */
   private shut = false;
   /** Whether what changes now is changed by the user. */
   byUser = true;
   private readonly local: boolean;
-  /** The jobs that were sent by `job-change`, and when. */
-  private sentJobs: { json: string; at: number }[] = [];
 
   /** `local`: the state is kept in this browser. */
   constructor({ local = false } = {}) {
@@ -133,47 +105,10 @@ export class Store extends EventTarget {
 
   /** Another language for everything that is shown. The job stays as it is. */
   translate(lang: Lang, words: Words): void {
-    this.lang = lang;
-    this.words = words;
-    this.catalog = lang === "en" ? this.english : worded(this.english, words);
     this.byUser = false;
-    this.dispatchEvent(new Event("language"));
+    this.speak(lang, words);
     this.dispatchEvent(new Event("change"));
     this.byUser = true;
-  }
-
-  /** What is said, in the language of the page. */
-  say(said: Said): string {
-    return say(said, this.words);
-  }
-
-  /** A text of the page in its language; the values stand in place of the names in its braces. */
-  t(template: string, ...values: (string | number | Said)[]): string {
-    return this.say([template, ...values.map((value) => (typeof value === "number" ? String(value) : value))]);
-  }
-
-  /** A decimal number as this language writes it. */
-  number(text: string): string {
-    return this.comma ? text.replace(".", ",") : text;
-  }
-
-  /** Whether this language writes decimals with a comma. */
-  get comma(): boolean {
-    return this.words["0.5"] === "0,5";
-  }
-
-  /** Why something was refused, in the language of the page. */
-  why(refused: JobError): string {
-    const errors = refused.findings.filter((f) => f.level === "error");
-    const [first] = errors;
-    if (refused instanceof Refusal || !first) return refused.message;
-    return errors.length === 1
-      ? this.say(first.said)
-      : this.t("{message} (and {count} more)", first.said, errors.length - 1);
-  }
-
-  private refusal(said: Said, findings: Finding[] = []): Refusal {
-    return new Refusal(this.say(said), findings);
   }
 
   /** Whether the job can only be looked at. */
@@ -189,75 +124,9 @@ export class Store extends EventTarget {
     this.byUser = true;
   }
 
-  /** Takes a job, a cycle, a control or units from outside. What cannot be taken changes nothing: why, as a finding. */
-  input(input: "job" | "cycle" | "post" | "units", value: unknown): Finding | null {
-    const refused = (code: string, ...said: Said): Finding => {
-      const path = { job: "", cycle: "cycle.type", post: "control.post", units: "units" }[input];
-      return { level: "error", code, path, message: say(said), said };
-    };
-    this.byUser = false;
-    try {
-      if (input === "job") return this.inputJob(value, refused);
-      const known = {
-        cycle: this.catalog.cycles.map((c) => c.type as string),
-        post: this.catalog.posts.map((p) => p.id),
-        units: ["mm", "inch"],
-      }[input];
-      if (!known.includes(value as string))
-        return refused(
-          "unknown-value",
-          w("Nothing was changed: {input} must be one of {known}"),
-          input,
-          known.join(", "),
-        );
-      if (input === "cycle") this.choose(value as Cycle["type"]);
-      else if (input === "units") this.setUnits(value as Units);
-      else if (value !== this.get("control.post")) this.put("control.post", value);
-      return null;
-    } catch {
-      return refused("unreadable", w("Nothing was changed: the {input} cannot be read"), input);
-    } finally {
-      this.byUser = true;
-    }
-  }
-
-  private inputJob(value: unknown, refused: (code: string, ...said: Said) => Finding): Finding | null {
-    let job = value;
-    if (typeof value === "string") {
-      if (value.length > this.longest) return refused("too-long", ...this.tooLong(value.length));
-      try {
-        job = JSON.parse(value);
-      } catch {
-        return refused("not-json", w("Nothing was changed: the job is not JSON"));
-      }
-    }
-    const problem = this.unusable(job);
-    if (problem) return refused("unusable", w("Nothing was changed: the job cannot be used: {problem}"), problem);
-    const whole = complete(job as Draft, this.catalog);
-    // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
-    const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
-    const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
-    if (late || alike(whole, this.draft)) return null;
-    // Another job is another document: what the user can take back is of this one, and no value of the one before comes back in it.
-    const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
-    const points = same ? this.measured : "";
-    this.load(whole, points);
-    this.left = new Map();
-    this.sentJobs = [];
-    this.clear();
-    return null;
-  }
-
-  /** A job was sent by `job-change`; the host may return it. */
-  sent(json: string): void {
-    this.sentJobs = [...this.sentJobs.slice(-49), { json, at: performance.now() }];
-  }
-
   /** Forgets the steps that could be taken back. */
   clear(): void {
-    this.past = [];
-    this.future = [];
-    this.changing = null;
+    this.history.clear();
   }
 
   /** Whether a change is the user's and the job is not to be changed. */
@@ -406,6 +275,14 @@ export class Store extends EventTarget {
     this.changed();
   }
 
+  /** Takes a whole job as another document: what the user can take back is of this one, and no value of the one before comes back in it. */
+  replace(whole: Draft): void {
+    const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
+    this.load(whole, same ? this.measured : "");
+    this.left = new Map();
+    this.clear();
+  }
+
   /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
   take(job: unknown, measured: string): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
@@ -472,24 +349,24 @@ export class Store extends EventTarget {
 
   /** What is changed next is a step of its own. */
   settle(): void {
-    this.changing = null;
+    this.history.settle();
   }
 
   get canUndo(): boolean {
-    return !this.shut && this.past.length > 0;
+    return !this.shut && this.history.canUndo;
   }
 
   get canRedo(): boolean {
-    return !this.shut && this.future.length > 0;
+    return !this.shut && this.history.canRedo;
   }
 
   /** Takes the last step back, whatever it was: a field, a drag, a file, a reset. */
   undo(): void {
-    this.turn(this.past, this.future);
+    if (!this.refuses) this.become(this.history.undo(() => this.moment()));
   }
 
   redo(): void {
-    this.turn(this.future, this.past);
+    if (!this.refuses) this.become(this.history.redo(() => this.moment()));
   }
 
   /** Points at a move; at none, the pinned one stays lit. */
@@ -536,47 +413,6 @@ export class Store extends EventTarget {
         ? cycle
         : (cycle.sections.find((s) => `cycle.${s.key}` === place) ?? catalog.sections.find((s) => s.path === place));
     return section?.fields.find((f) => f.key === key);
-  }
-
-  /** How the virtual part lies other than the drawing says; empty where it does not. */
-  get deviations(): string[] {
-    const part = this.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
-    const signed = (x: unknown) => this.number(typeof x === "number" && x > 0 ? `+${x}` : String(x));
-    const shifts = (part?.offset ?? []).flatMap((x, i) => (x === 0 ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
-    const turn = part?.rotation ?? 0;
-    const sizes = this.cycle.fields.flatMap(({ key, label }) => {
-      const value = part?.sizes?.[key] ?? 0;
-      return value === 0 ? [] : [`${label} ${signed(value)}`];
-    });
-    return [...shifts, ...(turn === 0 ? [] : [this.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
-  }
-
-  /** The run of the plan in a line: moves, length, minutes and seconds. */
-  get run(): string {
-    const { moves, length, time } = this.plan;
-    const seconds = Math.round(time * 60);
-    const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
-    return this.t("{count} moves · {length} · {time}", moves.length, `${length.toFixed(0)} ${this.units}`, clock);
-  }
-
-  /** A move of the plan in words. */
-  inWords(index: number, numbered = true): string {
-    const { moves } = this.plan;
-    const { kind, touch, to, step, feed } = moves[index] as Plan["moves"][number];
-    const what: Said = {
-      position: [w("positioning")] as Said,
-      touch: [w("touch {touch}"), String((touch ?? 0) + 1)] as Said,
-      back: [w("back")] as Said,
-    }[kind];
-    const place = ["X", "Y", "Z"].map((axis, i) => axis + this.number(String(Number((to[i] as number).toFixed(4)))));
-    const said: Said = [
-      w("step {step}, {what}, {feed}, to {place}"),
-      String(step),
-      what,
-      [FEEDS[feed]],
-      place.join(" "),
-    ];
-    return numbered ? this.t("{move} of {count}: {words}", index + 1, moves.length, said) : this.say(said);
   }
 
   /** The name of the program's file. */
@@ -631,7 +467,7 @@ export class Store extends EventTarget {
   }
 
   /** Why a job cannot be shown; null where it can. */
-  private unusable(job: unknown): Said | null {
+  unusable(job: unknown): Said | null {
     const format = check(job).find((f) => f.level === "error" && f.path === "format");
     return misfit(job, this.catalog) ?? format?.said ?? null;
   }
@@ -663,23 +499,16 @@ export class Store extends EventTarget {
 
   /** Before a change: what it is of decides whether it can be taken back by itself. */
   private mark(changing: string | null): void {
-    if (changing !== null && changing === this.changing) return;
-    this.past.push(this.moment());
-    if (this.past.length > MOST_STEPS) this.past.shift();
-    this.future = [];
-    this.changing = changing;
+    this.history.mark(changing, () => this.moment());
   }
 
-  private turn(from: Moment[], to: Moment[]): void {
-    if (this.refuses) return;
-    const moment = from.pop();
+  /** Becomes what it was at a moment. */
+  private become(moment: Moment | undefined): void {
     if (!moment) return;
-    to.push(this.moment());
     this.draft = moment.draft;
     this.typed = new Map(moment.typed);
     this.points = moment.points;
     this.left = new Map(moment.left);
-    this.changing = null;
     this.pinned = null;
     this.highlight = null;
     this.changed();

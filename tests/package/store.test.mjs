@@ -206,7 +206,7 @@ test("any run of steps taken back is the state before it, and taken again the st
     const step = steps[draw(steps.length)];
     step?.();
     // A step that changes nothing may be none.
-    if (store.past.length === states.length) states.push(state());
+    if (store.history.past.length === states.length) states.push(state());
     else assert.equal(state(), states.at(-1));
   }
   assert.ok(states.length > 80);

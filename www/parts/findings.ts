@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Finding } from "../core/browser.js";
+import { runInWords } from "../in-words.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -17,7 +18,7 @@ class FindingsPart extends Part {
   alone = true;
 
   override render(): TemplateResult {
-    const { findings, stale, run } = this.store;
+    const { findings, stale } = this.store;
     const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;
@@ -33,7 +34,7 @@ class FindingsPart extends Part {
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
       <span class="gap"></span>
-      ${stale ? nothing : html`<span class="run">${run}</span>`}
+      ${stale ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
     `;
   }

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
+import { deviations } from "../in-words.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
 import { FieldPart, type Placed } from "./field.js";
@@ -151,7 +152,7 @@ class FormPart extends FieldPart {
 
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
-    if (name === VIRTUAL) return this.store.deviations.join(" · ") || this.t("nominal");
+    if (name === VIRTUAL) return deviations(this.store).join(" · ") || this.t("nominal");
     // What is at fault first, and the feed that the probe meets the part with.
     const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : path === "feeds.work" ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));

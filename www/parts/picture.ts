@@ -1,5 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3, View } from "../core/browser.js";
+import { deviations, moveInWords, runInWords } from "../in-words.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
@@ -111,7 +112,7 @@ class PicturePart extends DrawnPart {
       this.observer.observe(canvas);
     }
     // A nominal part has nothing to draw larger, and its handle is there again.
-    if (this.store.deviations.length === 0 && !this.grip) this.magnified = 1;
+    if (deviations(this.store).length === 0 && !this.grip) this.magnified = 1;
     const now = `${revision} ${this.store.lang}`;
     const anew = this.drawn !== now;
     const before = this.live;
@@ -146,9 +147,9 @@ class PicturePart extends DrawnPart {
 
   /** What lies other than the drawing says is seen without opening anything. */
   private deviates(): TemplateResult | typeof nothing {
-    const { deviations } = this.store;
-    if (deviations.length === 0) return nothing;
-    return html`<p class="trial">${this.t("Virtual part")}: ${deviations.join(", ")}
+    const off = deviations(this.store);
+    if (off.length === 0) return nothing;
+    return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
       <button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button></p>`;
   }
 
@@ -273,7 +274,7 @@ class PicturePart extends DrawnPart {
   private says(): string {
     const { plan, highlight } = this.store;
     if (this.store.stale && this.live) return this.t("The run ends in the part");
-    return highlight === null || !plan.moves[highlight] ? this.store.run : this.store.inWords(highlight);
+    return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : moveInWords(this.store, highlight);
   }
 
   private at(event: PointerEvent | WheelEvent): { x: number; y: number } {

@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
+import { moveInWords } from "../in-words.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -45,7 +46,7 @@ class ResultsPart extends Part {
       </details>
       <details class="moves" @toggle=${this.toggle}>
         <summary>${this.t("All moves in words")}</summary>
-        ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${this.store.inWords(i, false)}</li>`)}</ol>` : nothing}
+        ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${moveInWords(this.store, i, false)}</li>`)}</ol>` : nothing}
       </details>
       <details class="measured" ?open=${this.store.measured !== ""}>
         <summary>${this.t("Points that a machine measured")}</summary>

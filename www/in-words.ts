@@ -1,0 +1,49 @@
+// The plan of the page in words: a move, the run, and how the virtual part lies.
+import type { Plan, Said } from "./core/types.js";
+import type { Draft, Store } from "./store.js";
+import { w } from "./words.js";
+
+/** What feeds are called. */
+const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
+  approach: w("approach"),
+  longLink: w("long link"),
+  work: w("work"),
+  retract: w("retract"),
+  return: w("return"),
+  rapid: w("rapid"),
+};
+
+/** A move of the plan. */
+export function moveInWords(store: Store, index: number, numbered = true): string {
+  const { moves } = store.plan;
+  const { kind, touch, to, step, feed } = moves[index] as Plan["moves"][number];
+  const what: Said = {
+    position: [w("positioning")] as Said,
+    touch: [w("touch {touch}"), String((touch ?? 0) + 1)] as Said,
+    back: [w("back")] as Said,
+  }[kind];
+  const place = ["X", "Y", "Z"].map((axis, i) => axis + store.number(String(Number((to[i] as number).toFixed(4)))));
+  const said: Said = [w("step {step}, {what}, {feed}, to {place}"), String(step), what, [FEEDS[feed]], place.join(" ")];
+  return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
+}
+
+/** The run of the plan in a line: moves, length, minutes and seconds. */
+export function runInWords(store: Store): string {
+  const { moves, length, time } = store.plan;
+  const seconds = Math.round(time * 60);
+  const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
+  return store.t("{count} moves · {length} · {time}", moves.length, `${length.toFixed(0)} ${store.units}`, clock);
+}
+
+/** How the virtual part lies other than the drawing says; empty where it does not. */
+export function deviations(store: Store): string[] {
+  const part = store.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
+  const signed = (x: unknown) => store.number(typeof x === "number" && x > 0 ? `+${x}` : String(x));
+  const shifts = (part?.offset ?? []).flatMap((x, i) => (x === 0 ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
+  const turn = part?.rotation ?? 0;
+  const sizes = store.cycle.fields.flatMap(({ key, label }) => {
+    const value = part?.sizes?.[key] ?? 0;
+    return value === 0 ? [] : [`${label} ${signed(value)}`];
+  });
+  return [...shifts, ...(turn === 0 ? [] : [store.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
+}

@@ -1,0 +1,58 @@
+// What the page says, in its language.
+import { type Catalog, catalog, JobError, type Said, say, type Words } from "./core/browser.js";
+import type { Finding } from "./core/types.js";
+import { type Lang, worded } from "./words.js";
+
+/** What the page itself refuses; its message is in the language of the page. */
+export class Refusal extends JobError {}
+
+export class Phrases extends EventTarget {
+  private readonly english: Catalog = catalog();
+  /** The catalog in the language of the page. */
+  catalog: Catalog = this.english;
+  /** The language, and its words. */
+  lang: Lang = "en";
+  words: Words = {};
+
+  /** Another language for everything that is shown. */
+  protected speak(lang: Lang, words: Words): void {
+    this.lang = lang;
+    this.words = words;
+    this.catalog = lang === "en" ? this.english : worded(this.english, words);
+    this.dispatchEvent(new Event("language"));
+  }
+
+  /** What is said, in the language of the page. */
+  say(said: Said): string {
+    return say(said, this.words);
+  }
+
+  /** A text of the page in its language; the values stand in place of the names in its braces. */
+  t(template: string, ...values: (string | number | Said)[]): string {
+    return this.say([template, ...values.map((value) => (typeof value === "number" ? String(value) : value))]);
+  }
+
+  /** A decimal number as this language writes it. */
+  number(text: string): string {
+    return this.comma ? text.replace(".", ",") : text;
+  }
+
+  /** Whether this language writes decimals with a comma. */
+  get comma(): boolean {
+    return this.words["0.5"] === "0,5";
+  }
+
+  /** Why something was refused, in the language of the page. */
+  why(refused: JobError): string {
+    const errors = refused.findings.filter((f) => f.level === "error");
+    const [first] = errors;
+    if (refused instanceof Refusal || !first) return refused.message;
+    return errors.length === 1
+      ? this.say(first.said)
+      : this.t("{message} (and {count} more)", first.said, errors.length - 1);
+  }
+
+  protected refusal(said: Said, findings: Finding[] = []): Refusal {
+    return new Refusal(this.say(said), findings);
+  }
+}
