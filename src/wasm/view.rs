@@ -1,5 +1,6 @@
 //! The picture for JavaScript.
 
+use std::cell::Cell;
 use std::rc::Rc;
 
 use js_sys::{Array, Object};
@@ -40,6 +41,18 @@ pub struct View {
     moved: bool,
     /// Whether the picture must stay where it is, since something in it is being dragged.
     held: bool,
+    /// What `paint` draws; none where every change is drawn at once.
+    due: Option<Cell<Due>>,
+}
+
+/// What has changed since the picture was drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Due {
+    #[default]
+    Nothing,
+    /// The move that is pointed at, which is drawn on a canvas of its own.
+    Lit,
+    All,
 }
 
 /// What is shown.
@@ -94,6 +107,7 @@ impl View {
             comma: false,
             moved: false,
             held: false,
+            due: None,
         })
     }
 
@@ -108,6 +122,20 @@ impl View {
             over.resize(width, height, self.painter.ratio);
         }
         self.draw();
+    }
+
+    /// From here on changes are drawn by `paint`, all at once, and not one by one.
+    pub fn gather(&mut self) {
+        self.due.get_or_insert_default();
+    }
+
+    /// Draws what has changed since the last time.
+    pub fn paint(&self) {
+        match self.due.as_ref().map_or(Due::Nothing, |due| due.replace(Due::Nothing)) {
+            Due::Nothing => {}
+            Due::Lit => self.paint_lit(),
+            Due::All => self.paint_all(),
+        }
     }
 
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
@@ -175,7 +203,7 @@ impl View {
         self.shown = None;
         let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]], MARGIN);
         self.painter.draw_arrows(&arrows, &camera);
-        self.draw_lit();
+        self.paint_lit();
         true
     }
 
@@ -514,6 +542,23 @@ impl View {
     }
 
     fn draw(&self) {
+        match &self.due {
+            Some(due) => due.set(Due::All),
+            None => self.paint_all(),
+        }
+    }
+
+    /// Draws the move that is pointed at: on its own canvas, or with everything else.
+    fn light(&self) {
+        match &self.due {
+            _ if self.over.is_none() => self.draw(),
+            Some(due) if due.get() == Due::All => {}
+            Some(due) => due.set(Due::Lit),
+            None => self.paint_lit(),
+        }
+    }
+
+    fn paint_all(&self) {
         if let Some(shown) = &self.shown {
             let held = self.held();
             // Each from where its touch should have met the part.
@@ -534,16 +579,11 @@ impl View {
                 origin: held.map_or("", |held| &held.offset_name),
             };
             self.painter.draw(&shown.scene, &self.camera, &marks);
-            self.draw_lit();
+            self.paint_lit();
         }
     }
 
-    /// Draws the move that is pointed at: on its own canvas, or with everything else.
-    fn light(&self) {
-        if self.over.is_some() { self.draw_lit() } else { self.draw() }
-    }
-
-    fn draw_lit(&self) {
+    fn paint_lit(&self) {
         let Some(over) = &self.over else { return };
         over.clear(&self.camera);
         if let (Some(shown), Some(index)) = (&self.shown, self.highlight) {

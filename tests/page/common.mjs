@@ -129,9 +129,14 @@ export const openText = (/** @type {string} */ text, name = "job.json", tab = pa
 /** The picture, without the canvas over it. */
 export const PICTURE = "canvas:not(.over)";
 
+/** Until what was changed is drawn: once a frame. */
+export const framed = (tab = page) =>
+  tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => done(null))));
+
 /** The drawn pixels of a canvas and of what lies over it: how many are not background, and a sum to tell pictures apart. */
-export const pixels = () =>
-  page
+export const pixels = async () => {
+  await framed();
+  return page
     .locator(`${PICTURE}:visible`)
     .first()
     .evaluate((node) => {
@@ -149,6 +154,7 @@ export const pixels = () =>
       }
       return { count, sum };
     });
+};
 
 /** Where a part of the page stands in the window. */
 export async function boxOf(/** @type {import("playwright-core").Locator} */ locator) {

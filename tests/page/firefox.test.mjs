@@ -103,8 +103,9 @@ test("Firefox: the page stands, what is typed becomes the program, the timeline 
       return [...(root?.querySelectorAll("tp-program .text") ?? [])].map((line) => line.textContent).join("\n");
     });
   assert.equal(`${await shown()}\n`, plan(job).program.text);
-  const drawn = (/** @type {string} */ which) =>
-    run((which) => {
+  const drawn = async (/** @type {string} */ which) => {
+    await run(() => new Promise((done) => requestAnimationFrame(() => done(null))));
+    return run((which) => {
       const canvas = /** @type {HTMLCanvasElement} */ (
         document.querySelector("touch-path")?.shadowRoot?.querySelector(`tp-picture ${which}`)
       );
@@ -118,6 +119,7 @@ test("Firefox: the page stands, what is typed becomes the program, the timeline 
       );
       return data.reduce((sum, pixel, i) => (pixel === data[0] ? sum : (sum * 31 + i + pixel) % 1_000_000_007), 0);
     }, which);
+  };
   assert.ok((await drawn("canvas")) > 0, "the picture is drawn");
   assert.equal(await drawn("canvas.over"), 0, "nothing lies over it");
   await press("Next touch");

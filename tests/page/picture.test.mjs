@@ -1,7 +1,7 @@
 // The picture: a drag, a hover, what it leaves behind.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, context, field, held, open, PICTURE, page, pixels, program, setUp } from "./common.mjs";
+import { boxOf, context, field, framed, held, open, PICTURE, page, pixels, program, setUp } from "./common.mjs";
 
 setUp();
 
@@ -306,8 +306,9 @@ test("a slow drag of a dimension's end is a drag, and one into an error can be d
 
 test("what is pointed at is drawn over the picture, and the picture beneath stays", async () => {
   await open({});
-  const drawn = () =>
-    page.locator("tp-picture canvas").evaluateAll((all) =>
+  const drawn = async () => {
+    await framed();
+    return page.locator("tp-picture canvas").evaluateAll((all) =>
       all.map((node) => {
         const canvas = /** @type {HTMLCanvasElement} */ (node);
         const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
@@ -318,6 +319,7 @@ test("what is pointed at is drawn over the picture, and the picture beneath stay
         };
       }),
     );
+  };
   const [picture, over] = /** @type {[any, any]} */ (await drawn());
   assert.ok(picture.any && !over.any, "nothing is lit");
   await page.locator("#scrub").focus();
@@ -331,4 +333,61 @@ test("what is pointed at is drawn over the picture, and the picture beneath stay
   assert.notEqual(next.sum, lit.sum);
   await page.keyboard.press("Escape");
   assert.equal((await drawn())[1]?.any, false, "and nothing again");
+});
+
+test("whatever changes within a frame, the picture is planned once for each change and drawn once", async () => {
+  await page.addInitScript(() => {
+    const own = /** @type {any} */ (globalThis);
+    own.drawn = 0;
+    const { fillRect } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillRect = function (x, y, width, height) {
+      // A picture begins with its background.
+      if (x === 0 && y === 0 && width === this.canvas.clientWidth) own.drawn++;
+      fillRect.call(this, x, y, width, height);
+    };
+  });
+  await page.reload();
+  await page.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
+  const count = async (/** @type {() => unknown} */ act) => {
+    await framed();
+    const read = () =>
+      page.evaluate(() => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        return [
+          /** @type {any} */ (globalThis).drawn,
+          /** @type {any} */ (root.querySelector("tp-app")).store.revision,
+        ];
+      });
+    const [drawn, plans] = await read();
+    await act();
+    await framed();
+    await framed();
+    const [later, more] = await read();
+    return [later - drawn, more - plans];
+  };
+  const typed = (/** @type {number[]} */ values) =>
+    page.evaluate((values) => {
+      const root = document.querySelector("touch-path")?.shadowRoot;
+      const input = /** @type {HTMLInputElement} */ (root?.getElementById("f-cycle.width1"));
+      for (const value of values) {
+        input.value = String(value);
+        input.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+      }
+    }, values);
+  assert.deepEqual(await count(() => {}), [0, 0], "a page at rest draws nothing");
+  await field("cycle.width1").focus();
+  assert.deepEqual(await count(() => typed([64])), [1, 1], "a keystroke");
+  assert.deepEqual(await count(() => typed([65, 66, 67])), [1, 3], "three in a frame");
+  assert.deepEqual(await count(() => page.keyboard.press("Control+z")), [1, 1], "a step back");
+  const given = await count(() =>
+    page.evaluate(async () => {
+      const element = /** @type {any} */ (document.querySelector("touch-path"));
+      for (const width1 of [70, 71, 72]) {
+        element.job = { ...element.job, cycle: { ...element.job.cycle, width1 } };
+        await null;
+      }
+    }),
+  );
+  assert.deepEqual(given, [1, 3], "three jobs of a host in a frame, each rendered");
+  assert.deepEqual(await count(() => page.emulateMedia({ colorScheme: "dark" })), [1, 0], "other colours");
 });

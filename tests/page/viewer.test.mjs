@@ -1,7 +1,7 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
+import { framed, more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -18,8 +18,9 @@ M2
 `;
 
 /** How many pixels of the viewer's canvas have each of the page's colours, by name. */
-const painted = () =>
-  page.evaluate(() => {
+const painted = async () => {
+  await framed();
+  return page.evaluate(() => {
     const app = document.querySelector("touch-path");
     const canvas = /** @type {HTMLCanvasElement} */ (app?.shadowRoot?.querySelector("tp-viewer canvas"));
     const pixels = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
@@ -36,6 +37,7 @@ const painted = () =>
     };
     return { touch: rgb("touch"), link: rgb("link"), position: rgb("position") };
   });
+};
 
 test("a program of another hand was refused: its moves are drawn, probing told apart, and the job stays", async () => {
   const before = await program();

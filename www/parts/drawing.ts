@@ -20,8 +20,13 @@ export const VIEWS = ["top", "front", "side", "isometric"] as const;
 /** A View that is there as long as its part is, and made anew where the module's instance is another one. */
 export class Drawing {
   private view?: View;
+  /** The frame in which the picture is drawn next. */
+  private frame = 0;
 
-  /** `show` puts into a new View what the canvas must show; what is pointed at is drawn on the canvas `over` it, where there is one. */
+  /**
+   * `show` puts into a new View what the canvas must show; what is pointed at is drawn on the canvas `over` it, where there is one. Such a picture, which
+   * changes under a hand, is drawn once a frame at most; any other at once.
+   */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly show: (view: View) => void,
@@ -33,17 +38,14 @@ export class Drawing {
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
   use<T>(work: (view: View) => T): T {
-    try {
-      return work(this.view ?? this.make());
-    } catch {
-      this.free();
-      return work(this.make());
-    }
+    if (this.over) this.frame ||= requestAnimationFrame(() => this.paint());
+    return this.with(work);
   }
 
-  /** The canvas' size and the page's colours, as the style sheet has them now. */
+  /** The canvas' size and the page's colours, as the style sheet has them now. A canvas of another size is empty: it is drawn at once. */
   dress(): void {
-    this.use((view) => this.fit(view));
+    this.with((view) => this.fit(view));
+    this.paint();
   }
 
   /** Zooms about the middle. */
@@ -83,13 +85,42 @@ export class Drawing {
   }
 
   free(): void {
+    this.rest();
+    this.drop();
+  }
+
+  private drop(): void {
     this.view?.free();
     this.view = undefined;
   }
 
+  /** Draws what has changed since the last frame. */
+  private paint(): void {
+    this.rest();
+    if (this.view) this.with((view) => view.paint());
+  }
+
+  /** No frame is waited for. */
+  private rest(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+  }
+
+  private with<T>(work: (view: View) => T): T {
+    try {
+      return work(this.view ?? this.make());
+    } catch {
+      this.drop();
+      return work(this.make());
+    }
+  }
+
   private make(): View {
     this.view = new View(this.canvas);
-    if (this.over) this.view.setOverlay(this.over);
+    if (this.over) {
+      this.view.setOverlay(this.over);
+      this.view.gather();
+    }
     this.fit(this.view);
     this.show(this.view);
     return this.view;
