@@ -310,7 +310,7 @@ export class TouchPath extends Base {
       else this.inside.setValidity({ customError: true }, store.withheld, anchor ?? undefined);
       // What was typed may have changed without the job: `30+2` is worked out when the field is left.
       if (byUser && job !== before) {
-        store.host.sent(job);
+        store.outside.sent(job);
         this.tell("job-change", { job: JSON.parse(job) });
       }
       if (!stale && store.plan !== plan) {
@@ -349,7 +349,7 @@ export class TouchPath extends Base {
 
   /** Takes an input, or says why it cannot be taken. */
   private use(input: Input, value: unknown): void {
-    const refused = this.store?.host.input(input, value);
+    const refused = this.store?.outside.input(input, value);
     if (refused) this.tell("finding", { findings: [refused], refused: true });
   }
 

@@ -18,9 +18,9 @@ import {
 } from "./core/browser.js";
 import { stem } from "./core/names.js";
 import { History } from "./history.js";
-import { Host } from "./host.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
+import { Outside } from "./outside.js";
 import { Phrases } from "./phrases.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import { type Lang, w } from "./words.js";
@@ -58,7 +58,7 @@ interface State {
 
 export class Store extends Phrases {
   /** What the page around puts in. */
-  readonly host = new Host(this);
+  readonly outside = new Outside(this);
   draft: Draft;
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
@@ -106,9 +106,12 @@ export class Store extends Phrases {
   /** Another language for everything that is shown. The job stays as it is. */
   translate(lang: Lang, words: Words): void {
     this.byUser = false;
-    this.speak(lang, words);
-    this.dispatchEvent(new Event("change"));
-    this.byUser = true;
+    try {
+      this.speak(lang, words);
+      this.dispatchEvent(new Event("change"));
+    } finally {
+      this.byUser = true;
+    }
   }
 
   /** Whether the job can only be looked at. */
@@ -275,8 +278,9 @@ export class Store extends Phrases {
     this.changed();
   }
 
-  /** Takes a whole job as another document: what the user can take back is of this one, and no value of the one before comes back in it. */
+  /** Takes another document: nothing of the one before can be taken back, or comes back with a cycle. */
   replace(whole: Draft): void {
+    if (this.refuses) return;
     const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
     this.load(whole, same ? this.measured : "");
     this.left = new Map();

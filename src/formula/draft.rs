@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Sub};
 
-use crate::formula::node::{Fitted, Variable};
+use crate::formula::node::{Samples, Variable};
 use crate::formula::{Assignment, CirclePart, Datum, Formula, Function, MOST_SAMPLES, Name, Node, NodeId, Op, ResultDef, Role};
 use crate::num::tidy;
 
@@ -60,8 +60,8 @@ impl Draft {
     /// A part of the circle fitted to `count` samples from `first` on, in the plane of these axes.
     pub fn circle(&self, (first, count): (usize, usize), axes: (usize, usize), part: CirclePart) -> Expr<'_> {
         debug_assert!(first + count <= MOST_SAMPLES, "samples {first} and {count} more");
-        let fitted = Fitted { first: first as u8, count: count as u8, axes: (axes.0 as u8, axes.1 as u8) };
-        self.push(Node::Circle(fitted, part))
+        let samples = Samples { first: first as u8, count: count as u8, axes: (axes.0 as u8, axes.1 as u8) };
+        self.push(Node::Circle(samples, part))
     }
 
     /// The sum of these, in their order; 0 of none.
@@ -116,8 +116,8 @@ impl Draft {
             (Op::Add | Op::Subtract, _, b) if is(b, 0.0) => self.of(left),
             (Op::Add, a, _) if is(a, 0.0) => self.of(right),
             (Op::Add | Op::Subtract, Node::Length(a), Node::Length(b)) => self.length(op.of(a, b)),
-            (Op::Add, _, Node::Length(b)) if b < 0.0 => self.push(Node::Binary(Op::Subtract, left, self.length(-b).node)),
-            (Op::Subtract, _, Node::Length(b)) if b < 0.0 => self.push(Node::Binary(Op::Add, left, self.length(-b).node)),
+            (Op::Add, _, Node::Length(b)) if b < 0.0 => self.binary(Op::Subtract, left, self.length(-b).node),
+            (Op::Subtract, _, Node::Length(b)) if b < 0.0 => self.binary(Op::Add, left, self.length(-b).node),
             (Op::Multiply, a, b) if is(a, 0.0) || is(b, 1.0) => self.of(left),
             (Op::Multiply, a, b) if is(b, 0.0) || is(a, 1.0) => self.of(right),
             (Op::Multiply, Node::Number(a), Node::Number(b)) => self.number(a * b),
@@ -236,6 +236,7 @@ mod tests {
             (a * f.number(1.0) / f.number(1.0), "t00"),
             (a * f.number(0.0) + o, "t01"),
             (f.length(2.0) + f.length(-3.0), "Length(-1.0)"),
+            (f.number(0.0) - f.length(-3.0), "Length(3.0)"),
             (f.number(2.0) * f.number(-3.0), "Number(-6.0)"),
             // What is not plain is written as it stands, for a reader of the program.
             (f.number(2.0) - f.number(3.0), "(Subtract Number(2.0) Number(3.0))"),

@@ -1,6 +1,6 @@
 //! A formula evaluated on triggers, with the derivative by each touch beside each value.
 
-use crate::formula::node::Fitted;
+use crate::formula::node::Samples;
 use crate::formula::{CirclePart, Formula, Function, MOST_SAMPLES, Node, NodeId, Op, fit_circle};
 use crate::geom::{Vec2, Vec3};
 
@@ -72,7 +72,7 @@ impl Op {
 
 impl Function {
     /// What it makes of a number; angles in degrees.
-    pub(super) fn of(self, x: f64) -> f64 {
+    fn of(self, x: f64) -> f64 {
         match self {
             Function::Sin => x.to_radians().sin(),
             Function::Cos => x.to_radians().cos(),
@@ -128,7 +128,7 @@ impl Run<'_> {
                 self.put(a, out);
                 out.map(function.of(out.value), function.slope(out.value));
             }
-            Node::Circle(fitted, part) => *out = self.circle(fitted, part),
+            Node::Circle(samples, part) => *out = self.circle(samples, part),
             Node::Atan2(y, x) => self.two(y, x, out, |y, x| {
                 let square = x * x + y * y;
                 (y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees())
@@ -162,9 +162,9 @@ impl Run<'_> {
     }
 
     /// A part of the circle fitted to these samples.
-    fn circle(&self, fitted: Fitted, part: CirclePart) -> Dual {
-        let flat = |v: &Vec3| Vec2::new(v[usize::from(fitted.axes.0)], v[usize::from(fitted.axes.1)]);
-        let points: Option<Vec<Vec2>> = self.triggers[fitted.samples()].iter().map(|t| t.as_ref().map(flat)).collect();
+    fn circle(&self, samples: Samples, part: CirclePart) -> Dual {
+        let flat = |v: &Vec3| Vec2::new(v[usize::from(samples.axes.0)], v[usize::from(samples.axes.1)]);
+        let points: Option<Vec<Vec2>> = self.triggers[samples.range()].iter().map(|t| t.as_ref().map(flat)).collect();
         let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
         let row = match part {
             CirclePart::Abscissa => 0,
@@ -172,7 +172,7 @@ impl Run<'_> {
             CirclePart::Radius => 2,
         };
         let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
-        for (i, k) in fitted.samples().enumerate() {
+        for (i, k) in samples.range().enumerate() {
             let d = flat(&self.directions[k]);
             let [by_first, by_second] = fit.by_point[i];
             dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;

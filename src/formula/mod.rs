@@ -19,7 +19,7 @@ pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
-pub use node::{CirclePart, Fitted, Function, Node, NodeId, Op, Variable};
+pub use node::{CirclePart, Function, Node, NodeId, Op, Samples, Variable};
 
 use crate::text::Text;
 
@@ -104,7 +104,7 @@ pub struct Formula {
 #[derive(Clone, Copy, Debug)]
 pub struct Datum {
     /// Abscissa, ordinate and tool axis; none leaves the origin alone. Abscissa and ordinate come together.
-    pub place: [Option<Place>; 3],
+    pub place: [Option<Coordinate>; 3],
     /// By how many degrees the system is turned; none leaves its rotation alone.
     pub rotation: Option<Variable>,
     /// Whether results of the cycle say what is written, so that no further rows are needed.
@@ -113,29 +113,29 @@ pub struct Datum {
 
 /// One coordinate of the point that a work offset is corrected by.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct Coordinate {
     /// The assignment with what was measured; none where nothing was, and the coordinate is taken to be its nominal one.
     pub measured: Option<Variable>,
     /// What it is to read, mm.
     pub nominal: f64,
 }
 
-impl Place {
+impl Coordinate {
     /// A coordinate that was measured, and what it is to read.
     pub fn measured(value: Value<'_>, nominal: f64) -> Self {
-        Place { measured: Some(value.variable), nominal }
+        Coordinate { measured: Some(value.variable), nominal }
     }
 }
 
 impl Datum {
     /// No rotation, and no results that say what is written.
-    pub fn of(place: [Option<Place>; 3]) -> Self {
+    pub fn of(place: [Option<Coordinate>; 3]) -> Self {
         Datum { place, rotation: None, in_results: false }
     }
 
     /// A measured point in the plane: abscissa and ordinate, each as measured and as nominal.
     pub fn point(abscissa: (Value<'_>, f64), ordinate: (Value<'_>, f64)) -> Self {
-        let [a, o] = [abscissa, ordinate].map(|(value, nominal)| Some(Place::measured(value, nominal)));
+        let [a, o] = [abscissa, ordinate].map(|(value, nominal)| Some(Coordinate::measured(value, nominal)));
         Datum::of([a, o, None])
     }
 
@@ -216,7 +216,7 @@ impl Formula {
         let variables = plain::write(&self, &draft);
         let moved = |variable: Variable| variables[variable.index()];
         let datum = self.datum.map(|datum| Datum {
-            place: datum.place.map(|place| place.map(|place| Place { measured: place.measured.map(moved), ..place })),
+            place: datum.place.map(|place| place.map(|place| Coordinate { measured: place.measured.map(moved), ..place })),
             rotation: datum.rotation.map(moved),
             ..datum
         });
@@ -230,8 +230,8 @@ impl Formula {
         for assignment in &self.assignments {
             self.each(assignment.node, &mut |node| match node {
                 Node::Trigger { sample, axis } => used.0[usize::from(sample)] |= 1 << axis,
-                Node::Circle(fitted, _) => {
-                    used.0[fitted.samples()].iter_mut().for_each(|own| *own |= 1 << fitted.axes.0 | 1 << fitted.axes.1);
+                Node::Circle(samples, _) => {
+                    used.0[samples.range()].iter_mut().for_each(|own| *own |= 1 << samples.axes.0 | 1 << samples.axes.1);
                 }
                 _ => {}
             });

@@ -25,7 +25,7 @@ pub enum Node {
     /// A function of one operand.
     Call(Function, NodeId),
     /// A part of a fitted circle.
-    Circle(Fitted, CirclePart),
+    Circle(Samples, CirclePart),
     /// The angle in degrees whose tangent is the first by the second, in the right quadrant.
     Atan2(NodeId, NodeId),
 }
@@ -65,9 +65,9 @@ pub enum Function {
     Sqrt,
 }
 
-/// The circle fitted to some samples: geometric least squares, exact for three.
+/// The samples that a circle is fitted to, in a plane: geometric least squares, exact for three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Fitted {
+pub struct Samples {
     /// Index of the first sample.
     pub(super) first: u8,
     /// How many samples.
@@ -76,9 +76,9 @@ pub struct Fitted {
     pub(super) axes: (u8, u8),
 }
 
-impl Fitted {
-    /// Its samples.
-    pub(super) fn samples(self) -> std::ops::Range<usize> {
+impl Samples {
+    /// Their indices.
+    pub(super) fn range(self) -> std::ops::Range<usize> {
         usize::from(self.first)..usize::from(self.first) + usize::from(self.count)
     }
 }

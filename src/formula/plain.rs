@@ -1,6 +1,6 @@
 //! A formula written again in arithmetic that any control can do.
 
-use crate::formula::node::{Fitted, Variable};
+use crate::formula::node::{Samples, Variable};
 use crate::formula::{CirclePart, Draft, Formula, Name, Node, NodeId, Value};
 
 /// Writes the assignments of a formula, behind those of the circles that they need. Where each of them stands now.
@@ -19,7 +19,7 @@ struct Plain<'a, 'f> {
     /// The assignments so far.
     values: Vec<Value<'f>>,
     /// The circles so far: abscissa and ordinate of the centre, and radius.
-    circles: Vec<(Fitted, [Value<'f>; 3])>,
+    circles: Vec<(Samples, [Value<'f>; 3])>,
 }
 
 impl<'f> Plain<'_, 'f> {
@@ -27,7 +27,7 @@ impl<'f> Plain<'_, 'f> {
     fn node(&mut self, id: NodeId) -> NodeId {
         let node = match self.formula.node(id) {
             Node::Variable(variable) => Node::Variable(self.values[variable.index()].variable),
-            Node::Circle(fitted, part) => Node::Variable(self.part(fitted, part).variable),
+            Node::Circle(samples, part) => Node::Variable(self.part(samples, part).variable),
             leaf @ (Node::Number(_) | Node::Length(_) | Node::Trigger { .. }) => leaf,
             Node::Call(function, a) => Node::Call(function, self.node(a)),
             Node::Binary(op, a, b) => Node::Binary(op, self.node(a), self.node(b)),
@@ -37,11 +37,11 @@ impl<'f> Plain<'_, 'f> {
     }
 
     /// A part of a circle, which is written where it is needed first.
-    fn part(&mut self, fitted: Fitted, part: CirclePart) -> Value<'f> {
-        let known = self.circles.iter().find(|(known, _)| *known == fitted).map(|(_, values)| *values);
+    fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
+        let known = self.circles.iter().find(|(known, _)| *known == samples).map(|(_, values)| *values);
         let [x, y, r] = known.unwrap_or_else(|| {
-            let values = circle(self.draft, self.circles.len() + 1, fitted);
-            self.circles.push((fitted, values));
+            let values = circle(self.draft, self.circles.len() + 1, samples);
+            self.circles.push((samples, values));
             values
         });
         match part {
@@ -53,10 +53,10 @@ impl<'f> Plain<'_, 'f> {
 }
 
 /// Kåsa's circle: minimises the sum of (x² + y² − 2ax − 2by − c)² about the mean of the points.
-fn circle(f: &Draft, number: usize, fitted: Fitted) -> [Value<'_>; 3] {
+fn circle(f: &Draft, number: usize, samples: Samples) -> [Value<'_>; 3] {
     let own = |rest: &'static str| Name::new("c", number).and(rest);
-    let [a, o] = [fitted.axes.0, fitted.axes.1].map(usize::from);
-    let samples = fitted.samples();
+    let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
+    let samples = samples.range();
     let n = f.number(samples.len() as f64);
     let mean = |axis: usize| f.sum(samples.clone().map(|k| f.trigger(k, axis))) / n;
     let mean_a = f.set(own("_mean_a"), mean(a));

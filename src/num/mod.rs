@@ -24,7 +24,7 @@ pub fn push_decimal(text: &mut String, value: f64, places: usize) {
 }
 
 /// A number as text: [`decimal`] without an allocation, since a program is made of thousands.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Digits {
     /// As nearly every number is: the last `len` bytes.
     Short {
@@ -68,6 +68,13 @@ impl Digits {
         }
     }
 
+    fn bytes(&self) -> &[u8] {
+        match self {
+            Digits::Short { bytes, len } => &bytes[Digits::MOST - usize::from(*len)..],
+            Digits::Long(text) => text.as_bytes(),
+        }
+    }
+
     fn of_whole(negative: bool, mut whole: u64, mut places: usize) -> Self {
         while places > 0 && whole.is_multiple_of(10) {
             (whole, places) = (whole / 10, places - 1);
@@ -94,12 +101,19 @@ impl Digits {
     }
 }
 
+/// The same text, however it was come by: what is near a tie is [`Digits::Long`].
+impl PartialEq for Digits {
+    fn eq(&self, other: &Self) -> bool {
+        self.bytes() == other.bytes()
+    }
+}
+
 impl Deref for Digits {
     type Target = str;
 
     fn deref(&self) -> &str {
         match self {
-            Digits::Short { bytes, len } => std::str::from_utf8(&bytes[Digits::MOST - usize::from(*len)..]).unwrap_or_default(),
+            Digits::Short { .. } => std::str::from_utf8(self.bytes()).unwrap_or_default(),
             Digits::Long(text) => text,
         }
     }
@@ -287,6 +301,16 @@ pub fn lowered(label: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A tie is rounded by whole numbers and what is beside it is not; the texts are the same.
+    #[test]
+    fn equal_texts_are_equal() {
+        let (tie, beside) = (Digits::of(0.0005, 3), Digits::of(0.000_500_000_000_01, 3));
+        assert!(matches!((&tie, &beside), (Digits::Long(_), Digits::Short { .. })));
+        assert_eq!((&*tie, &*beside), ("0.001", "0.001"));
+        assert_eq!(tie, beside);
+        assert_ne!(tie, Digits::of(0.002, 3));
+    }
 
     #[test]
     fn decimals_as_a_control_takes_them() {

@@ -52,7 +52,7 @@ pub fn read(text: &str) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with one point anywhere. None where there
+/// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with at most one point anywhere. None where there
 /// are no digits, or the number is infinite.
 #[inline]
 pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
@@ -75,7 +75,7 @@ pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
         0 => None,
         // Both are exact up to here, so their quotient is rounded once.
         1..=15 => {
-            // From a signed number it is one instruction.
+            // From a signed number: processors convert these faster.
             let whole = mantissa as i64 as f64;
             Some((if decimals == 0 { whole } else { whole / super::POWERS[decimals] }, length))
         }

@@ -115,7 +115,7 @@ pub struct Targets<'t> {
     pub wanted: Vec<(usize, &'t str)>,
 }
 
-/// A name that stands in front of more than one place.
+/// In place of a place: the name is there more than once.
 const TWICE: u32 = u32::MAX;
 
 impl Targets<'_> {

@@ -1,6 +1,6 @@
 //! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
 
-use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Part, Script, System, Trouble, Unary, What, Words};
+use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Part, Script, System, Trouble, Unary, What, Words};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write, Written};
 use crate::geom::Plane;
 use crate::text::{Text, text};
@@ -441,12 +441,12 @@ impl<'s, 't> Machine<'s, 't> {
         Some(Written { place, reading, turn: is - was })
     }
 
-    fn value(&self, node: Node) -> f64 {
-        match self.script.expr(node) {
-            Expr::Number(x) => x,
-            Expr::Slot(slot) => self.state.slots[slot as usize],
-            Expr::System(system) => self.system(system),
-            Expr::Unary(unary, inner) => {
+    fn value(&self, node: NodeId) -> f64 {
+        match self.script.node(node) {
+            Node::Number(x) => x,
+            Node::Slot(slot) => self.state.slots[slot as usize],
+            Node::System(system) => self.system(system),
+            Node::Unary(unary, inner) => {
                 let x = self.value(inner);
                 match unary {
                     Unary::Minus => -x,
@@ -456,7 +456,7 @@ impl<'s, 't> Machine<'s, 't> {
                     Unary::Sqrt => x.sqrt(),
                 }
             }
-            Expr::Binary(binary, left, right) => {
+            Node::Binary(binary, left, right) => {
                 let (x, y) = (self.value(left), self.value(right));
                 let truth = |is: bool| f64::from(u8::from(is));
                 match binary {

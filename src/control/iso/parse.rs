@@ -1,6 +1,6 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
-use crate::control::iso::script::{Binary, Expr, Modes, Motion, Node, Script, System, Unary};
+use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
 use crate::text::{Text, text};
 
 /// Deepest nesting of brackets and signs.
@@ -137,7 +137,8 @@ impl<'t> Cursor<'t> {
         self.rest.iter().position(|b| !such(*b)).unwrap_or(self.rest.len())
     }
 
-    /// Goes past these bytes, which are ASCII, and the blanks behind them. Nearly always there are none.
+    /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks behind them. Nearly
+    /// always there are no blanks.
     #[inline]
     pub(super) fn skip(&mut self, bytes: usize) {
         self.rest = &self.rest[bytes..];
@@ -146,19 +147,20 @@ impl<'t> Cursor<'t> {
         }
     }
 
+    /// The same, and what these bytes are.
+    fn take(&mut self, bytes: usize) -> &'t str {
+        let at = self.at();
+        self.skip(bytes);
+        &self.text[at..at + bytes]
+    }
+
+    /// Goes past blanks.
     #[inline(never)]
     fn trim(&mut self) {
         match self.rest {
             [b' ', second, ..] if second.is_ascii_graphic() => self.rest = &self.rest[1..],
             _ => self.rest = self.text[self.at()..].trim_start().as_bytes(),
         }
-    }
-
-    /// The same, and what they are.
-    fn take(&mut self, bytes: usize) -> &'t str {
-        let at = self.at();
-        self.skip(bytes);
-        &self.text[at..at + bytes]
     }
 
     /// Goes past a word or sign where it is next.
@@ -227,12 +229,12 @@ impl<'t> Cursor<'t> {
     }
 
     /// A value.
-    pub fn value(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    pub fn value(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         self.bound(0, grammar, script)
     }
 
     /// A value whose operators bind as tightly as this, or tighter.
-    fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let mut left = self.operand(grammar, script)?;
         while let Some((word, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
             self.skip(word.len());
@@ -241,7 +243,7 @@ impl<'t> Cursor<'t> {
                 return Err(text!("this value is too long"));
             }
             let right = self.bound(binds + 1, grammar, script)?;
-            left = script.node(Expr::Binary(*binary, left, right));
+            left = script.keep(Node::Binary(*binary, left, right));
         }
         Ok(left)
     }
@@ -262,7 +264,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// One value without an operator around it.
-    pub fn operand(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    pub fn operand(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(text!("brackets are nested too deeply"));
@@ -272,7 +274,7 @@ impl<'t> Cursor<'t> {
         Ok(node)
     }
 
-    fn inner(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    fn inner(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let (open, close) = grammar.brackets;
         match self.next() {
             None => Err(text!("a value is missing")),
@@ -280,13 +282,13 @@ impl<'t> Cursor<'t> {
                 self.skip(1);
                 let inner = self.operand(grammar, script)?;
                 Ok(match script.number(inner) {
-                    Some(x) => script.node(Expr::Number(-x)),
-                    None => script.node(Expr::Unary(Unary::Minus, inner)),
+                    Some(x) => script.keep(Node::Number(-x)),
+                    None => script.keep(Node::Unary(Unary::Minus, inner)),
                 })
             }
             Some(b'0'..=b'9' | b'.') => {
                 let number = self.number()?;
-                Ok(script.node(Expr::Number(number)))
+                Ok(script.keep(Node::Number(number)))
             }
             Some(b) if b == open => self.bracketed(grammar, script),
             Some(_) => {
@@ -298,11 +300,11 @@ impl<'t> Cursor<'t> {
                     return Err(text!("\"{left}\" is not understood", self.from(before)));
                 };
                 Ok(match (grammar.system)(name) {
-                    Some(System::Fixed(x)) => script.node(Expr::Number(x)),
-                    Some(system) => script.node(Expr::System(system)),
+                    Some(System::Fixed(x)) => script.keep(Node::Number(x)),
+                    Some(system) => script.keep(Node::System(system)),
                     None => {
                         let slot = script.slot(name);
-                        script.node(Expr::Slot(slot))
+                        script.keep(Node::Slot(slot))
                     }
                 })
             }
@@ -315,18 +317,18 @@ impl<'t> Cursor<'t> {
         (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))
     }
 
-    fn call(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    fn call(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         const FUNCTIONS: [(&str, Unary); 4] =
             [("SIN", Unary::Sin), ("COS", Unary::Cos), ("SQRT", Unary::Sqrt), ("ABS", Unary::Abs)];
         let Some((_, unary)) = FUNCTIONS.into_iter().find(|(word, _)| name.eq_ignore_ascii_case(word)) else {
             return self.angle(name, close, grammar, script);
         };
         let inner = self.bracketed(grammar, script)?;
-        Ok(script.node(Expr::Unary(unary, inner)))
+        Ok(script.keep(Node::Unary(unary, inner)))
     }
 
     /// `ATAN[y]/[x]`, `ATAN2(y,x)`.
-    fn angle(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    fn angle(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let (y, x) = if name.eq_ignore_ascii_case("ATAN") {
             let y = self.bracketed(grammar, script)?;
             self.expect("/")?;
@@ -341,11 +343,11 @@ impl<'t> Cursor<'t> {
         } else {
             return Err(text!("the function {name} is not understood", crate::form::printable(name)));
         };
-        Ok(script.node(Expr::Binary(Binary::Atan, y, x)))
+        Ok(script.keep(Node::Binary(Binary::Atan, y, x)))
     }
 
     /// A value in brackets.
-    pub fn bracketed(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<Node> {
+    pub fn bracketed(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let (open, close) = grammar.brackets;
         self.bracket(open)?;
         let node = self.value(grammar, script)?;

@@ -19,16 +19,16 @@ pub struct Trouble {
     pub understood: bool,
 }
 
-/// A value, by its place in [`Script::nodes`], counted from one: so one that may be missing takes no more room.
+/// A value, by its place in the list of its script, counted from one: so one that may be missing takes no more room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Node(NonZeroU32);
+pub struct NodeId(NonZeroU32);
 
 /// A variable, by its place in [`Script::slots`].
 pub type Slot = u32;
 
 /// A value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Expr {
+pub enum Node {
     /// A number.
     Number(f64),
     /// A variable.
@@ -36,9 +36,9 @@ pub enum Expr {
     /// What the control knows.
     System(System),
     /// A function of one value.
-    Unary(Unary, Node),
+    Unary(Unary, NodeId),
     /// Two values and what stands between them.
-    Binary(Binary, Node, Node),
+    Binary(Binary, NodeId, NodeId),
 }
 
 /// A function of one value. Angles are in degrees.
@@ -140,25 +140,25 @@ pub enum What {
     /// Modes, and a motion where it has axis words.
     Words(Words),
     /// A variable gets a value.
-    Set(Slot, Node),
+    Set(Slot, NodeId),
     /// A part of a work offset gets a value.
-    SetOffset(Part, Node),
+    SetOffset(Part, NodeId),
     /// Continues elsewhere.
     Jump(usize),
     /// Continues elsewhere if a value is true.
-    JumpIf(Node, usize),
+    JumpIf(NodeId, usize),
     /// Continues elsewhere if a value is not true.
-    JumpUnless(Node, usize),
+    JumpUnless(NodeId, usize),
     /// Calls a subroutine with arguments.
-    Call(usize, Vec<Node>),
+    Call(usize, Vec<NodeId>),
     /// Back from a subroutine.
     Return,
     /// A result goes out: its code and its value.
-    Output(String, Node),
+    Output(String, NodeId),
     /// The current place of the ball reads so in a work offset from here on (G10 L20).
-    Reading(i32, [Option<Node>; 3]),
+    Reading(i32, [Option<NodeId>; 3]),
     /// The origin or the turn of a work offset is set (G10 L2).
-    Origin(i32, [Option<Node>; 3], Option<Node>),
+    Origin(i32, [Option<NodeId>; 3], Option<NodeId>),
     /// Stops with an alarm; nothing after it runs.
     Alarm,
     /// An alarm that shows, and lets the next blocks run until the end.
@@ -175,11 +175,11 @@ pub struct Words {
     /// The motion it names.
     pub motion: Option<Motion>,
     /// X, Y, Z.
-    pub to: [Option<Node>; 3],
+    pub to: [Option<NodeId>; 3],
     /// I, J, K: from where the arc begins to its centre.
-    pub center: [Option<Node>; 3],
+    pub center: [Option<NodeId>; 3],
     /// F.
-    pub feed: Option<Node>,
+    pub feed: Option<NodeId>,
     /// The modes it sets.
     pub modes: Modes,
 }
@@ -254,7 +254,7 @@ pub struct Script<'t> {
     /// Its blocks, in order.
     pub blocks: Vec<Block>,
     /// Its values.
-    pub nodes: Vec<Expr>,
+    pub nodes: Vec<Node>,
     /// The names of its variables.
     pub slots: Vec<&'t str>,
     /// The same by name.
@@ -276,7 +276,7 @@ const USUAL_NAMES: usize = 1000;
 impl<'t> Script<'t> {
     /// An empty script with room for a program as long as this text.
     pub fn with_room_for(text: &str) -> Self {
-        // A line and its block have about thirty characters, a value about eight; every other line has a variable of its own.
+        // A line has about thirty characters, and a value about ten; every other line has a variable of its own. Room for more costs less than growing.
         let lines = text.len() / 24;
         let names = (lines / 2).min(USUAL_NAMES);
         Script {
@@ -308,20 +308,20 @@ impl<'t> Script<'t> {
     }
 
     /// Keeps a value.
-    pub fn node(&mut self, expr: Expr) -> Node {
-        self.nodes.push(expr);
-        Node(NonZeroU32::new(self.nodes.len() as u32).unwrap_or(NonZeroU32::MAX))
+    pub fn keep(&mut self, node: Node) -> NodeId {
+        self.nodes.push(node);
+        NodeId(NonZeroU32::new(self.nodes.len() as u32).unwrap_or(NonZeroU32::MAX))
     }
 
     /// What a value is.
-    pub fn expr(&self, node: Node) -> Expr {
-        self.nodes[node.0.get() as usize - 1]
+    pub fn node(&self, id: NodeId) -> Node {
+        self.nodes[id.0.get() as usize - 1]
     }
 
     /// The number that a value is, where it is one.
-    pub fn number(&self, node: Node) -> Option<f64> {
-        match self.expr(node) {
-            Expr::Number(x) => Some(x),
+    pub fn number(&self, id: NodeId) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(x) => Some(x),
             _ => None,
         }
     }
@@ -348,12 +348,32 @@ impl<'t> Script<'t> {
         let line = self.blocks.get(end).map_or(0, |block| block.line);
         let results = std::mem::take(&mut self.results);
         let outputs =
-            results.into_iter().map(|(code, slot)| What::Output(code.to_owned(), self.node(Expr::Slot(slot)))).collect();
+            results.into_iter().map(|(code, slot)| What::Output(code.to_owned(), self.keep(Node::Slot(slot)))).collect();
         self.insert(end, line, outputs);
     }
 
     /// Adds a block.
     pub fn push(&mut self, line: usize, what: What) {
         self.blocks.push(Block { line, what });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Script, USUAL_NAMES};
+
+    /// Beyond the usual number names are kept elsewhere, and found all the same.
+    #[test]
+    fn every_name_is_one_variable() {
+        let names: Vec<String> = (0..3 * USUAL_NAMES).map(|n| format!("#<v{n}>")).collect();
+        let mut script = Script::with_room_for("");
+        let slots: Vec<_> = names.iter().map(|name| script.slot(name)).collect();
+        assert!(slots.iter().enumerate().all(|(n, slot)| *slot as usize == n), "each is a new one");
+        for (name, slot) in names.iter().zip(slots).rev() {
+            assert_eq!(script.slot(name), slot, "{name}");
+            assert_eq!(script.find(name), Some(slot), "{name}");
+        }
+        assert_eq!(script.slots.len(), names.len());
+        assert_eq!(script.find("#<w>"), None);
     }
 }

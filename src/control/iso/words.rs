@@ -1,7 +1,7 @@
 //! Blocks of words: `G1 X10 F100`.
 
 use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed};
-use crate::control::iso::script::{Motion, Node, Script, What, Words};
+use crate::control::iso::script::{Motion, NodeId, Script, What, Words};
 use crate::text::text;
 
 /// The words of a block, put together.
@@ -16,7 +16,7 @@ struct Block {
     /// Which other letters stand there: a bit each, A the lowest.
     others: u32,
     /// The values of L, P and R.
-    values: [Option<Node>; 3],
+    values: [Option<NodeId>; 3],
 }
 
 /// The letters whose values matter in a block without a motion.
@@ -48,8 +48,8 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
 }
 
 impl Block {
-    fn add(&mut self, letter: u8, value: Node, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
-        let twice = |place: &mut Option<Node>| {
+    fn add(&mut self, letter: u8, value: NodeId, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
+        let twice = |place: &mut Option<NodeId>| {
             if place.replace(value).is_some() { Err(text!("a word stands twice")) } else { Ok(()) }
         };
         match letter {
@@ -103,7 +103,7 @@ impl Block {
         Ok(())
     }
 
-    fn value(&self, letter: u8) -> Option<Node> {
+    fn value(&self, letter: u8) -> Option<NodeId> {
         self.values[VALUED.iter().position(|known| *known == letter)?]
     }
 

@@ -38,10 +38,11 @@ pub struct Writer<'a> {
     text: String,
     lines: usize,
     move_lines: Vec<Option<usize>>,
-    /// The numbers of the last block's axis words, and what they are the numbers of.
+    /// Of each axis, the number of where the ball stands, as a block has named it last or the job states it.
     last: [Digits; 3],
+    /// The coordinates that these are the numbers of, mm: a number is not made twice.
     last_mm: Vec3,
-    /// The last feed and its number.
+    /// The last feed, mm a minute, and its number.
     last_rate: (f64, Digits),
     /// Which axes a block has named.
     stated: [bool; 3],

@@ -354,7 +354,7 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: 
     if let Some(turn) = &turned {
         if let [Some(x), Some(y), _] = datum.place {
             for (away, current, place) in [("away_a", current[0], x), ("away_o", current[1], y)] {
-                let measured = place.measured.map_or_else(|| decimal(place.nominal / request.scale, 12), name);
+                let measured = place.measured.map_or_else(|| format!("[{}]", decimal(place.nominal / request.scale, 12)), name);
                 w.line(&format!("#<{away}>=[{current}-{measured}]"));
             }
         }

@@ -116,20 +116,20 @@ fn o_word<'t>(
     let here = script.blocks.len();
     let word = cursor.name().unwrap_or("");
     let known = ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known));
-    match known.unwrap_or(word) {
-        "sub" => {
+    match known {
+        Some("sub") => {
             // The main program passes by.
             script.push(line, What::Jump(0));
             targets.known.push((label, here + 1));
             open.push(Open::Sub);
         }
-        "endsub" => {
+        Some("endsub") => {
             script.push(line, What::Return);
             let Some(Open::Sub) = open.pop() else { return Err(text!("an endsub without its sub")) };
             let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
             script.blocks[begin].what = What::Jump(here + 1);
         }
-        "call" => {
+        Some("call") => {
             let mut arguments = Vec::new();
             while !cursor.is_done() {
                 arguments.push(cursor.bracketed(&GRAMMAR, script)?);
@@ -137,12 +137,12 @@ fn o_word<'t>(
             script.push(line, What::Call(0, arguments));
             targets.wanted.push((here, label));
         }
-        "if" => {
+        Some("if") => {
             let condition = cursor.bracketed(&GRAMMAR, script)?;
             script.push(line, What::JumpUnless(condition, 0));
             open.push(Open::If(label, here, None));
         }
-        "else" => {
+        Some("else") => {
             script.push(line, What::Jump(0));
             match open.last_mut() {
                 Some(Open::If(own, begin, middle @ None)) if *own == label => {
@@ -152,7 +152,7 @@ fn o_word<'t>(
                 _ => return Err(text!("an else without its if")),
             }
         }
-        "endif" => {
+        Some("endif") => {
             script.push(line, What::Nothing);
             match open.pop() {
                 Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),

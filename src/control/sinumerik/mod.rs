@@ -22,7 +22,7 @@ use crate::control::{
     written,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Formula, Place, Variable};
+use crate::formula::{Coordinate, Datum, Formula, Variable};
 use crate::geom::AXIS_NAMES;
 use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
@@ -332,7 +332,7 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     let notation = RParameters { registers };
     let name = |variable: Variable| print::variable(&notation, formula, variable);
     let constant = |mm: f64| decimal(mm / request.scale, 12);
-    let value = |place: &Place| place.measured.map_or_else(|| constant(place.nominal), name);
+    let value = |place: &Coordinate| place.measured.map_or_else(|| constant(place.nominal), name);
     let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
     let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
     w.comment("One write, at the very end: the shift that brings what was measured to its nominal place");

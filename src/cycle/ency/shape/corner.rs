@@ -347,7 +347,7 @@ struct Line {
 }
 
 /// The fitted wall: normal · p = offset, both in the plane.
-struct Fitted<'f> {
+struct FittedWall<'f> {
     normal: (Expr<'f>, Expr<'f>),
     offset: Value<'f>,
     /// Its direction against the nominal one in (along, normal), degrees.
@@ -355,7 +355,7 @@ struct Fitted<'f> {
 }
 
 impl Line {
-    fn fit<'f>(&self, f: &'f Draft, (a, o): (usize, usize), radius: f64) -> Fitted<'f> {
+    fn fit<'f>(&self, f: &'f Draft, (a, o): (usize, usize), radius: f64) -> FittedWall<'f> {
         let n = self.number;
         let touches = self.first..self.first + self.count;
         let place = |touch: usize, direction| f.project(f.trigger(touch, a), f.trigger(touch, o), direction);
@@ -363,7 +363,7 @@ impl Line {
             let height = place(self.first, self.normal) - f.length(radius);
             let offset = f.set(Name::new("q", n), height);
             let normal = (constant(f, self.normal.0), constant(f, self.normal.1));
-            return Fitted { normal, offset, tilt: None };
+            return FittedWall { normal, offset, tilt: None };
         }
         let places: Vec<(Value<'_>, Value<'_>)> = touches
             .map(|touch| {
@@ -388,7 +388,7 @@ impl Line {
         let turned =
             |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), f.project(cos, sin, (normal, -along)));
         let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
-        Fitted { normal, offset, tilt: Some(tilt) }
+        FittedWall { normal, offset, tilt: Some(tilt) }
     }
 
     /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).

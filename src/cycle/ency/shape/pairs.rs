@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Formula, Name, Place, Role};
+use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -238,21 +238,21 @@ impl Shape for Pairs {
         let rest = origin[a] * across.0 + origin[o] * across.1;
         let place = |name: &'static str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
             if crate::num::tidy(c) == 0.0 {
-                return Some(Place { measured: None, nominal });
+                return Coordinate { measured: None, nominal };
             }
             let along = f.project(u, f.number(0.0), (c, 0.0));
             let value = f.set(name, along + f.length(s * rest));
             f.result(code, Role::Reading, meaning, nominal, Some(value));
-            Some(Place::measured(value, nominal))
+            Coordinate::measured(value, nominal)
         };
         let x = place("center_x", "center.x", words!("Middle, abscissa"), origin[a], along.0, across.0);
         let y = place("center_y", "center.y", words!("Middle, ordinate"), origin[o], along.1, across.1);
         f.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
-        let mut datum = Datum::of([x, y, None]);
+        let mut datum = Datum::of([Some(x), Some(y), None]);
         if self.middle.is_some() {
             let top = f.set("top", f.trigger(2, w) - f.length(on.setup.radius));
             f.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
-            datum.place[2] = Some(Place::measured(top, on.touches[2].point[w]));
+            datum.place[2] = Some(Coordinate::measured(top, on.touches[2].point[w]));
         }
         f.finish(Some(datum))
     }

@@ -3,7 +3,7 @@
 use crate::cycle::ency::picks::{self, Pick, Placement};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Formula, Place, Role};
+use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -76,9 +76,9 @@ impl Shape for Point {
             let measured = crate::num::tidy(n[axis]) != 0.0;
             let value = f.set(name, constant(&f, n[axis]) * off + f.length(at));
             f.result(code, Role::Reading, meaning, at, Some(value));
-            place[i] = Some(Place { measured: measured.then_some(value.variable), nominal: at });
+            place[i] = Some(Coordinate { measured: measured.then_some(value.variable), nominal: at });
         }
-        let nothing = |place: Option<Place>| place.is_none_or(|place| place.measured.is_none());
+        let nothing = |place: Option<Coordinate>| place.is_none_or(|place| place.measured.is_none());
         if nothing(place[2]) {
             place[2] = None;
         }

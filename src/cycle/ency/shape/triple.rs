@@ -4,7 +4,7 @@ use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
 use crate::cycle::ency::shape::corner::{self, sides_rule};
 use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
 use crate::form::Checker;
-use crate::formula::{Datum, Draft, Formula, Name, Place, Role};
+use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
@@ -215,7 +215,7 @@ impl Shape for Triple {
             let axis = axes[i];
             let value = f.set(name, f.sum((0..3).map(|k| q[k] * constant(&f, weights[k][axis]))));
             f.result(code, role, meaning, nominal[axis], Some(value));
-            place[i] = Some(Place::measured(value, crate::num::tidy(nominal[axis])));
+            place[i] = Some(Coordinate::measured(value, crate::num::tidy(nominal[axis])));
         }
         f.finish(Some(Datum::of(place)))
     }

@@ -1,7 +1,7 @@
 //! What the control computes in 1411.
 
 use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
-use crate::formula::{CirclePart, Datum, Draft, Formula, Name, Place, Role, Value};
+use crate::formula::{CirclePart, Coordinate, Datum, Draft, Formula, Name, Role, Value};
 use crate::path::Setup;
 use crate::text::words;
 
@@ -165,7 +165,7 @@ impl TwoCircles {
             f.result("preset.x", Role::Shift, words!("Shift of the preset in the main axis (Q1120)"), 0.0, shift(x));
             f.result("preset.y", Role::Shift, words!("Shift of the preset in the minor axis (Q1120)"), 0.0, shift(y));
             if let Some((x, y)) = x.zip(y) {
-                place = [Some(Place::measured(x.0, x.1)), Some(Place::measured(y.0, y.1)), None];
+                place = [Some(Coordinate::measured(x.0, x.1)), Some(Coordinate::measured(y.0, y.1)), None];
             }
         }
         let turned = |r: Value<'f>| f.number(0.0) - r;

@@ -1,4 +1,4 @@
-// What the page around puts into the element, and what it receives of it.
+// What the page around the element puts in, and which jobs were sent to it.
 import { type Cycle, type Finding, type Said, say } from "./core/browser.js";
 import { alike, complete, type Draft } from "./job.js";
 import type { Store, Units } from "./store.js";
@@ -10,7 +10,7 @@ const ECHO = 1000;
 type Input = "job" | "cycle" | "post" | "units";
 type Refused = (code: string, ...said: Said) => Finding;
 
-export class Host {
+export class Outside {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
 
