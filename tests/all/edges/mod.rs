@@ -540,3 +540,13 @@ fn a_lift_is_made_before_the_program_aborts() {
     assert_eq!(lines[aborts[0] - 1], "M66 E0 L0");
     assert!(lines[..aborts[0] - 1].iter().any(|l| l.starts_with("G1 Z") && l.contains('F')));
 }
+
+/// On a tie a coordinate is rounded by other means than beside it: the same digits must count as the same word. No word has changed here, so all
+/// three stand in the block.
+#[test]
+fn the_same_number_made_in_two_ways_is_another_word() {
+    let job = job(r#"{ "format": 1, "control": { "post": "grbl", "form": "moves" },
+             "cycle": { "type": "probing-two-circles", "diameter1": 10, "diameter2": 10.000034, "point1": [0, 0, 0], "point2": [49.99955, 0, 0] } }"#);
+    let program = planned(&job).program.text;
+    assert!(program.lines().filter(|line| *line == "G0 X49.9995 Y0 Z100").count() == 2, "{program}");
+}
