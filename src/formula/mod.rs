@@ -150,7 +150,7 @@ impl Datum {
     }
 }
 
-/// One result as it comes out. Lengths in mm, angles in degrees.
+/// One result with its values. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResultRow {
     /// Its code, `center.x`.

@@ -67,8 +67,8 @@ fn first_error(findings: &[Finding]) -> String {
 
 /// Everything that is wrong, unusual or worth knowing about a job.
 pub fn check(value: &Value) -> Vec<Finding> {
-    match plan(value) {
-        Ok(plan) => plan.findings,
+    match plan_with_path(value) {
+        Ok((_, plan)) => plan.findings,
         Err(error) => error.findings,
     }
 }
