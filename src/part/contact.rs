@@ -19,23 +19,44 @@ pub struct Contact {
 /// A ball that stands this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
 const SKIN: f64 = 1e-7;
 
-/// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. `up` is the
-/// tool axis. A ball that moves away from a surface it touches does not meet it.
-///
-/// Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind
-/// the edge lies a flat top side.
-/// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
-pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
-    let meetings = surfaces.iter().enumerate().filter_map(|(i, surface)| match surface {
-        Surface::Flat(_) => Body::beginning(surfaces, up, i)?.meet(radius, from, to),
-        Surface::Round(round) => meet_round(round, up, radius, from, to).map(|fraction| {
-            let height = (from + (to - from) * fraction - round.center).dot(up);
-            (fraction, i, height > SKIN)
-        }),
-        Surface::Unknown => None,
-    });
-    let (fraction, surface, edge) = meetings.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some(Contact { fraction, center: from + (to - from) * fraction, surface, edge })
+/// What a ball can meet. Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind the edge
+/// lies a flat top side.
+#[derive(Debug)]
+pub struct Obstacles<'s> {
+    up: Vec3,
+    bodies: Vec<Body>,
+    /// Each with the index of its surface.
+    rounds: Vec<(usize, &'s Round)>,
+}
+
+impl<'s> Obstacles<'s> {
+    /// Those that these surfaces make. `up` is the tool axis.
+    pub fn of(surfaces: &'s [Surface], up: Vec3) -> Self {
+        let round = |(i, surface): (usize, &'s Surface)| match surface {
+            Surface::Round(round) => Some((i, round)),
+            Surface::Flat(_) | Surface::Unknown => None,
+        };
+        Obstacles {
+            up,
+            bodies: (0..surfaces.len()).filter_map(|first| Body::beginning(surfaces, up, first)).collect(),
+            rounds: surfaces.iter().enumerate().filter_map(round).collect(),
+        }
+    }
+
+    /// The first contact of a ball (radius in mm, 0 is a point) on its way from `from` to `to`, both ball centres. A ball that moves away from a
+    /// surface it touches does not meet it.
+    ///
+    /// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
+    pub fn first_contact(&self, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
+        let flat = self.bodies.iter().filter_map(|body| body.meet(radius, from, to));
+        let round = self.rounds.iter().filter_map(|(surface, round)| {
+            let fraction = meet_round(round, self.up, radius, from, to)?;
+            let height = (from + (to - from) * fraction - round.center).dot(self.up);
+            Some((fraction, *surface, height > SKIN))
+        });
+        let (fraction, surface, edge) = flat.chain(round).min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(Contact { fraction, center: from + (to - from) * fraction, surface, edge })
+    }
 }
 
 /// The fraction of the way at which the ball meets a hole or a stud. Around a hole there is material as far as its plate reaches;
@@ -98,6 +119,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
 }
 
 /// A convex body: what lies behind all of its faces.
+#[derive(Debug)]
 struct Body {
     /// Outward normal, its value on the face, and the surface it belongs to.
     faces: [(Vec3, f64, usize); MOST_FACES],
@@ -208,6 +230,12 @@ impl Body {
     /// place where it is the radius; on a face the first step is exact.
     fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
         let way = to - from;
+        // A body is no nearer than the plane of any of its faces.
+        let faces = self.faces[..self.count].iter();
+        let apart = faces.map(|(normal, face, _)| normal.dot(from) - face).fold(f64::NEG_INFINITY, f64::max);
+        if apart - radius > way.length() + SKIN {
+            return None;
+        }
         let reach = |limit: f64| {
             let mut t = 0.0;
             for _ in 0..100 {
@@ -254,7 +282,7 @@ mod tests {
 
     fn meet(has_top: bool, radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        first_contact(&[Surface::Flat(wall(has_top))], Vec3::Z, radius, from, to).map(|c| c.center.distance(from))
+        Obstacles::of(&[Surface::Flat(wall(has_top))], Vec3::Z).first_contact(radius, from, to).map(|c| c.center.distance(from))
     }
 
     #[test]
@@ -306,7 +334,7 @@ mod tests {
             face([0.0, 0.0, 0.0], -Vec3::Y, Vec3::X),
         ];
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        first_contact(&walls, Vec3::Z, radius, from, to).map(|c| (c.center.distance(from), c.surface))
+        Obstacles::of(&walls, Vec3::Z).first_contact(radius, from, to).map(|c| (c.center.distance(from), c.surface))
     }
 
     #[test]
@@ -334,7 +362,7 @@ mod tests {
         // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
         let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0, plate: None });
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        first_contact(&[surface], Vec3::Z, 3.0, from, to).map(|c| c.center.distance(from))
+        Obstacles::of(&[surface], Vec3::Z).first_contact(3.0, from, to).map(|c| c.center.distance(from))
     }
 
     #[test]

@@ -4,7 +4,7 @@ mod contact;
 mod evaluate;
 mod measured;
 
-pub use contact::{Contact, first_contact};
+pub use contact::{Contact, Obstacles};
 pub use evaluate::{add_truth, evaluate, write_offset};
 pub use measured::{Measured, read as read_measured};
 
@@ -57,6 +57,7 @@ pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
 /// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
     let up = path.frame.w;
+    let obstacles = Obstacles::of(surfaces, up);
     let mut triggers = vec![None; path.touches.len()];
     let (mut strays, mut edges) = (Vec::new(), Vec::new());
     let mut at: Option<Vec3> = path.start;
@@ -66,7 +67,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
         match step.purpose {
             Purpose::Touch(k) => {
                 let end = step.to - path.touches[k].vector * path.touches[k].search;
-                let contact = first_contact(surfaces, up, setup.radius, from, end);
+                let contact = obstacles.first_contact(setup.radius, from, end);
                 if let Some(contact) = contact.filter(|c| c.surface != path.touches[k].group) {
                     strays.push((k, contact.surface));
                 }
@@ -79,7 +80,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
             Purpose::Position | Purpose::Back(_) => {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
-                    if let Some(contact) = first_contact(surfaces, up, setup.radius, stand, way_point) {
+                    if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {
                         return Run { triggers, strays, edges, collision: Some((index, contact.center)) };
                     }
                     stand = way_point;
