@@ -335,7 +335,7 @@ test("what is pointed at is drawn over the picture, and the picture beneath stay
   assert.equal((await drawn())[1]?.any, false, "and nothing again");
 });
 
-test("whatever changes within a frame, the picture is planned once for each change and drawn once", async () => {
+test("each change is planned once, and the picture is drawn once a frame", async () => {
   await page.addInitScript(() => {
     const own = /** @type {any} */ (globalThis);
     own.drawn = 0;
