@@ -101,7 +101,7 @@ impl Digits {
     }
 }
 
-/// The same text, however it was come by: what is near a tie is [`Digits::Long`].
+/// The same text, however it was made: near a tie that is [`Digits::Long`].
 impl PartialEq for Digits {
     fn eq(&self, other: &Self) -> bool {
         self.bytes() == other.bytes()

@@ -230,7 +230,7 @@ impl Body {
     /// place where it is the radius; on a face the first step is exact.
     fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
         let way = to - from;
-        // A body is no nearer than the plane of any of its faces.
+        // The body lies behind all of its faces: where the plane of one is out of reach, so is the body.
         let faces = self.faces[..self.count].iter();
         let apart = faces.map(|(normal, face, _)| normal.dot(from) - face).fold(f64::NEG_INFINITY, f64::max);
         if apart - radius > way.length() + SKIN {
@@ -356,6 +356,26 @@ mod tests {
         // A point stylus meets the face itself; a ball inside has met it at once.
         assert_eq!(block(0.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((20.0, 0)));
         assert_eq!(block(3.0, [10.0, 10.0, -5.0], [40.0, 10.0, -5.0]).map(|m| m.0), Some(0.0));
+    }
+
+    /// A way that ends a micrometre behind its contact meets it, and one that ends as much before does not, along a face's normal, askew to it, and
+    /// towards an edge: the contacts are by hand, as above.
+    #[test]
+    fn the_last_of_a_way_counts() {
+        let ways = [
+            ([40.0, 10.0, -5.0], [-1.0, 0.0, 0.0], 17.0),
+            // 3-4-5: the face is 17 away, and a way with 4 parts in 5 towards it is longer.
+            ([40.0, 0.0, -5.0], [-0.8, 0.6, 0.0], 17.0 / 0.8),
+            ([10.0, 10.0, 1000.0], [0.0, 0.0, -1.0], 997.0),
+            ([40.0, 21.8, -5.0], [-1.0, 0.0, 0.0], 17.6),
+            ([40.0, 21.0, 2.0], [-1.0, 0.0, 0.0], 18.0),
+        ];
+        for (from, direction, contact) in ways {
+            let to = |far: f64| [0, 1, 2].map(|i| from[i] + direction[i] * far);
+            let (met, _) = block(3.0, from, to(contact + 1e-3)).unwrap_or_else(|| panic!("{from:?} meets nothing"));
+            assert!((met - contact).abs() < 1e-9, "{from:?}: {met}");
+            assert_eq!(block(3.0, from, to(contact - 1e-3)), None, "{from:?}");
+        }
     }
 
     fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {

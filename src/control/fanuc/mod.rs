@@ -21,7 +21,7 @@ use crate::control::{
     Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, feed_rate, offset_line, safety, written,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Formula};
+use crate::formula::{Coordinate, Datum, Formula};
 use crate::geom::{Plane, Vec3};
 use crate::num::{Digits, count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
@@ -468,9 +468,9 @@ impl Moves for Skip<'_> {
         w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
         let axes = self.request.plane.axes();
         for (i, place) in datum.place.iter().enumerate() {
-            let Some((measured, place)) = place.and_then(|place| Some((place.measured?, place))) else { continue };
+            let Some(Coordinate { measured: Some(measured), nominal }) = *place else { continue };
             let value = print::variable(&Variables(self.registers), formula, measured);
-            let nominal = place.nominal / self.request.scale;
+            let nominal = nominal / self.request.scale;
             let nominal = match decimal(nominal, decimals(nominal)).as_str() {
                 "0" => String::new(),
                 text if text.starts_with('-') => format!("-[{text}]"),

@@ -140,7 +140,7 @@ impl<'t> Cursor<'t> {
     /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks behind them. Nearly
     /// always there are no blanks.
     #[inline]
-    pub(super) fn skip(&mut self, bytes: usize) {
+    pub(super) fn advance(&mut self, bytes: usize) {
         self.rest = &self.rest[bytes..];
         if self.rest.first().is_some_and(|b| !b.is_ascii_graphic()) {
             self.trim();
@@ -150,7 +150,7 @@ impl<'t> Cursor<'t> {
     /// The same, and what these bytes are.
     fn take(&mut self, bytes: usize) -> &'t str {
         let at = self.at();
-        self.skip(bytes);
+        self.advance(bytes);
         &self.text[at..at + bytes]
     }
 
@@ -167,7 +167,7 @@ impl<'t> Cursor<'t> {
     pub fn eat(&mut self, word: &str) -> bool {
         let next = self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
         if next {
-            self.skip(word.len());
+            self.advance(word.len());
         }
         next
     }
@@ -201,7 +201,7 @@ impl<'t> Cursor<'t> {
     pub fn number(&mut self) -> Parsed<f64> {
         match crate::num::read_digits(self.rest) {
             Some((number, end)) if self.rest.get(end) != Some(&b'.') => {
-                self.skip(end);
+                self.advance(end);
                 Ok(number)
             }
             _ => Err(text!("a number is missing before \"{left}\"", self.left())),
@@ -237,7 +237,7 @@ impl<'t> Cursor<'t> {
     fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let mut left = self.operand(grammar, script)?;
         while let Some((word, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
-            self.skip(word.len());
+            self.advance(word.len());
             self.operators += 1;
             if self.operators > LONGEST {
                 return Err(text!("this value is too long"));
@@ -279,7 +279,7 @@ impl<'t> Cursor<'t> {
         match self.next() {
             None => Err(text!("a value is missing")),
             Some(b'-') => {
-                self.skip(1);
+                self.advance(1);
                 let inner = self.operand(grammar, script)?;
                 Ok(match script.number(inner) {
                     Some(x) => script.keep(Node::Number(-x)),
@@ -334,7 +334,7 @@ impl<'t> Cursor<'t> {
             self.expect("/")?;
             (y, self.bracketed(grammar, script)?)
         } else if name.eq_ignore_ascii_case("ATAN2") {
-            self.skip(1);
+            self.advance(1);
             let y = self.value(grammar, script)?;
             self.expect(",")?;
             let x = self.value(grammar, script)?;
@@ -360,7 +360,7 @@ impl<'t> Cursor<'t> {
         if self.next() != Some(bracket) {
             return self.expect(sign(bracket));
         }
-        self.skip(1);
+        self.advance(1);
         Ok(())
     }
 }

@@ -34,7 +34,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
             return Err(text!("\"{left}\" is not understood", cursor.left()));
         }
         let begin = cursor.at();
-        cursor.skip(1);
+        cursor.advance(1);
         let value = cursor.operand(grammar, script)?;
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
         if counted && !cursor.since(begin).contains('.') {

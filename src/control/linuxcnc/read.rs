@@ -114,22 +114,20 @@ fn o_word<'t>(
     cursor.expect("o")?;
     let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
-    let word = cursor.name().unwrap_or("");
-    let known = ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known));
-    match known {
-        Some("sub") => {
+    match cursor.name().unwrap_or("").to_ascii_lowercase().as_str() {
+        "sub" => {
             // The main program passes by.
             script.push(line, What::Jump(0));
             targets.known.push((label, here + 1));
             open.push(Open::Sub);
         }
-        Some("endsub") => {
+        "endsub" => {
             script.push(line, What::Return);
             let Some(Open::Sub) = open.pop() else { return Err(text!("an endsub without its sub")) };
             let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
             script.blocks[begin].what = What::Jump(here + 1);
         }
-        Some("call") => {
+        "call" => {
             let mut arguments = Vec::new();
             while !cursor.is_done() {
                 arguments.push(cursor.bracketed(&GRAMMAR, script)?);
@@ -137,12 +135,12 @@ fn o_word<'t>(
             script.push(line, What::Call(0, arguments));
             targets.wanted.push((here, label));
         }
-        Some("if") => {
+        "if" => {
             let condition = cursor.bracketed(&GRAMMAR, script)?;
             script.push(line, What::JumpUnless(condition, 0));
             open.push(Open::If(label, here, None));
         }
-        Some("else") => {
+        "else" => {
             script.push(line, What::Jump(0));
             match open.last_mut() {
                 Some(Open::If(own, begin, middle @ None)) if *own == label => {
@@ -152,7 +150,7 @@ fn o_word<'t>(
                 _ => return Err(text!("an else without its if")),
             }
         }
-        Some("endif") => {
+        "endif" => {
             script.push(line, What::Nothing);
             match open.pop() {
                 Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
