@@ -83,8 +83,9 @@ impl Theme {
 /// Pixels between the strokes of a hatching, and their length.
 const HATCH: f64 = 7.0;
 
-/// Pixels of a touch's disc.
+/// Pixels of a touch's disc, and how far behind its contact that stands.
 const DISC: f64 = 9.0;
+const BEHIND: f64 = 16.0;
 
 /// Half the size of a handle in pixels.
 const HANDLE: f64 = 6.0;
@@ -116,8 +117,8 @@ pub fn axis_at(scene: &Scene, camera: &Camera, [x, y]: Spot) -> Option<&'static 
 /// How far the turning handle stands from the shifting one, pixels.
 pub const ARM: f64 = 64.0;
 
-/// Where the handles of the first touch's angle and of the spread's end stand: outside the circle, one further out than the
-/// other, so that a whole turn shows both.
+/// Where the handles of the first touch's angle and of the spread's end stand: outside the circle and the numbers of its touches, one further out
+/// than the other, so that a whole turn shows both.
 pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
     let center = camera.pixel(center);
@@ -125,7 +126,8 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
         let far = radius * camera.scale + out;
         [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
     };
-    Some([at(start, 18.0), at(start + sweep, 32.0)])
+    let first = BEHIND + DISC + HANDLE + 3.0;
+    Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
 
 /// Whether a run comes to a line: not behind a collision.
@@ -397,7 +399,7 @@ impl Painter {
                 continue;
             }
             // Behind the surface, where the path is not; numbers on the same spot stand side by side.
-            let mut place = [contact[0] - touch.inward[0] * 16.0, contact[1] + touch.inward[1] * 16.0];
+            let mut place = [contact[0] - touch.inward[0] * BEHIND, contact[1] + touch.inward[1] * BEHIND];
             while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 2.0 * DISC) {
                 place[0] += 2.0 * DISC + 1.0;
             }
