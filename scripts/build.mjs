@@ -83,9 +83,10 @@ function writeWorker() {
     .sort();
   const hash = createHash("sha256");
   for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
-  const words = readdirSync(at("www", "words")).map((name) => `assets/${name.replace(".json", "-")}`);
+  const rare = ["editor", ...readdirSync(at("www", "words")).map((name) => name.replace(".json", ""))];
+  const names = rare.map((name) => `assets/${name}-`);
   const wanted = files.filter((file) =>
-    words.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
+    names.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
   );
   const all = ["./", ...files.filter((file) => file !== "index.html" && !wanted.includes(file))];
   const worker = readFileSync(at("www", "sw.js"), "utf8")

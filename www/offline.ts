@@ -26,10 +26,10 @@ export async function keepOffline(ready: (take: () => void) => void): Promise<vo
   }
 }
 
-/** Has the worker keep the words of a language: the page that was opened first has loaded them without it. */
-export async function keepWords(language: string): Promise<void> {
+/** Has the worker keep a file that not every user wants, such as the words of a language: the page that was opened first has loaded it without the worker. */
+export async function keep(file: string): Promise<void> {
   const registration = await navigator.serviceWorker?.ready;
-  registration?.active?.postMessage({ words: language });
+  registration?.active?.postMessage({ keep: file });
 }
 
 /** The address of the worker, as the page's policy asks for it. */

@@ -1,12 +1,13 @@
 import "./element.js";
-import { keepOffline, keepWords } from "./offline.js";
+import { keep, keepOffline } from "./offline.js";
 
 keepOffline((take) =>
   document.querySelector("touch-path")?.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
 );
 
+const wanted = (event: Event) => (event as CustomEvent<string>).detail;
 document.querySelector("touch-path")?.addEventListener("language", (event) => {
-  const { detail } = event as CustomEvent<string>;
-  document.documentElement.lang = detail;
-  keepWords(detail);
+  document.documentElement.lang = wanted(event);
+  keep(wanted(event));
 });
+document.querySelector("touch-path")?.addEventListener("wanted", (event) => keep(wanted(event)));

@@ -3,7 +3,7 @@
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {string[]} */
 const FILES = [];
-/** Files that not every user wants: the words of the languages. They are kept when they are asked for. @type {string[]} */
+/** Files that not every user wants: the words of the languages, the editor of opened programs. They are kept when they are asked for. @type {string[]} */
 const WANTED = [];
 const VERSION = "";
 /** One installation a folder: another one of the same server has its own files. */
@@ -58,7 +58,7 @@ worker.addEventListener("fetch", (event) => {
 // The page asks for it when its user does: nothing changes under a job that is being typed.
 worker.addEventListener("message", (event) => {
   if (event.data === "take-over") event.waitUntil(worker.skipWaiting());
-  const file = WANTED.find((name) => name.startsWith(`assets/${event.data?.words}-`));
+  const file = WANTED.find((name) => name.startsWith(`assets/${event.data?.keep}-`));
   if (!file) return;
   const keep = async () => {
     const cache = await caches.open(CACHE);

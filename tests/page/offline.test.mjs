@@ -7,7 +7,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
-import { context, field, more, page, problems, program, ready, saveButton, setUp } from "./common.mjs";
+import { context, field, more, openText, page, problems, program, ready, saveButton, setUp } from "./common.mjs";
 
 setUp();
 
@@ -112,4 +112,33 @@ test("the language that was chosen is there without a network, and no other is l
   await page.getByRole("tab", { name: german }).waitFor();
   await context.setOffline(false);
   assert.ok(problems.splice(0).length > 0, "the browser says, too, that a file did not come");
+});
+
+test("the editor of opened programs: loaded with the first of them, there without a network from the second on, plain text before", async () => {
+  await kept();
+  /** @type {string[]} */
+  const asked = [];
+  context.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  const editors = () => asked.filter((path) => /\/editor-[^/]+\.js$/.test(path)).length;
+  const foreign = "G21 G90\nG0 X0 Y0 Z20\nG38.2 Z-5 F100\nM2\n";
+  const again = async (/** @type {boolean} */ offline) => {
+    await context.setOffline(offline);
+    await page.goto(new URL("./", page.url()).href);
+    await ready();
+  };
+  await page.waitForTimeout(800);
+  assert.equal(editors(), 0, "no program was opened yet");
+  await again(true);
+  await openText(foreign, "foreign.nc");
+  assert.equal(await page.locator("tp-viewer .listing pre").textContent(), foreign);
+  assert.ok(problems.splice(0).length > 0, "the browser says that a file did not come");
+  await again(false);
+  await openText(foreign, "foreign.nc");
+  await page.locator("tp-viewer .line").first().waitFor();
+  assert.ok(editors() > 0);
+  await again(true);
+  await openText(foreign, "foreign.nc");
+  await page.locator("tp-viewer .line").first().waitFor();
+  assert.deepEqual(await page.locator("tp-viewer .line").allTextContents(), [...foreign.trim().split("\n"), ""]);
+  await context.setOffline(false);
 });

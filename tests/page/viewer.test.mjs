@@ -1,7 +1,7 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { framed, more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
+import { boxOf, framed, more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -103,4 +103,56 @@ test("what is no program is not drawn as one", async () => {
   await openText("Dear setter,\nX marks the spot.\n", "letter.txt");
   await page.locator(".note").waitFor();
   assert.equal(await page.locator("tp-viewer").count(), 0);
+});
+
+test("a long program: only lines that are seen are in the document; a line and its move light each other", async () => {
+  const rows = Array.from({ length: 20_000 }, (_, i) => `N${i + 4} G1 X${i % 200} Y${Math.floor(i / 200)} F500`);
+  await openText(`(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`, "long.nc");
+  const viewer = page.locator("tp-viewer");
+  const lines = viewer.locator(".listing .line");
+  await lines.first().waitFor();
+  assert.ok((await lines.count()) < 300, String(await lines.count()));
+  const told = () => textOf(viewer.locator("p[role=status]"));
+  // Words that stand far below are found, and their line is brought into sight.
+  await viewer.getByLabel("Find in the program").fill("n15000 ");
+  const found = viewer.locator(".line.here");
+  await found.waitFor();
+  assert.equal(await textOf(found), "N15000 G1 X196 Y74 F500");
+  assert.equal(await found.getAttribute("data-number"), "15000");
+  assert.equal(await textOf(viewer.locator(".told.found")), "1 of 1");
+  // The line says its move, and the picture the line of a move.
+  await found.hover();
+  assert.equal(await told(), "Line 15000: feed to X196 Y74 Z5 at 500");
+  assert.equal(await textOf(viewer.locator(".line.lit")), "N15000 G1 X196 Y74 F500");
+  const box = await viewer.locator(PICTURE).boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await framed();
+  const line = /^Line (\d+): /.exec(await told())?.[1];
+  assert.ok(line && line !== "15000", line);
+  assert.match(await textOf(viewer.locator(".line.lit")), new RegExp(`^N${line} `));
+  assert.ok(await viewer.locator(".line.lit").isVisible());
+  // By keyboard: Ctrl+F goes to Find, Ctrl+A and a copy take all lines, and nothing is typed into them.
+  const listing = viewer.getByRole("textbox", { name: "The program" });
+  await listing.focus();
+  await page.keyboard.type("G0");
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+c");
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(copied, `(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`);
+  await page.keyboard.press("Control+f");
+  assert.ok(await viewer.getByLabel("Find in the program").evaluate((input) => input.matches(":focus")));
+});
+
+test("on a phone the listing jumped under the pointer: what is said of a line has its room", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openText(FOREIGN, "foreign.ngc");
+  const said = page.locator("tp-viewer p[role=status]");
+  await page.locator("tp-viewer .line").first().waitFor();
+  const { height } = await boxOf(said);
+  for (const line of [4, 6]) {
+    await page.locator("tp-viewer .line").nth(line).hover();
+    assert.match(await textOf(said), new RegExp(`^Line ${line + 1}: `));
+    assert.equal((await boxOf(said)).height, height);
+  }
 });

@@ -77,6 +77,7 @@ const KEYS: [string, string][] = [
   [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
   [w("Space there"), w("play, pause")],
   [w("↑ ↓ in the program"), w("line by line through the moves")],
+  [w("Ctrl+F in an opened program"), w("find words in it")],
   [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
   [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
   [w("Escape on picture, program, timeline"), w("no move is lit")],
@@ -124,6 +125,8 @@ export class App extends LitElement {
       showMoves: (viewed) => {
         this.viewed = viewed;
         this.use("viewer");
+        // The page keeps the editor for when there is no network.
+        this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
       },
     });
     const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
@@ -145,7 +148,12 @@ export class App extends LitElement {
 
   /** To the first field, or else to the picture. */
   focusFirst(options?: FocusOptions): void {
-    const places = ["tp-form :is(input, select):enabled", "tp-bar select:enabled", "canvas[tabindex]", ".code"];
+    const places = [
+      "tp-form :is(input, select):enabled",
+      "tp-bar select:enabled",
+      "canvas[tabindex]",
+      ".code [tabindex]",
+    ];
     const all = places.flatMap((place) => [...this.querySelectorAll<HTMLElement>(place)]);
     all.find((one) => one.checkVisibility())?.focus(options);
   }

@@ -2,6 +2,7 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { type Job, type Programmed, programs } from "../core/browser.js";
 import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
+import { Finder } from "./finder.js";
 import { copied, copy, withheld } from "./hand.js";
 import { Part } from "./part.js";
 
@@ -32,10 +33,11 @@ class ProgramPart extends Part {
   private readonly colours = new Colours();
   /** The program whose words have their colours. */
   private coloured = "";
-  /** The words that are looked for, the lines that hold them, and which of these is shown. */
-  private wanted = "";
-  private found: number[] = [];
-  private at = -1;
+  private readonly finder = new Finder(
+    () => this.store,
+    () => this.store.plan.program.text,
+    () => this.toFound(),
+  );
 
   override render(): TemplateResult {
     const { stale } = this.store;
@@ -65,11 +67,7 @@ class ProgramPart extends Part {
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
-        <input class="filter" ?hidden=${this.comparing} type="search" placeholder=${this.t("Find")} aria-label=${this.t("Find in the program")} @input=${(e: Event) => this.find((e.target as HTMLInputElement).value)}
-          @keydown=${(e: KeyboardEvent) => {
-            if (e.key === "Enter") this.toFound(e.shiftKey ? -1 : 1);
-          }} />
-        <span role="status" class="told found"></span>
+        ${this.finder.render(this.comparing)}
         <select class=${this.comparing ? "compares chosen" : "compares"} aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
           <option value="">⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null}>${this.t("the one saved last")}</option>
@@ -101,6 +99,7 @@ class ProgramPart extends Part {
 
   /** A comparison ends where its control becomes the job's own, or has no program for the job's cycle. */
   protected override willUpdate(): void {
+    this.finder.again();
     const there = this.against === "saved" || this.others().some((post) => post.id === this.against);
     if (!there) this.against = "";
     if (!this.comparing || this.store.stale) this.wide = false;
@@ -184,7 +183,7 @@ class ProgramPart extends Part {
     // A choice of the user stays in the list, whatever its options say.
     const list = this.querySelector<HTMLSelectElement>("select.compares");
     if (list) list.value = this.against;
-    if (this.wanted !== "") this.mark();
+    this.mark();
     const { text } = this.store.plan.program;
     if (text === this.coloured) return;
     this.coloured = text;
@@ -221,51 +220,21 @@ class ProgramPart extends Part {
     this.requestUpdate();
   };
 
-  private find(words: string): void {
-    this.wanted = words.trim().toLowerCase();
-    this.at = -1;
-    this.mark();
-    this.toFound(1);
-  }
-
   /** Marks the lines that hold what is looked for. */
   private mark(): void {
-    const lines = this.store.plan.program.text.split("\n");
-    const holds = (text: string) => this.wanted !== "" && text.toLowerCase().includes(this.wanted);
-    this.found = lines.flatMap((text, line) => (holds(text) ? [line] : []));
+    const { matches, here } = this.finder.found;
     for (const old of this.querySelectorAll(".line.match")) old.classList.remove("match", "here");
-    for (const line of this.found) this.lineAt(line)?.classList.add("match");
-    this.at = Math.min(this.at, this.found.length - 1);
-    this.count();
+    for (const line of matches) this.lineAt(line)?.classList.add("match");
+    this.lineAt(here)?.classList.add("here");
   }
 
-  /** To the next line that was found, or the one before; past the end from the start again. */
-  private async toFound(way: 1 | -1): Promise<void> {
-    const { length } = this.found;
-    if (length === 0) return;
-    this.lineAt(this.found[this.at] ?? -1)?.classList.remove("here");
-    this.at = (this.at + way + length) % length;
-    const line = this.found[this.at] as number;
-    if (!this.unfolded && line < (this.store.plan.program.moveLines[0] ?? 0)) {
-      this.unfolded = true;
-      this.requestUpdate();
-      await this.updateComplete;
-    }
-    const there = this.lineAt(line);
-    there?.classList.add("here");
-    there?.scrollIntoView({ block: "nearest" });
-    this.count();
-  }
-
-  private count(): void {
-    const status = this.querySelector(".told.found");
-    if (!status) return;
-    status.textContent =
-      this.wanted === ""
-        ? ""
-        : this.found.length
-          ? this.t("{count} of {all}", this.at + 1, this.found.length)
-          : this.t("not found");
+  /** Brings the line that was found into sight, out of the folded header, too. */
+  private async toFound(): Promise<void> {
+    const { here } = this.finder.found;
+    if (here >= 0 && here < (this.store.plan.program.moveLines[0] ?? 0)) this.unfolded = true;
+    this.requestUpdate();
+    await this.updateComplete;
+    this.lineAt(here)?.scrollIntoView({ block: "nearest" });
   }
 
   /** What is done with the move of the line under the pointer; a line without a move has none, and beside the lines nothing is done. */

@@ -4,6 +4,8 @@ import type { ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
+import { Finder } from "./finder.js";
+import { Listing } from "./listing.js";
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
@@ -14,6 +16,17 @@ class ViewerPart extends DrawnPart {
   private drawn?: object;
   private pointed: number | null = null;
   private grip: { x: number; y: number } | null = null;
+  private listing?: Listing;
+  private readonly finder = new Finder(
+    () => this.store,
+    () => this.viewed.text,
+    () => {
+      this.listing?.mark(this.finder.found);
+      this.requestUpdate();
+    },
+  );
+  /** The last move of every line that makes one. */
+  private moveAt = new Map<number, number>();
 
   static override properties = { viewed: { attribute: false } };
 
@@ -34,17 +47,52 @@ class ViewerPart extends DrawnPart {
         <p>${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>
         ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>
-      <pre class="code" lang="en" translate="no" tabindex="0" aria-label=${this.t("The program")}>${this.viewed.text}</pre>
+      <div class="read" @keydown=${this.key}>
+        <div class="tools">${this.finder.render()}</div>
+        <div class="code listing"></div>
+      </div>
     `;
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.drawn = undefined;
+    this.listing?.free();
+    this.listing = undefined;
   }
 
   protected override willUpdate(changed: PropertyValues): void {
-    if (changed.has("viewed")) this.pointed = null;
+    if (!changed.has("viewed")) return;
+    this.pointed = null;
+    this.moveAt = new Map(Array.from(this.viewed.moves.line, (line, move) => [line, move]));
+    this.finder.again();
+  }
+
+  /** The program line by line; the line of the move that is pointed at is lit. */
+  private list(): void {
+    const { text, moves } = this.viewed;
+    if (!this.listing) {
+      const box = this.querySelector<HTMLElement>(".listing") as HTMLElement;
+      const point = (line: number | null) => this.point(line === null ? null : (this.moveAt.get(line) ?? null));
+      this.listing = new Listing(box, () => this.t("The program"), point);
+    }
+    if (this.drawn !== this.viewed) {
+      this.listing.show(text, (line) => {
+        const move = this.moveAt.get(line);
+        if (move === undefined) return "plain";
+        return moves.kinds[moves.kind[move] as number] === "probe" ? "touch" : "";
+      });
+      this.listing.mark(this.finder.found);
+    }
+    const line = this.pointed === null ? -1 : (moves.line[this.pointed] as number);
+    this.listing.light(line, !this.querySelector(".listing:hover"));
+  }
+
+  /** Ctrl+F: the browser would look through the lines that are seen only. */
+  private key(event: KeyboardEvent): void {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.key.toLowerCase() !== "f") return;
+    event.preventDefault();
+    this.querySelector<HTMLInputElement>("input.filter")?.focus();
   }
 
   protected override updated(_changed: PropertyValues): void {
@@ -64,6 +112,7 @@ class ViewerPart extends DrawnPart {
       if (this.drawn && this.drawn !== this.viewed) view.showProgram(this.viewed.text);
       view.highlight(this.pointed ?? undefined);
     });
+    this.list();
     this.drawn = this.viewed;
   }
 
@@ -108,7 +157,10 @@ class ViewerPart extends DrawnPart {
       this.grip = { x, y };
       return;
     }
-    const pointed = this.drawing?.use((view) => view.pick(x, y)) ?? null;
+    this.point(this.drawing?.use((view) => view.pick(x, y)) ?? null);
+  }
+
+  private point(pointed: number | null): void {
     if (pointed === this.pointed) return;
     this.pointed = pointed;
     this.requestUpdate();

@@ -1,0 +1,122 @@
+// The editor of an opened program: CodeMirror, which puts only the lines that are seen into the document, of however many. Nothing is edited.
+import { EditorState, type Range, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
+import { words } from "./colours.js";
+import type { Shown } from "./listing.js";
+
+/** What the lines have beside their text. */
+type Look = Pick<Shown, "kind" | "lit" | "found">;
+
+const change = StateEffect.define<Look>();
+
+const look = StateField.define<Look>({
+  create: () => ({ kind: () => "", lit: -1, found: { matches: new Set(), here: -1 } }),
+  update: (before, { effects }) => effects.reduce((now, effect) => (effect.is(change) ? effect.value : now), before),
+});
+
+/** Numbers, kinds and words of the lines that are seen. */
+function decorated({ state, visibleRanges }: EditorView): DecorationSet {
+  const { kind, lit, found } = state.field(look);
+  const all: Range<Decoration>[] = [];
+  for (const seen of visibleRanges) {
+    for (let at = seen.from; at <= seen.to; ) {
+      const { from, to, number } = state.doc.lineAt(at);
+      const line = number - 1;
+      const is = kind(line);
+      const names = ["line", is];
+      if (line === lit) names.push("lit");
+      if (found.matches.has(line)) names.push("match");
+      if (line === found.here) names.push("here");
+      const attributes = { "data-line": String(line), "data-number": String(number) };
+      all.push(Decoration.line({ class: names.filter(Boolean).join(" "), attributes }).range(from));
+      // A line may be as long as the text: only what is seen of it is looked at.
+      const start = Math.max(from, seen.from);
+      const text = is === "touch" ? "" : state.sliceDoc(start, Math.min(to, seen.to));
+      for (const word of words(text)) {
+        const colour = Decoration.mark({ class: `word-${word.kind}` });
+        all.push(colour.range(start + word.from, start + word.to));
+      }
+      at = to + 1;
+    }
+  }
+  return Decoration.set(all);
+}
+
+const decorations = ViewPlugin.fromClass(
+  class {
+    lines: DecorationSet;
+
+    constructor(view: EditorView) {
+      this.lines = decorated(view);
+    }
+
+    update({ view, docChanged, viewportChanged, startState, state }: ViewUpdate): void {
+      if (docChanged || viewportChanged || startState.field(look) !== state.field(look)) this.lines = decorated(view);
+    }
+  },
+  { decorations: ({ lines }) => lines },
+);
+
+/** A text in its box. */
+export class Editor {
+  private readonly view: EditorView;
+  /** The text that was shown last. */
+  private text = "";
+
+  constructor(box: HTMLElement, label: () => string, point: (line: number | null) => void) {
+    const pointed = (event: Event) => {
+      const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
+      if (line !== undefined) point(Number(line));
+    };
+    const all = (event: KeyboardEvent, view: EditorView) => {
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.key.toLowerCase() !== "a") return false;
+      view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
+      return true;
+    };
+    const extensions = [
+      look,
+      decorations,
+      EditorState.readOnly.of(true),
+      // Nothing opens a keyboard on a phone; what is selected can be copied.
+      EditorView.editable.of(false),
+      EditorView.lineWrapping,
+      // The lines are those that the core counts.
+      EditorState.lineSeparator.of("\n"),
+      EditorView.contentAttributes.of(() => ({
+        tabindex: "0",
+        "aria-readonly": "true",
+        "aria-label": label(),
+        lang: "en",
+        translate: "no",
+      })),
+      EditorView.domEventHandlers({
+        mouseover: pointed,
+        click: pointed,
+        mouseleave: () => point(null),
+        keydown: all,
+      }),
+    ];
+    const root = box.getRootNode() as ShadowRoot;
+    this.view = new EditorView({ parent: box, root, state: EditorState.create({ extensions }) });
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+
+  free(): void {
+    this.view.destroy();
+  }
+
+  show({ text, kind, lit, found, sight }: Shown): void {
+    const { state } = this.view;
+    const whole = { from: 0, to: state.doc.length, insert: text };
+    const changes = state.changes(text === this.text ? [] : whole);
+    this.text = text;
+    const effects: StateEffect<unknown>[] = [change.of({ kind, lit, found })];
+    const doc = changes.apply(state.doc);
+    if (sight >= 0 && sight < doc.lines)
+      effects.push(EditorView.scrollIntoView(doc.line(sight + 1).from, { y: "nearest", yMargin: 40 }));
+    this.view.dispatch({ changes, effects });
+  }
+}

@@ -1,0 +1,98 @@
+// The text of an opened program, line by line: it stands there plainly until its editor is loaded.
+import type { Editor } from "./editor.js";
+
+/** What a line does: it probes, it moves nothing (`plain`), or it moves. */
+export type Kind = "touch" | "plain" | "";
+
+/** The lines that were found, which count from 0, and the one of them that is shown; -1 is none. */
+export interface Found {
+  matches: ReadonlySet<number>;
+  here: number;
+}
+
+/** What is shown of a text. */
+export interface Shown {
+  text: string;
+  kind: (line: number) => Kind;
+  found: Found;
+  /** The line that is lit; -1 is none. */
+  lit: number;
+  /** The line that is brought into sight; -1 is none. */
+  sight: number;
+}
+
+const NONE: Found = { matches: new Set(), here: -1 };
+
+/** The text in its box. What changes within a frame is shown at once, in that frame. */
+export class Listing {
+  private editor?: Editor;
+  /** What stands there until the editor does. */
+  private readonly plain = document.createElement("pre");
+  private readonly shown: Shown = { text: "", kind: () => "", found: NONE, lit: -1, sight: -1 };
+  private frame = 0;
+  private freed = false;
+
+  /** `point` gets the line under the pointer; null is none. */
+  constructor(
+    private readonly box: HTMLElement,
+    private readonly label: () => string,
+    private readonly point: (line: number | null) => void,
+  ) {
+    this.plain.tabIndex = 0;
+    this.plain.lang = "en";
+    this.plain.translate = false;
+    box.replaceChildren(this.plain);
+    this.load();
+  }
+
+  /** Another text. Nothing of it is lit or found yet. */
+  show(text: string, kind: (line: number) => Kind): void {
+    Object.assign(this.shown, { text, kind, found: NONE, lit: -1, sight: 0 });
+    this.plain.setAttribute("aria-label", this.label());
+    if (!this.editor) this.plain.textContent = text;
+    this.later();
+  }
+
+  /** Lights a line, or none; `reveal` brings it into sight. */
+  light(line: number, reveal: boolean): void {
+    if (line === this.shown.lit) return;
+    this.shown.lit = line;
+    if (reveal) this.shown.sight = line;
+    this.later();
+  }
+
+  /** Marks what was found, and brings the line that is shown into sight. */
+  mark(found: Found): void {
+    this.shown.found = found;
+    this.shown.sight = found.here;
+    this.later();
+  }
+
+  free(): void {
+    this.freed = true;
+    cancelAnimationFrame(this.frame);
+    this.editor?.free();
+    this.box.replaceChildren();
+  }
+
+  private later(): void {
+    if (this.editor) this.frame ||= requestAnimationFrame(() => this.draw());
+  }
+
+  private draw(): void {
+    this.frame = 0;
+    this.editor?.show(this.shown);
+    this.shown.sight = -1;
+  }
+
+  /** Where the editor cannot be loaded, the text stays as it is. */
+  private async load(): Promise<void> {
+    const { Editor } = await import("./editor.js").catch(() => ({ Editor: null }));
+    if (!Editor || this.freed) return;
+    const focused = this.plain.matches(":focus");
+    this.plain.remove();
+    this.editor = new Editor(this.box, this.label, this.point);
+    this.draw();
+    if (focused) this.editor.focus();
+  }
+}
