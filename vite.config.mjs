@@ -24,6 +24,7 @@ export default defineConfig({
   root: "www",
   base: "./",
   plugins: [preload()],
+  worker: { format: "es" },
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,

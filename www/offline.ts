@@ -12,7 +12,7 @@ export async function keepOffline(ready: (take: () => void) => void): Promise<vo
       worker.postMessage("take-over");
     });
   try {
-    const registration = await navigator.serviceWorker.register(own("./sw.js"));
+    const registration = await navigator.serviceWorker.register(script("./sw.js"));
     if (registration.waiting) offer(registration.waiting);
     registration.addEventListener("updatefound", () => {
       const { installing } = registration;
@@ -32,17 +32,19 @@ export async function keep(file: string): Promise<void> {
   registration?.active?.postMessage({ keep: file });
 }
 
-/** The address of the worker, as the page's policy asks for it. */
-function own(url: string): string {
-  const types = (
-    globalThis as {
-      trustedTypes?: { createPolicy(name: string, rules: object): { createScriptURL(url: string): unknown } };
-    }
-  ).trustedTypes;
-  if (!types) return url;
-  const only = (given: string) => {
-    if (given !== url) throw new TypeError("not this page's worker");
-    return given;
-  };
-  return types.createPolicy("touchpath", { createScriptURL: only }).createScriptURL(url) as string;
+/** The page's policy for addresses of scripts, where the browser knows such: made once, since its name is taken then. */
+const policy = (
+  globalThis as {
+    trustedTypes?: { createPolicy(name: string, rules: object): { createScriptURL(url: string): unknown } };
+  }
+).trustedTypes?.createPolicy("touchpath", {
+  createScriptURL(url: string): string {
+    if (new URL(url, location.href).origin !== location.origin) throw new TypeError("not this page's script");
+    return url;
+  },
+});
+
+/** The address of one of the page's own workers, as the page's policy asks for it. */
+export function script(url: string): string {
+  return (policy?.createScriptURL(url) ?? url) as string;
 }

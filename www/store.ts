@@ -7,7 +7,6 @@ import {
   defaultJob,
   type FieldEntry,
   type Finding,
-  importJob,
   type Job,
   JobError,
   type Plan,
@@ -23,6 +22,7 @@ import { keep, kept } from "./keep.js";
 import { Outside } from "./outside.js";
 import { Phrases } from "./phrases.js";
 import { type Preset, SECTIONS } from "./presets.js";
+import type { Reading } from "./reading.js";
 import { type Lang, w } from "./words.js";
 
 export type { Draft } from "./job.js";
@@ -296,15 +296,13 @@ export class Store extends Phrases {
     this.load(job as Draft, measured);
   }
 
-  /** Takes a job from text: a job file or a program. Throws `JobError`, and changes nothing, where it cannot be shown. */
-  open(text: string): Finding[] {
+  /** Takes the job of a text that was read. Throws `JobError`, and changes nothing, where there is none or it cannot be shown. */
+  open({ imported, findings }: Reading): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
-    if (text.length > this.longest) throw this.refusal(this.tooLong(text.length));
-    const { job, findings, trace } = importJob(text);
-    const problem: Said | null = trace ? [w("this program says no job")] : this.unusable(job);
+    if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
+    const problem: Said | null = imported.trace ? [w("this program says no job")] : this.unusable(imported.job);
     if (problem) throw this.refusal([w("Nothing was changed: {problem}"), problem], findings);
-    this.load(job as unknown as Draft);
-    return findings;
+    this.load(imported.job as unknown as Draft);
   }
 
   /** What is said of a text that is too long to be read. */

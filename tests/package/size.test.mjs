@@ -10,9 +10,9 @@ const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`
 /**
  * Bytes. Measured: 280.9 kB, of which 9 are the picture as an SVG, the exact schema, measured points, the dimensions of corners and the axes that are
  * clicked, and 3 are texts as templates and dimensions that are dragged, and 3 more dimensions and angles; and 424.6 kB, all that an English page loads sooner or later. Each
- * language's words, 37 to 42 kB, are loaded where they are wanted, and the editor of opened programs with the first of them.
+ * language's words, 37 to 42 kB, are loaded where they are wanted, and so are the editor of opened programs and the worker that reads long texts.
  */
-const BUDGET = { module: 281_500, page: 425_000, words: 45_000, editor: 70_000 };
+const BUDGET = { module: 281_500, page: 425_000, words: 45_000, editor: 70_000, reader: 10_000 };
 
 /** The functions of a module that still says their names, with their bytes, largest first. */
 function functions(/** @type {Buffer} */ wasm) {
@@ -81,20 +81,25 @@ test("the module and the page stay within their budgets", () => {
   const languages = readdirSync(at("dist/words")).map((name) => `${name.replace(".json", "")}-`);
   const isWords = (/** @type {string} */ name) => languages.some((language) => name.startsWith(language));
   const isEditor = (/** @type {string} */ name) => name.startsWith("editor-");
+  const isReader = (/** @type {string} */ name) => name.startsWith("reader-");
   const all = readdirSync(at("dist/page/assets"));
   const zipped = (/** @type {string} */ name) =>
     gzipSync(readFileSync(at(`dist/page/assets/${name}`)), { level: 9 }).length;
   assert.equal(all.filter(isWords).length, languages.length, "each language has a file of words");
   assert.equal(all.filter(isEditor).length, 1, "the editor has a file of its own");
+  assert.equal(all.filter(isReader).length, 1, "the worker has a file of its own");
   for (const [rare, budget] of /** @type {const} */ ([
     [isWords, BUDGET.words],
     [isEditor, BUDGET.editor],
+    [isReader, BUDGET.reader],
   ]))
     for (const name of all.filter(rare)) {
       const bytes = zipped(name);
       assert.ok(bytes <= budget, `${name} has ${bytes} bytes in gzip, ${budget} are allowed`);
     }
-  const assets = all.filter((name) => !isWords(name) && !isEditor(name)).map((name) => at(`dist/page/assets/${name}`));
+  const assets = all
+    .filter((name) => ![isWords, isEditor, isReader].some((rare) => rare(name)))
+    .map((name) => at(`dist/page/assets/${name}`));
   const page = [at("dist/page/index.html"), ...assets].reduce(
     (sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length,
     0,

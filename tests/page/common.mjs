@@ -180,3 +180,12 @@ export const until = (/** @type {string} */ path, /** @type {string} */ text) =>
 /** The value at a path of the job as the page holds it. */
 export const held = (/** @type {string} */ path, tab = page) =>
   tab.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).store.get(path), path);
+
+/** Until something holds that no selector says. */
+export async function settles(/** @type {() => Promise<boolean>} */ holds) {
+  for (let i = 0; i < 80; i++) {
+    if (await holds()) return;
+    await page.waitForTimeout(50);
+  }
+  assert.fail("it never holds");
+}

@@ -2,7 +2,22 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { plan } from "touchpath";
-import { context, field, held, more, open, openTab, openText, page, program, ready, setUp, textOf } from "./common.mjs";
+import {
+  context,
+  field,
+  held,
+  more,
+  open,
+  openTab,
+  openText,
+  page,
+  program,
+  ready,
+  settles,
+  setUp,
+  textOf,
+  until,
+} from "./common.mjs";
 
 setUp();
 
@@ -253,4 +268,54 @@ test("texts with tolerances stayed as they were when the units changed: ten mill
   await field("cycle.diameter1").fill("ten");
   await field("units").selectOption("inch");
   assert.equal(await held("cycle.diameter1"), "ten", "what is no number stays as it is");
+});
+
+/** A job file that is long enough to be read in a worker: it begins with many spaces. */
+const long = (/** @type {string} */ type) => `${" ".repeat(300_000)}{"format":1,"cycle":{"type":"${type}"}}`;
+
+test("a long text is read in a worker of the page's own, with the same answer as by the page itself", async () => {
+  /** @type {string[]} */
+  const workers = [];
+  page.on("worker", (worker) => workers.push(new URL(worker.url()).pathname));
+  await openText('{"format":1,"cycle":{"type":"boss"}}');
+  await until("cycle.type", "boss");
+  assert.deepEqual(workers, [], "a short one is not");
+  await openText(long("hole"));
+  await until("cycle.type", "hole");
+  assert.equal(workers.length, 1);
+  assert.match(workers[0] ?? "", /\/assets\/reader-[^/]+\.js$/);
+  assert.equal(await page.locator(".note").count(), 0, "nothing is left of what was said while it was read");
+  // What is wrong with a text is said as it always is.
+  const wrong = `${" ".repeat(300_000)}{"format":2,"cycle":{"type":"hole"}}`;
+  await openText(wrong);
+  await settles(async () => /Nothing was changed/.test(await note()));
+  const beside = await note();
+  assert.equal(await held("cycle.type"), "hole");
+  assert.equal(workers.length, 2);
+  await page.evaluate(() => Object.assign(globalThis, { Worker: undefined }));
+  await openText(long("boss"));
+  await until("cycle.type", "boss");
+  await openText(wrong);
+  await settles(async () => (await note()) === beside);
+  assert.equal(workers.length, 2, "where there are no workers the page reads by itself");
+});
+
+test("a long program that says no job is read in a worker, too, and one whose worker does not come by the page", async () => {
+  const rows = Array.from({ length: 6_000 }, (_, i) => `N${i + 3} G1 X${i % 200} Y${Math.floor(i / 200)} F500`);
+  const text = `G21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`;
+  const said = () => textOf(page.locator("tp-viewer p[role=status]"));
+  await openText(text, "long.nc");
+  await settles(async () => /^6001 moves/.test(await said()));
+  await page.getByRole("button", { name: "Cycles", exact: true }).click();
+  await context.route(/\/reader-[^/]+\.js$/, (route) => route.abort());
+  await openText(`${text}G1 X0\n`.replace("M2\n", ""), "longer.nc");
+  await settles(async () => /^6002 moves/.test(await said()));
+});
+
+test("of two texts the one that was opened last counts, whichever is read first", async () => {
+  await openText(long("hole"));
+  await openText('{"format":1,"cycle":{"type":"boss"}}');
+  await until("cycle.type", "boss");
+  await page.waitForTimeout(1000);
+  assert.equal(await held("cycle.type"), "boss");
 });

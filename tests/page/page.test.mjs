@@ -20,6 +20,7 @@ import {
   ready,
   reset,
   saveButton,
+  settles,
   setUp,
   textOf,
   unfold,
@@ -636,15 +637,6 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   assert.match((await bar.getAttribute("class")) ?? "", /bad/);
   assert.equal(await bar.getAttribute("aria-label"), "19.920, limits 19.950 and 20.050: rework");
 });
-
-/** Until something holds that no selector says. */
-async function settles(/** @type {() => Promise<boolean>} */ holds) {
-  for (let i = 0; i < 80; i++) {
-    if (await holds()) return;
-    await page.waitForTimeout(50);
-  }
-  assert.fail("it never holds");
-}
 
 test("the words of a program have colours, those of the program that is shown", async () => {
   const coloured = (/** @type {string} */ kind) =>

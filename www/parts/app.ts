@@ -13,7 +13,7 @@ import "./findings.js";
 import "./form.js";
 import { copy, download } from "./hand.js";
 import "./help.js";
-import { Intake, type Viewed } from "./intake.js";
+import { Intake, type Unread, type Viewed } from "./intake.js";
 import { Part } from "./part.js";
 import type { PicturePart } from "./picture.js";
 import "./picture.js";
@@ -127,6 +127,11 @@ export class App extends LitElement {
         this.use("viewer");
         // The page keeps the editor for when there is no network.
         this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
+      },
+      beside: (text) => {
+        const detail: Unread = { text, reading: null };
+        this.around.host.dispatchEvent(new CustomEvent("read", { detail }));
+        return detail.reading;
       },
     });
     const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
@@ -540,9 +545,9 @@ export class App extends LitElement {
   }
 
   /** What was pasted stays where it is until it could be read. */
-  private readPasted(): void {
+  private async readPasted(): Promise<void> {
     const text = this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
-    if (this.intake.text(text)) this.paste(false);
+    if (await this.intake.text(text)) this.paste(false);
   }
 
   private tell(said: Said | null): void {

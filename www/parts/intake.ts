@@ -1,4 +1,5 @@
-import { JobError, type ProgramMoves, readProgram } from "../core/browser.js";
+import { JobError, type ProgramMoves } from "../core/browser.js";
+import { type Reading, read } from "../reading.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
 
@@ -10,7 +11,18 @@ interface Page {
   showJob(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;
+  /** Reads a text beside the page; null where that cannot be. */
+  beside(text: string): Promise<Reading> | null;
 }
+
+/** A text to be read, for the page around: whoever reads it says so in `reading`. */
+export interface Unread {
+  text: string;
+  reading: Promise<Reading> | null;
+}
+
+/** A text of as many characters and more is read beside the page: below, that takes longer than the reading. */
+const LONG = 100_000;
 
 /** A program that is looked at without a job. */
 export interface Viewed {
@@ -20,6 +32,9 @@ export interface Viewed {
 
 /** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
 export class Intake {
+  /** Counts the texts that were taken up: what was read is of no use where another one was opened meanwhile. */
+  private texts = 0;
+
   constructor(
     private readonly store: Store,
     private readonly page: Page,
@@ -41,7 +56,7 @@ export class Intake {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
-      else this.text(text);
+      else await this.text(text);
     }
   }
 
@@ -94,30 +109,44 @@ export class Intake {
   };
 
   /** Takes a text; false where nothing could be made of it. */
-  text(text: string): boolean {
+  async text(text: string): Promise<boolean> {
+    const count = ++this.texts;
     try {
-      const notes = this.store.open(text).filter((f) => f.level !== "error");
-      this.page.showJob();
-      this.page.tell(notes.map((f) => this.store.say(f.said)).join(" "));
-      return true;
-    } catch (thrown) {
-      if (!(thrown instanceof JobError)) this.page.tell(this.store.t("This text cannot be read"));
-      else if (this.moves(text, thrown)) return true;
-      else this.page.tell(this.store.why(thrown));
+      if (text.length > this.store.longest) {
+        this.page.tell(this.store.say(this.store.tooLong(text.length)));
+        return false;
+      }
+      const reading = await this.read(text);
+      return count === this.texts && this.take(text, reading);
+    } catch {
+      this.page.tell(this.store.t("This text cannot be read"));
       return false;
     }
   }
 
-  /** Shows the moves of a program that no job can be made of; false where it is none. The job that is there stays. */
-  private moves(text: string, why: JobError): boolean {
-    const program = why.findings.some((f) =>
-      ["no-job-in-program", "not-understood", "nothing-to-import"].includes(f.code),
-    );
-    const moves = program ? readProgram(text) : null;
-    // One move from nowhere is nothing to see.
-    if (!moves || moves.kind.length < 2) return false;
-    this.page.showMoves({ text, moves });
-    this.page.tell(this.store.t("{why}. Its moves are drawn", this.store.why(why)));
+  /** Reads a text: a long one beside the page, where that can be. */
+  private async read(text: string): Promise<Reading> {
+    const reading = text.length < LONG ? null : this.page.beside(text);
+    if (!reading) return read(text);
+    this.page.tell(this.store.t("This text is being read …"));
+    return reading.catch(() => read(text));
+  }
+
+  /** Shows the job of a text, or else its moves; false where it has neither. */
+  private take(text: string, reading: Reading): boolean {
+    try {
+      this.store.open(reading);
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      const why = this.store.why(thrown);
+      // The job that is there stays.
+      if (reading.moves) this.page.showMoves({ text, moves: reading.moves });
+      this.page.tell(reading.moves ? this.store.t("{why}. Its moves are drawn", why) : why);
+      return reading.moves !== null;
+    }
+    const notes = reading.findings.filter((f) => f.level !== "error");
+    this.page.showJob();
+    this.page.tell(notes.map((f) => this.store.say(f.said)).join(" "));
     return true;
   }
 }

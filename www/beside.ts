@@ -1,0 +1,24 @@
+// Reads long texts in a worker.
+import { script } from "./offline.js";
+import address from "./reader.js?worker&url";
+import type { Reading } from "./reading.js";
+
+/** Reads a text beside the page. Fails where there can be no worker, or what it does breaks. */
+export function readBeside(text: string): Promise<Reading> {
+  return new Promise((done, fail) => {
+    const worker = new Worker(script(address), { type: "module" });
+    const end = (settle: () => void) => {
+      worker.terminate();
+      settle();
+    };
+    worker.onmessage = ({ data }: MessageEvent<"ready" | Reading>) => {
+      if (data === "ready") worker.postMessage(text);
+      else end(() => done(data));
+    };
+    worker.onerror = (event) => {
+      // It is read once more, by the page itself: nothing is lost that the console should say.
+      event.preventDefault();
+      end(() => fail(new Error(event.message)));
+    };
+  });
+}

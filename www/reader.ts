@@ -1,0 +1,6 @@
+// The worker that reads a long text: its page goes on meanwhile.
+import { read } from "./reading.js";
+
+addEventListener("message", ({ data }: MessageEvent<string>) => postMessage(read(data)));
+// What was sent before the module is there would be lost.
+postMessage("ready");
