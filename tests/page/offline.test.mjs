@@ -7,7 +7,19 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
-import { context, field, more, openText, page, problems, program, ready, saveButton, setUp } from "./common.mjs";
+import {
+  context,
+  field,
+  more,
+  openText,
+  page,
+  problems,
+  program,
+  ready,
+  saveButton,
+  settles,
+  setUp,
+} from "./common.mjs";
 
 setUp();
 
@@ -131,7 +143,8 @@ test("the editor of opened programs: loaded with the first of them, there withou
   await again(true);
   await openText(foreign, "foreign.nc");
   assert.equal(await page.locator("tp-viewer .listing pre").textContent(), foreign);
-  assert.ok(problems.splice(0).length > 0, "the browser says that a file did not come");
+  // The browser says that a file did not come.
+  await settles(async () => problems.splice(0).length > 0);
   await again(false);
   await openText(foreign, "foreign.nc");
   await page.locator("tp-viewer .line").first().waitFor();
