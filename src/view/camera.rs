@@ -23,6 +23,15 @@ pub const SMALL_MARGIN: f64 = 8.0;
 /// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
 const STANDS_OFF: [f64; 2] = [46.0, 16.0];
 
+/// Where the work axes are drawn, pixels from the lower left corner, and how far their names reach from there.
+pub const AXES_CORNER: f64 = 34.0;
+const AXES_REACH: f64 = 36.0;
+/// How far the scale bar stands from the lower right corner, pixels, and how high it reaches with its length above it.
+pub const BAR_CORNER: f64 = 16.0;
+const BAR_REACH: f64 = 34.0;
+/// Half the room that the name of a dimension takes, pixels.
+const NAME: [f64; 2] = [58.0, 12.0];
+
 /// The radius of an angle's arc, pixels, where there is room for it.
 const ANGLE_RADIUS: f64 = 54.0;
 /// How far from its vertex an angle's name stands, pixels: to the side farther than up or down, since a name is wider than it is high.
@@ -55,6 +64,32 @@ impl Camera {
         let room = |i: usize| (size[i] - 2.0 * margin).max(20.0) / (high[i] - low[i]).max(1e-3);
         let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
         Camera { scale: room(0).min(room(1)), middle, size }
+    }
+
+    /// A round length for the scale bar, mm.
+    pub fn bar(&self) -> f64 {
+        let most = 110.0 / self.scale;
+        let power = 10f64.powf(most.log10().floor());
+        [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
+    }
+
+    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
+    pub fn clear_corners(&mut self, scene: &Scene) {
+        let [width, height] = self.size;
+        let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
+        let bar = [width - 2.0 * BAR_CORNER - self.bar() * self.scale, height - BAR_REACH];
+        let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
+        for (_, [.., start, end]) in self.dimensions(scene, None) {
+            let [x, y] = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0 + NAME[1]];
+            top = top.min(start[1]).min(end[1]);
+            if x - NAME[0] < axes[0] {
+                under = under.max(y - axes[1]);
+            }
+            if x + NAME[0] > bar[0] {
+                under = under.max(y - bar[1]);
+            }
+        }
+        self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
     }
 
     /// Where a spot is seen.

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{Arc, Camera};
+use crate::view::camera::{AXES_CORNER, Arc, BAR_CORNER, Camera};
 use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
@@ -96,7 +96,7 @@ const AXES: f64 = 36.0;
 
 /// Where the work axes are drawn.
 fn axes_corner(camera: &Camera) -> Spot {
-    [34.0, camera.size[1] - 34.0]
+    [AXES_CORNER, camera.size[1] - AXES_CORNER]
 }
 
 /// The view that a click on the axes asks for: along the axis whose name is there, or isometric beside them.
@@ -607,12 +607,10 @@ impl Painter {
 
     /// A bar of a round length, so that sizes can be judged.
     fn scale_bar(&self, camera: &Camera) {
-        let most = 110.0 / camera.scale;
-        let power = 10f64.powf(most.log10().floor());
-        let length = [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|l| *l <= most).unwrap_or(power);
-        let right = camera.size[0] - 16.0;
+        let length = camera.bar();
+        let right = camera.size[0] - BAR_CORNER;
         let left = right - length * camera.scale;
-        let y = camera.size[1] - 16.0;
+        let y = camera.size[1] - BAR_CORNER;
         for (a, b) in [([left, y], [right, y]), ([left, y - 4.0], [left, y + 4.0]), ([right, y - 4.0], [right, y + 4.0])] {
             self.segment(a, b, &self.theme.text, 1.0, &[]);
         }

@@ -246,6 +246,9 @@ impl View {
                 ),
             };
             self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), margin);
+            if !self.painter.small {
+                self.camera.clear_corners(&shown.scene);
+            }
         }
         self.moved = false;
     }

@@ -1,7 +1,8 @@
 // The picture: a drag, a hover, what it leaves behind.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, context, field, framed, held, open, PICTURE, page, pixels, program, setUp } from "./common.mjs";
+import { catalog } from "touchpath";
+import { boxOf, context, field, framed, held, open, PICTURE, page, pixels, program, SIZES, setUp } from "./common.mjs";
 
 setUp();
 
@@ -390,4 +391,28 @@ test("each change is planned once, and the picture is drawn once a frame", async
   );
   assert.deepEqual(given, [1, 3], "three jobs of a host in a frame, each rendered");
   assert.deepEqual(await count(() => page.emulateMedia({ colorScheme: "dark" })), [1, 0], "other colours");
+});
+
+test("on a phone the axis X lay on the name of 1411's first diameter: no name stands on the axes or the scale bar", async () => {
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    for (const { type } of catalog().cycles) {
+      await page.evaluate((type) => Object.assign(document.querySelector("touch-path") ?? {}, { cycle: type }), type);
+      await framed();
+      const found = await page.evaluate(() => {
+        const picture = /** @type {any} */ (
+          document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture")
+        );
+        const { clientWidth, clientHeight } = picture.querySelector("canvas");
+        const { view } = picture.drawing;
+        const axes = [
+          [62, clientHeight - 34],
+          [34, clientHeight - 62],
+        ];
+        const bar = [20, 40, 60].map((x) => [clientWidth - 16 - x / 2, clientHeight - 26]);
+        return [...axes, ...bar].map(([x, y]) => view.dimensionAt(x, y) ?? null);
+      });
+      assert.deepEqual(found, [null, null, null, null, null], `${type} at ${width}`);
+    }
+  }
 });
