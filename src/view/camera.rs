@@ -1,5 +1,7 @@
 //! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
+use std::iter::successors;
+
 use crate::view::scene::{Drawn, DrawnAngle, Scene, Spot};
 
 /// A window on the picture plane.
@@ -58,6 +60,13 @@ pub struct Arc<'a> {
     pub name: Option<Spot>,
 }
 
+/// The middle of a dimension's name, and half the room that it takes: along an upright line it is written upright.
+fn room_of_name([start, end]: [Spot; 2]) -> [Spot; 2] {
+    let upright = (end[1] - start[1]).abs() > (end[0] - start[0]).abs();
+    let half = if upright { [NAME[1], NAME[0]] } else { NAME };
+    [[(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0], half]
+}
+
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
     pub fn fit(size: Spot, [low, high]: [Spot; 2], margin: f64) -> Self {
@@ -80,13 +89,13 @@ impl Camera {
         let bar = [width - 2.0 * BAR_CORNER - self.bar() * self.scale, height - BAR_REACH];
         let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
         for (_, [.., start, end]) in self.dimensions(scene, None) {
-            let [x, y] = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0 + NAME[1]];
-            top = top.min(start[1]).min(end[1]);
-            if x - NAME[0] < axes[0] {
-                under = under.max(y - axes[1]);
+            let [[x, y], half] = room_of_name([start, end]);
+            top = top.min(y - half[1]).min(start[1]).min(end[1]);
+            if x - half[0] < axes[0] {
+                under = under.max(y + half[1] - axes[1]);
             }
-            if x + NAME[0] > bar[0] {
-                under = under.max(y - bar[1]);
+            if x + half[0] > bar[0] {
+                under = under.max(y + half[1] - bar[1]);
             }
         }
         self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
@@ -110,15 +119,25 @@ impl Camera {
 
     /// The dimensions that are drawn while a field has the focus, or none: each with its ends on the part and the ends of its line, pixels.
     pub fn dimensions<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Vec<(&'a Drawn, [Spot; 4])> {
-        let shown = scene.dimensions.iter().filter(|d| !d.on_demand || focus == Some(d.field));
+        let mut shown: Vec<(&Drawn, [Spot; 4])> = Vec::new();
+        let mut names: Vec<[Spot; 2]> = Vec::new();
+        let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
+        // One that comes with the focus moves none of those that are there.
+        for d in all(false).chain(all(true).filter(|d| focus == Some(d.field))) {
+            let [from, to] = d.ends.map(|spot| self.pixel(spot));
+            let far = d.aside.1 * self.scale + STANDS_OFF[usize::from(d.on_demand)];
+            let line_at = |far: f64| [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
+            let clear = |far: &f64| {
+                let name = room_of_name(line_at(*far));
+                names.iter().all(|other| (0..2).any(|i| (name[0][i] - other[0][i]).abs() >= name[1][i] + other[1][i]))
+            };
+            // A name that would lie on another one stands further out.
+            let mut places = successors(Some(far), |far| Some(far + 2.0 * NAME[1] + 4.0)).take(1 + 2 * names.len());
+            let line = line_at(places.find(clear).unwrap_or(far));
+            names.push(room_of_name(line));
+            shown.push((d, [from, to, line[0], line[1]]));
+        }
         shown
-            .map(|d| {
-                let [from, to] = d.ends.map(|spot| self.pixel(spot));
-                let far = d.aside.1 * self.scale + STANDS_OFF[usize::from(d.on_demand)];
-                let line = [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
-                (d, [from, to, line[0], line[1]])
-            })
-            .collect()
     }
 
     /// The angles that are drawn; one whose field has the focus has its name in any case.

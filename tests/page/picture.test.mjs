@@ -416,3 +416,34 @@ test("on a phone the axis X lay on the name of 1411's first diameter: no name st
     }
   }
 });
+
+test("in front of 1411 the names of its diameters lay on each other on a phone: each stands alone, in every view", async () => {
+  let seen = 0;
+  for (const [width, height] of SIZES) {
+    await page.setViewportSize({ width, height });
+    for (const look of ["top", "front", "side"]) {
+      await page.locator("tp-picture").getByRole("button", { name: look, exact: true }).click();
+      for (const { type } of catalog().cycles) {
+        await page.evaluate((type) => Object.assign(document.querySelector("touch-path") ?? {}, { cycle: type }), type);
+        await framed();
+        const names = await page.evaluate(() => {
+          const root = document.querySelector("touch-path")?.shadowRoot;
+          const { view } = /** @type {any} */ (root?.querySelector("tp-picture")).drawing;
+          return view
+            .dimensionLines()
+            .map((/** @type {[string, number, number, number, number]} */ [own, a, b, c, d]) => {
+              // Along its line a name takes about so many pixels to both sides.
+              const far = Math.hypot(c - a, d - b) || 1;
+              const [x, y] = [(40 * (c - a)) / far, (40 * (d - b)) / far];
+              const at = (/** @type {number} */ way) =>
+                view.dimensionAt((a + c) / 2 + way * x, (b + d) / 2 + way * y) ?? own;
+              return [own, at(-1), at(0), at(1)];
+            });
+        });
+        for (const [own, ...found] of names) assert.deepEqual(found, [own, own, own], `${type} at ${width}, ${look}`);
+        seen += names.length;
+      }
+    }
+  }
+  assert.ok(seen > 200, `${seen} names`);
+});
