@@ -1,10 +1,14 @@
 //! Draws a scene on a browser's canvas. The only module that names `web_sys`.
 
+mod strokes;
+mod theme;
+
 use std::cell::Cell;
 
+pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, Arc, BAR_CORNER, Camera};
+use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
 use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
@@ -24,60 +28,6 @@ pub struct Marks<'a> {
     pub origin: &'a str,
     /// Where a machine measured the ball's centre.
     pub measured: &'a [Spot],
-}
-
-/// The colours of a picture, as CSS colours.
-#[derive(Clone, Debug)]
-pub struct Theme {
-    background: String,
-    text: String,
-    wall: String,
-    actual: String,
-    position: String,
-    link: String,
-    touch: String,
-    ball: String,
-    highlight: String,
-}
-
-impl Default for Theme {
-    fn default() -> Self {
-        let colour = |text: &str| text.to_owned();
-        Theme {
-            background: colour("#ffffff"),
-            text: colour("#1c2430"),
-            wall: colour("#4a5565"),
-            actual: colour("#b45309"),
-            position: colour("#15803d"),
-            link: colour("#7b8794"),
-            touch: colour("#dc2626"),
-            ball: colour("#2563eb"),
-            highlight: colour("#2563eb"),
-        }
-    }
-}
-
-impl Theme {
-    /// The colours by their names; what `given` has none for is the default.
-    pub fn of(given: impl Fn(&str) -> Option<String>) -> Self {
-        let mut theme = Theme::default();
-        for (name, colour) in [
-            ("background", &mut theme.background),
-            ("text", &mut theme.text),
-            ("wall", &mut theme.wall),
-            ("actual", &mut theme.actual),
-            ("position", &mut theme.position),
-            ("link", &mut theme.link),
-            ("touch", &mut theme.touch),
-            ("ball", &mut theme.ball),
-            ("highlight", &mut theme.highlight),
-        ] {
-            if let Some(own) = given(name) {
-                *colour = own;
-            }
-        }
-        theme
-    }
 }
 
 /// Pixels between the strokes of a hatching, and their length.
@@ -459,95 +409,6 @@ impl Painter {
         }
     }
 
-    /// A filled arrow head with its tip at a place.
-    fn head(&self, tip: Spot, [ux, uy]: Spot, size: f64, colour: &str) {
-        let c = &self.context;
-        let back = [tip[0] - ux * size, tip[1] - uy * size];
-        let half = size * 0.42;
-        c.begin_path();
-        c.move_to(tip[0], tip[1]);
-        c.line_to(back[0] - uy * half, back[1] + ux * half);
-        c.line_to(back[0] + uy * half, back[1] - ux * half);
-        c.close_path();
-        c.set_fill_style_str(colour);
-        c.fill();
-    }
-
-    /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
-    fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
-        let colour = &self.theme.ball;
-        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-        let far = dx.hypot(dy).max(1e-9);
-        let (ux, uy) = (dx / far, dy / far);
-        let (ox, oy) = (start[0] - from[0], start[1] - from[1]);
-        let off = ox.hypot(oy).max(1e-9);
-        for (near, line) in [(from, start), (to, end)] {
-            let past = [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0];
-            self.segment(near, past, colour, 0.75, &[]);
-        }
-        self.segment(start, end, colour, if lit { 2.0 } else { 1.0 }, &[]);
-        if far > 22.0 {
-            self.head(start, [-ux, -uy], 8.0, colour);
-            self.head(end, [ux, uy], 8.0, colour);
-        }
-        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
-        // An upright dimension is written upright, as on a drawing.
-        self.name(middle, dy.abs() > dx.abs(), name, lit);
-    }
-
-    /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
-    fn angle(&self, arc: &Arc<'_>, name: &str, lit: bool) {
-        let c = &self.context;
-        let colour = &self.theme.ball;
-        let [first, turn] = arc.angle.turns;
-        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, colour, 0.75, &[]));
-        c.begin_path();
-        let _ = c.arc_with_anticlockwise(arc.at[0], arc.at[1], arc.radius, -first, -first - turn, turn > 0.0);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(if lit { 2.0 } else { 1.0 });
-        self.dash(&[]);
-        c.stroke();
-        for (tip, direction) in arc.heads.into_iter().flatten() {
-            self.head(tip, direction, 8.0, colour);
-        }
-        if let Some(middle) = arc.name {
-            self.name(middle, false, name, lit);
-        }
-    }
-
-    /// What a dimension or an angle says, in its box.
-    fn name(&self, middle: Spot, upright: bool, name: &str, lit: bool) {
-        let c = &self.context;
-        let colour = &self.theme.ball;
-        c.set_text_align("center");
-        c.set_text_baseline("middle");
-        let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
-        c.save();
-        let _ = c.translate(middle[0], middle[1]);
-        if upright {
-            let _ = c.rotate(-std::f64::consts::FRAC_PI_2);
-        }
-        c.set_fill_style_str(if lit { colour } else { &self.theme.background });
-        c.fill_rect(-width / 2.0, -10.0, width, 20.0);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(1.0);
-        self.dash(&[]);
-        c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
-        c.set_fill_style_str(if lit { &self.theme.background } else { &self.theme.text });
-        let _ = c.fill_text(name, 0.0, 0.0);
-        c.restore();
-    }
-
-    fn label(&self, text: &str, at: Spot) {
-        let c = &self.context;
-        c.set_line_width(3.0);
-        c.set_stroke_style_str(&self.theme.background);
-        self.dash(&[]);
-        let _ = c.stroke_text(text, at[0], at[1]);
-        c.set_fill_style_str(&self.theme.text);
-        let _ = c.fill_text(text, at[0], at[1]);
-    }
-
     fn handle(&self, at: Spot, direction: Spot) {
         let c = &self.context;
         let end = [at[0] + direction[0] * ARM, at[1] - direction[1] * ARM];
@@ -615,39 +476,5 @@ impl Painter {
             self.segment(a, b, &self.theme.text, 1.0, &[]);
         }
         self.label(&format!("{} mm", crate::num::decimal(length, 4)), [(left + right) / 2.0, y - 10.0]);
-    }
-
-    fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
-        let c = &self.context;
-        c.begin_path();
-        c.move_to(from[0], from[1]);
-        c.line_to(to[0], to[1]);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.dash(dash);
-        c.stroke();
-    }
-
-    fn circle(&self, at: Spot, radius: f64, colour: &str, width: f64) {
-        let c = &self.context;
-        c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.dash(&[]);
-        c.stroke();
-    }
-
-    fn disc(&self, at: Spot, radius: f64, colour: &str) {
-        let c = &self.context;
-        c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
-        c.set_fill_style_str(colour);
-        c.fill();
-    }
-
-    fn dash(&self, lengths: &[f64]) {
-        let list: js_sys::Array = lengths.iter().map(|l| wasm_bindgen::JsValue::from_f64(*l)).collect();
-        let _ = self.context.set_line_dash(&list);
     }
 }

@@ -1,0 +1,130 @@
+//! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
+
+use super::Painter;
+use crate::view::camera::Arc;
+use crate::view::scene::Spot;
+
+impl Painter {
+    /// A filled arrow head with its tip at a place.
+    pub(super) fn head(&self, tip: Spot, [ux, uy]: Spot, size: f64, colour: &str) {
+        let c = &self.context;
+        let back = [tip[0] - ux * size, tip[1] - uy * size];
+        let half = size * 0.42;
+        c.begin_path();
+        c.move_to(tip[0], tip[1]);
+        c.line_to(back[0] - uy * half, back[1] + ux * half);
+        c.line_to(back[0] + uy * half, back[1] - ux * half);
+        c.close_path();
+        c.set_fill_style_str(colour);
+        c.fill();
+    }
+
+    /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
+    pub(super) fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
+        let colour = &self.theme.ball;
+        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
+        let far = dx.hypot(dy).max(1e-9);
+        let (ux, uy) = (dx / far, dy / far);
+        let (ox, oy) = (start[0] - from[0], start[1] - from[1]);
+        let off = ox.hypot(oy).max(1e-9);
+        for (near, line) in [(from, start), (to, end)] {
+            let past = [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0];
+            self.segment(near, past, colour, 0.75, &[]);
+        }
+        self.segment(start, end, colour, if lit { 2.0 } else { 1.0 }, &[]);
+        if far > 22.0 {
+            self.head(start, [-ux, -uy], 8.0, colour);
+            self.head(end, [ux, uy], 8.0, colour);
+        }
+        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
+        // An upright dimension is written upright, as on a drawing.
+        self.name(middle, dy.abs() > dx.abs(), name, lit);
+    }
+
+    /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
+    pub(super) fn angle(&self, arc: &Arc<'_>, name: &str, lit: bool) {
+        let c = &self.context;
+        let colour = &self.theme.ball;
+        let [first, turn] = arc.angle.turns;
+        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, colour, 0.75, &[]));
+        c.begin_path();
+        let _ = c.arc_with_anticlockwise(arc.at[0], arc.at[1], arc.radius, -first, -first - turn, turn > 0.0);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(if lit { 2.0 } else { 1.0 });
+        self.dash(&[]);
+        c.stroke();
+        for (tip, direction) in arc.heads.into_iter().flatten() {
+            self.head(tip, direction, 8.0, colour);
+        }
+        if let Some(middle) = arc.name {
+            self.name(middle, false, name, lit);
+        }
+    }
+
+    /// What a dimension or an angle says, in its box.
+    pub(super) fn name(&self, middle: Spot, upright: bool, name: &str, lit: bool) {
+        let c = &self.context;
+        let colour = &self.theme.ball;
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
+        let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
+        c.save();
+        let _ = c.translate(middle[0], middle[1]);
+        if upright {
+            let _ = c.rotate(-std::f64::consts::FRAC_PI_2);
+        }
+        c.set_fill_style_str(if lit { colour } else { &self.theme.background });
+        c.fill_rect(-width / 2.0, -10.0, width, 20.0);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(1.0);
+        self.dash(&[]);
+        c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
+        c.set_fill_style_str(if lit { &self.theme.background } else { &self.theme.text });
+        let _ = c.fill_text(name, 0.0, 0.0);
+        c.restore();
+    }
+
+    pub(super) fn label(&self, text: &str, at: Spot) {
+        let c = &self.context;
+        c.set_line_width(3.0);
+        c.set_stroke_style_str(&self.theme.background);
+        self.dash(&[]);
+        let _ = c.stroke_text(text, at[0], at[1]);
+        c.set_fill_style_str(&self.theme.text);
+        let _ = c.fill_text(text, at[0], at[1]);
+    }
+
+    pub(super) fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
+        let c = &self.context;
+        c.begin_path();
+        c.move_to(from[0], from[1]);
+        c.line_to(to[0], to[1]);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(dash);
+        c.stroke();
+    }
+
+    pub(super) fn circle(&self, at: Spot, radius: f64, colour: &str, width: f64) {
+        let c = &self.context;
+        c.begin_path();
+        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(&[]);
+        c.stroke();
+    }
+
+    pub(super) fn disc(&self, at: Spot, radius: f64, colour: &str) {
+        let c = &self.context;
+        c.begin_path();
+        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        c.set_fill_style_str(colour);
+        c.fill();
+    }
+
+    pub(super) fn dash(&self, lengths: &[f64]) {
+        let list: js_sys::Array = lengths.iter().map(|l| wasm_bindgen::JsValue::from_f64(*l)).collect();
+        let _ = self.context.set_line_dash(&list);
+    }
+}

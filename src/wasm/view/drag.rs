@@ -1,0 +1,111 @@
+//! The handles of a picture: where they are, and what they say when they are dragged.
+
+use js_sys::{Array, Object};
+use wasm_bindgen::prelude::*;
+
+use super::View;
+use crate::view::canvas::{ARM, spread_handles};
+use crate::view::scene::Spot;
+use crate::wasm::set;
+
+#[wasm_bindgen]
+impl View {
+    /// The handle at a pixel: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
+    #[wasm_bindgen(js_name = handleAt)]
+    pub fn handle_at(&self, x: f64, y: f64) -> Option<String> {
+        let scene = &self.shown.as_ref()?.scene;
+        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= 14.0;
+        if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
+            if near(sweep) {
+                return Some("sweep".to_owned());
+            }
+            if near(start) {
+                return Some("start".to_owned());
+            }
+        }
+        let (origin, direction) = scene.handle?;
+        let at = self.camera.pixel(origin);
+        if near(at) {
+            Some("shift".to_owned())
+        } else {
+            near([at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]).then(|| "turn".to_owned())
+        }
+    }
+
+    /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
+    #[wasm_bindgen(js_name = handleSpot)]
+    pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
+        let scene = &self.shown.as_ref()?.scene;
+        if let (Some([start, sweep]), "start" | "sweep") = (spread_handles(scene, &self.camera), handle) {
+            return Some(if handle == "start" { start } else { sweep }.to_vec());
+        }
+        let (origin, direction) = scene.handle?;
+        let at = self.camera.pixel(origin);
+        match handle {
+            "shift" => Some(at.to_vec()),
+            "turn" => Some(vec![at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]),
+            _ => None,
+        }
+    }
+
+    /// The path of the job's field that a `start` or `sweep` handle says.
+    #[wasm_bindgen(js_name = handleField)]
+    pub fn handle_field(&self, handle: &str) -> Option<String> {
+        let spread = self.held()?.last.planned.path.feature.two_circles()?.spread?;
+        let [start, sweep] = spread.fields;
+        match handle {
+            "start" => Some(start.to_owned()),
+            "sweep" => Some(sweep.to_owned()),
+            _ => None,
+        }
+    }
+
+    /// The angle in whole degrees that a `start` or `sweep` handle says at a pixel. A spread keeps its sense.
+    #[wasm_bindgen(js_name = dragAngle)]
+    pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
+        let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
+        let spot = self.camera.spot([x, y]);
+        let angle = (spot[1] - center[1]).atan2(spot[0] - center[0]).to_degrees();
+        if handle == "start" {
+            return Some(crate::num::wrap_degrees(angle.round()));
+        }
+        let turn = (angle - start.to_degrees()).round().rem_euclid(360.0);
+        Some(match (sweep > 0.0, turn == 0.0) {
+            (true, true) => 360.0,
+            (true, false) => turn,
+            (false, true) => -359.0,
+            (false, false) => turn - 360.0,
+        })
+    }
+
+    /// Where the virtual part lies if a handle is dragged to a pixel: `{ offset, rotation }` in the job's units. Turning
+    /// keeps the feature's own origin where it is.
+    #[wasm_bindgen(js_name = dragPart)]
+    pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
+        use crate::geom::{Rigid, Vec3};
+        let Some(held) = self.held() else {
+            return Ok(JsValue::NULL);
+        };
+        let spot = self.camera.spot([x, y]);
+        let [a, o, _] = held.plane.axes();
+        let (mut offset, mut turn) = (held.offset, held.turn);
+        let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(held.origin);
+        let now = place(offset, turn);
+        if handle == "turn" {
+            let handle = self.shown.as_ref().and_then(|shown| shown.scene.handle);
+            let nominal = handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
+            let angle = (spot[1] - now[o]).atan2(spot[0] - now[a]).to_degrees();
+            turn = crate::num::wrap_degrees(((angle - nominal) * 100.0).round() / 100.0);
+            offset += now - place(offset, turn);
+        } else {
+            offset[a] += spot[0] - now[a];
+            offset[o] += spot[1] - now[o];
+        }
+        let rounded = |mm: f64| (mm / held.scale * 1000.0).round() / 1000.0;
+        let result = Object::new();
+        let list: Array = offset.to_array().iter().map(|mm| JsValue::from_f64(rounded(*mm))).collect();
+        set(&result, "offset", &list);
+        set(&result, "rotation", &JsValue::from_f64(turn));
+        Ok(result.into())
+    }
+}
