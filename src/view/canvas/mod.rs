@@ -1,4 +1,4 @@
-//! Draws a scene on a browser's canvas. The only module that names `web_sys`.
+//! Draws a scene on a browser's canvas: the only module that names `web_sys`.
 
 mod strokes;
 mod theme;
