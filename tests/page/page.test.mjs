@@ -648,7 +648,15 @@ test("the words of a program have colours, those of the program that is shown", 
     }, kind);
   await settles(async () => (await coloured("code")).includes("G38.3"));
   assert.ok((await coloured("variable")).includes("#5070"));
-  assert.ok((await coloured("comment")).some((text) => text === "(Job: PROBE)"));
+  // Of the lines in sight only: those of the folded header and of the end come when they are seen.
+  const all = await coloured("comment");
+  assert.ok(!all.some((text) => text === "(Job: PROBE)") && !(await coloured("code")).includes("M2"));
+  await page.locator("tp-program .line").last().scrollIntoViewIfNeeded();
+  await settles(async () => (await coloured("code")).includes("M2"));
+  await page.getByRole("button", { name: /header/ }).click();
+  await page.locator("tp-program .line").first().scrollIntoViewIfNeeded();
+  await settles(async () => (await coloured("comment")).includes("(Job: PROBE)"));
+  await page.getByRole("button", { name: /header/ }).click();
   // Those of another program take their place: nothing of the first is left.
   await field("control.post").selectOption("sinumerik");
   await settles(async () => (await coloured("code")).includes("STOPRE"));

@@ -23,22 +23,50 @@ export function words(line: string): { kind: string; from: number; to: number }[
 /** The browser's registry; an old browser has none, and shows programs in one colour. */
 const registry = (globalThis as { CSS?: { highlights?: HighlightRegistry } }).CSS?.highlights;
 
-/** The colours of one program that is shown. Several on a page share the registry. */
+/** The colours of one program that is shown: of its lines in sight, since every coloured line is painted anew at each keystroke. Several on a page share the registry. */
 export class Colours {
   private ranges: [Highlight, StaticRange][] = [];
   private asked = 0;
+  private box: HTMLElement | null = null;
+  private readonly again = () => this.show(0);
+  /** A box that has another size shows other lines; so does one that was hidden. */
+  private readonly sizes = new ResizeObserver(this.again);
 
-  /** Colours the texts of these elements as soon as nothing else is to be done. */
-  show(texts: () => Iterable<Element>): void {
-    if (!registry) return;
-    clearTimeout(this.asked);
-    this.asked = setTimeout(() => {
-      this.clear();
-      for (const element of texts()) this.line(element);
-    }, 120) as unknown as number;
+  /** Colours what is in sight of a box, whatever it is scrolled to. */
+  follow(box: HTMLElement): void {
+    if (!registry || box === this.box) return;
+    this.leave();
+    this.box = box;
+    box.addEventListener("scroll", this.again, { passive: true });
+    this.sizes.observe(box);
   }
 
-  clear(): void {
+  /** Colours nothing any more. */
+  leave(): void {
+    this.clear();
+    this.sizes.disconnect();
+    this.box?.removeEventListener("scroll", this.again);
+    this.box = null;
+  }
+
+  /** Colours the lines in sight after so many milliseconds, in which nothing else was shown. */
+  show(wait: number): void {
+    if (!this.box) return;
+    clearTimeout(this.asked);
+    this.asked = setTimeout(() => this.colour(), wait) as unknown as number;
+  }
+
+  private colour(): void {
+    this.clear();
+    const sight = this.box?.getBoundingClientRect();
+    if (!this.box || !sight) return;
+    for (const text of this.box.querySelectorAll(".line:not(.touch) .text")) {
+      const { top, bottom } = text.getBoundingClientRect();
+      if (bottom > Math.max(top, sight.top) && top < sight.bottom) this.line(text);
+    }
+  }
+
+  private clear(): void {
     clearTimeout(this.asked);
     for (const [highlight, range] of this.ranges) highlight.delete(range);
     this.ranges = [];

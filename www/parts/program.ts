@@ -31,7 +31,7 @@ class ProgramPart extends Part {
   /** Whether both programs are looked at side by side. */
   private wide = false;
   private readonly colours = new Colours();
-  /** The program whose words have their colours. */
+  /** The program whose words have their colours, and whether its header is unfolded. */
   private coloured = "";
   private readonly finder = new Finder(
     () => this.store,
@@ -184,16 +184,23 @@ class ProgramPart extends Part {
     const list = this.querySelector<HTMLSelectElement>("select.compares");
     if (list) list.value = this.against;
     this.mark();
-    const { text } = this.store.plan.program;
-    if (text === this.coloured) return;
-    this.coloured = text;
-    this.colours.show(() => this.querySelectorAll(".line:not(.touch) .text"));
+    this.colours.follow(this.querySelector<HTMLElement>(".code[role=listbox]") as HTMLElement);
+    const shown = `${this.unfolded} ${this.store.plan.program.text}`;
+    if (shown === this.coloured) return;
+    this.coloured = shown;
+    this.colours.show(120);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    // Moved to another place of the page, it has lost its colours.
+    this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.coloured = "";
-    this.colours.clear();
+    this.colours.leave();
   }
 
   /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
