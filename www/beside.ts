@@ -7,13 +7,18 @@ import type { Reading } from "./reading.js";
 export function readBeside(text: string): Promise<Reading> {
   return new Promise((done, fail) => {
     const worker = new Worker(script(address), { type: "module" });
+    // One that does not come, over a slow network, is not waited for.
+    const late = setTimeout(() => end(() => fail(new Error("the worker did not come"))), 3000);
     const end = (settle: () => void) => {
+      clearTimeout(late);
       worker.terminate();
       settle();
     };
     worker.onmessage = ({ data }: MessageEvent<"ready" | Reading>) => {
-      if (data === "ready") worker.postMessage(text);
-      else end(() => done(data));
+      if (data === "ready") {
+        clearTimeout(late);
+        worker.postMessage(text);
+      } else end(() => done(data));
     };
     worker.onerror = (event) => {
       // It is read once more, by the page itself: nothing is lost that the console should say.

@@ -32,19 +32,19 @@ export async function keep(file: string): Promise<void> {
   registration?.active?.postMessage({ keep: file });
 }
 
-/** The page's policy for addresses of scripts, where the browser knows such: made once, since its name is taken then. */
-const policy = (
-  globalThis as {
-    trustedTypes?: { createPolicy(name: string, rules: object): { createScriptURL(url: string): unknown } };
-  }
-).trustedTypes?.createPolicy("touchpath", {
-  createScriptURL(url: string): string {
-    if (new URL(url, location.href).origin !== location.origin) throw new TypeError("not this page's script");
-    return url;
-  },
-});
+type Policy = { createScriptURL(url: string): unknown };
+/** The page's policy for addresses of scripts: made once, since its name is taken then. */
+let policy: Policy | undefined;
 
-/** The address of one of the page's own workers, as the page's policy asks for it. */
+/** The address of one of the page's own workers, as the page's policy asks for it. Throws where a stricter policy around forbids that. */
 export function script(url: string): string {
-  return (policy?.createScriptURL(url) ?? url) as string;
+  const types = (globalThis as { trustedTypes?: { createPolicy(name: string, rules: object): Policy } }).trustedTypes;
+  if (!types) return url;
+  policy ??= types.createPolicy("touchpath", {
+    createScriptURL(given: string): string {
+      if (new URL(given, location.href).origin !== location.origin) throw new TypeError("not this page's script");
+      return given;
+    },
+  });
+  return policy.createScriptURL(url) as string;
 }

@@ -1,4 +1,4 @@
-// The worker that reads a long text: its page goes on meanwhile.
+// The worker that reads a long text: the page can be used meanwhile.
 import { read } from "./reading.js";
 
 addEventListener("message", ({ data }: MessageEvent<string>) => postMessage(read(data)));

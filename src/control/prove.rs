@@ -67,7 +67,7 @@ pub struct Followed<'t> {
     pub start: Place,
     /// From above the first place to the end.
     pub trace: Trace,
-    /// From below the first place up to it; none where the job says where the stylus is, or nothing moves.
+    /// From below the first place, or below where the job says that the stylus is, up to the first place; none where nothing moves.
     pub below: Option<Trace>,
     /// The triggers that the touches were given, by their order.
     triggers: Vec<Vec3>,
@@ -114,16 +114,16 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         Met::Something((from + (to - from).normalize_or_zero() * along).to_array(), trigger.to_array())
     })
     .map_err(|t| faults(vec![t]))?;
-    let below = match (request.path.start, request.path.moves.first()) {
-        (None, Some(step)) => {
-            let run =
-                Run { start: away(-AWAY[2]), may_stop: true, until: Some((expected.place(step.to), expected.digit)), ..run };
+    let below = match request.path.moves.first() {
+        Some(step) => {
+            let start = request.path.start.map_or(away(-AWAY[2]), |start| expected.place(start - w * AWAY[2]));
+            let run = Run { start, may_stop: true, until: Some((expected.place(step.to), expected.digit)), ..run };
             Some(
                 machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown })
                     .map_err(|t| faults(vec![t]))?,
             )
         }
-        _ => None,
+        None => None,
     };
     Ok(Followed { start: run.start, script, trace, below, triggers, expected })
 }

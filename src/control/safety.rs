@@ -207,6 +207,11 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
             None => (Some(true), Text::words(rule.says), Vec::new()),
+            Some(_) if rule.name == LOW_START && case.request.path.start.is_some() => (
+                None,
+                text!("The job says where the stylus stands: this program does not ask whether it stands there"),
+                Vec::new(),
+            ),
             Some((_, what)) => (Some(false), what, lines),
         }
     };
@@ -381,7 +386,8 @@ fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
     let low = |step: &Step| {
         let across = (0..3).any(|axis| axis != tool && step.from[axis] != step.to[axis]);
         let (from, to) = (step.from[tool], step.to[tool]);
-        step.known[tool] && (to < top - case.digit() || (across && from < top - case.digit()))
+        let down = to < from && to < top - case.digit();
+        step.known[tool] && (down || (across && from < top - case.digit()))
     };
     case.positioning()
         .filter(|(_, step)| step.kind == Kind::Rapid && low(step))

@@ -61,9 +61,9 @@ fn clean(plan: &Plan) -> bool {
 fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     let (mut compared, mut deviating, mut written) = (0, 0, 0);
     for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan)) {
-        for included in [true, false] {
+        for (included, full_circle) in [(true, true), (false, false), (true, false)] {
             let mut control = control(&job, &plan);
-            control.length_included = included;
+            (control.length_included, control.full_circle) = (included, full_circle);
             let before = control.variables.clone();
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}\n{}", plan.program.text));
             assert_eq!(control.alarm, None, "{name}\n{}", plan.program.text);
@@ -133,6 +133,23 @@ fn a_contact_ends_the_program_and_names_the_move() {
         }
     }
     assert!(lifted > 100, "{lifted}");
+}
+
+/// A probe that signals as a touch sets out, for nothing or since it has not settled, would have its start taken for the wall.
+#[test]
+fn a_signal_at_the_start_of_a_touch_is_no_wall() {
+    let mut seen = 0;
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan)) {
+        for (i, _) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
+            let mut control = control(&job, &plan);
+            control.early = Some(i as f64 + 1.0);
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert_eq!(control.alarm.as_deref(), Some("1 CONTACT IN MOVE #149"), "{name}: move {}", i + 1);
+            assert_eq!((control.variables[&149], control.writes.len()), (i as f64 + 1.0, 0), "{name}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 100, "{seen}");
 }
 
 /// A touch that meets nothing ends the program; on a Fanuc the ball lifts first.

@@ -18,6 +18,10 @@ pub struct Control {
     pub contacts: Vec<[f64; 3]>,
     /// The number of a move (as #149 has it) that is stopped half-way by something.
     pub blocked: Option<f64>,
+    /// The number of a move as which sets out the probe signals, for nothing.
+    pub early: Option<f64>,
+    /// Whether ATAN gives 0 to 360 rather than -180 to 180 degrees, as parameter 6004 bit 0 says.
+    pub full_circle: bool,
     /// Modal codes: 4006 units, 4008 length, 4011 scale, 4016 rotation.
     pub modal: [(i64, f64); 5],
     /// Ends of all motions, and whether each was a G31.
@@ -41,6 +45,8 @@ impl Control {
             at: [417.0, -233.0, 301.0],
             contacts: Vec::new(),
             blocked: None,
+            early: None,
+            full_circle: true,
             modal: [(4006, if inch { 20.0 } else { 21.0 }), (4008, 43.0), (4011, 50.0), (4016, 69.0), (4022, 50.1)],
             path: Vec::new(),
             alarm: None,
@@ -80,7 +86,9 @@ impl Control {
                 continue;
             }
             if let Some(rest) = code.strip_prefix("IF [") {
-                let (condition, target) = rest.rsplit_once("] GOTO ").ok_or_else(|| fail("an IF without its jump"))?;
+                let jump = rest.rsplit_once("] GOTO ");
+                let (condition, target) =
+                    jump.or(rest.rsplit_once("] THEN ")).ok_or_else(|| fail("an IF without what it does"))?;
                 let operator = [" EQ ", " NE ", " LT ", " LE ", " GT ", " GE "].into_iter().find(|op| condition.contains(op));
                 let operator = operator.ok_or_else(|| fail("no comparison"))?;
                 let (left, right) = condition.split_once(operator).unwrap();
@@ -93,8 +101,14 @@ impl Control {
                     "GT" => left > right,
                     _ => left >= right,
                 };
-                if holds {
+                if holds && jump.is_some() {
                     next = label(target)?;
+                } else if holds {
+                    let (number, value) = target.split_once('=').ok_or_else(|| fail("no assignment"))?;
+                    let number: i64 = number[1..].parse().map_err(|_| fail("no variable"))?;
+                    let value = self.value(value).map_err(|e| fail(&e))?;
+                    assert!((100..=147).contains(&number), "{full}");
+                    self.variables.insert(number, value);
                 }
             } else if let Some(target) = code.strip_prefix("GOTO ") {
                 next = label(target)?;
@@ -168,8 +182,11 @@ impl Control {
         if motion == "G31" {
             let number = self.variables.get(&149).copied();
             met = self.contacts.first().copied().filter(|contact| on_the_way(self.at, to, *contact));
-            if met.is_some() {
+            if met.is_some() && self.early != number {
                 self.contacts.remove(0);
+            } else if self.early.is_some() && self.early == number {
+                met = Some(self.at);
+                self.early = None;
             } else if self.blocked.is_some() && self.blocked == number && self.at != to {
                 met = Some([0, 1, 2].map(|i| (self.at[i] + to[i]) / 2.0));
                 self.blocked = None;
@@ -245,7 +262,8 @@ impl Control {
                 _ => {
                     let Some(tail) = rest.strip_prefix(b"/") else { return Err("ATAN without its second value".to_owned()) };
                     *rest = tail;
-                    x.atan2(self.factor(rest)?).to_degrees()
+                    let angle = x.atan2(self.factor(rest)?).to_degrees();
+                    if self.full_circle { angle.rem_euclid(360.0) } else { angle }
                 }
             });
         }

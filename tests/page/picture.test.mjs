@@ -427,8 +427,8 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
         await page.evaluate((type) => Object.assign(document.querySelector("touch-path") ?? {}, { cycle: type }), type);
         await framed();
         const names = await page.evaluate(() => {
-          const root = document.querySelector("touch-path")?.shadowRoot;
-          const { view } = /** @type {any} */ (root?.querySelector("tp-picture")).drawing;
+          const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+          const { view } = /** @type {any} */ (root.querySelector("tp-picture")).drawing;
           return view
             .dimensionLines()
             .map((/** @type {[string, number, number, number, number]} */ [own, a, b, c, d]) => {

@@ -156,3 +156,18 @@ test("on a phone the listing jumped under the pointer: what is said of a line ha
     assert.equal((await boxOf(said)).height, height);
   }
 });
+
+test("a line of a million characters broke the listing when it was clicked and scrolled", async () => {
+  await openText(`G21 G90\nG0 X0 Y0 Z5\nG1 X1 F100\n(${"long ".repeat(200_000)})\nG1 X2\n`, "long.nc");
+  const lines = page.locator("tp-viewer .listing .line");
+  await lines.nth(3).waitFor();
+  const scroller = page.locator("tp-viewer .cm-scroller");
+  for (const top of [2_000, 10_000, 60_000, 0]) {
+    await scroller.click({ position: { x: 200, y: 150 } });
+    await scroller.evaluate((box, top) => box.scrollTo({ top }), top);
+    await framed();
+    await framed();
+    assert.ok((await lines.count()) > 0, `at ${top}`);
+  }
+  assert.equal(await lines.first().getAttribute("data-number"), "1");
+});

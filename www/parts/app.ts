@@ -546,8 +546,9 @@ export class App extends LitElement {
 
   /** What was pasted stays where it is until it could be read. */
   private async readPasted(): Promise<void> {
-    const text = this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
-    if (await this.intake.text(text)) this.paste(false);
+    const held = () => this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
+    const text = held();
+    if ((await this.intake.text(text)) && held() === text) this.paste(false);
   }
 
   private tell(said: Said | null): void {

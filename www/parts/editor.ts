@@ -18,6 +18,7 @@ const look = StateField.define<Look>({
 function decorated({ state, visibleRanges }: EditorView): DecorationSet {
   const { kind, lit, found } = state.field(look);
   const all: Range<Decoration>[] = [];
+  let last = -1;
   for (const seen of visibleRanges) {
     for (let at = seen.from; at <= seen.to; ) {
       const { from, to, number } = state.doc.lineAt(at);
@@ -28,7 +29,9 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
       if (found.matches.has(line)) names.push("match");
       if (line === found.here) names.push("here");
       const attributes = { "data-line": String(line), "data-number": String(number) };
-      all.push(Decoration.line({ class: names.filter(Boolean).join(" "), attributes }).range(from));
+      // A long line may be seen in parts, with gaps between them: it is decorated once.
+      if (line !== last) all.push(Decoration.line({ class: names.filter(Boolean).join(" "), attributes }).range(from));
+      last = line;
       // A line may be as long as the text: only what is seen of it is looked at.
       const start = Math.max(from, seen.from);
       const text = is === "touch" ? "" : state.sliceDoc(start, Math.min(to, seen.to));
@@ -69,7 +72,7 @@ export class Editor {
       if (line !== undefined) point(Number(line));
     };
     const all = (event: KeyboardEvent, view: EditorView) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.key.toLowerCase() !== "a") return false;
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.code !== "KeyA") return false;
       view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
       return true;
     };

@@ -51,10 +51,12 @@ export class Intake {
 
   /** A file too large for a job is not even read. */
   async file(file: File): Promise<void> {
+    const count = ++this.texts;
     if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
+      if (count !== this.texts) return;
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
       else await this.text(text);
     }
@@ -119,7 +121,7 @@ export class Intake {
       const reading = await this.read(text);
       return count === this.texts && this.take(text, reading);
     } catch {
-      this.page.tell(this.store.t("This text cannot be read"));
+      if (count === this.texts) this.page.tell(this.store.t("This text cannot be read"));
       return false;
     }
   }

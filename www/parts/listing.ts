@@ -35,10 +35,11 @@ export class Listing {
   /** `point` gets the line under the pointer; null is none. */
   constructor(
     private readonly box: HTMLElement,
-    private readonly label: () => string,
+    private readonly name: () => string,
     private readonly point: (line: number | null) => void,
   ) {
     this.plain.tabIndex = 0;
+    this.plain.role = "region";
     this.plain.lang = "en";
     this.plain.translate = false;
     box.replaceChildren(this.plain);
@@ -48,8 +49,19 @@ export class Listing {
   /** Another text. Nothing of it is lit or found yet. */
   show(text: string, kind: (line: number) => Kind): void {
     Object.assign(this.shown, { text, kind, found: NONE, lit: -1, sight: 0 });
-    this.plain.setAttribute("aria-label", this.label());
     if (!this.editor) this.plain.textContent = text;
+    this.later();
+  }
+
+  /** Whether its editor is there: until then the browser finds words in the whole text. */
+  get edits(): boolean {
+    return this.editor !== undefined;
+  }
+
+  /** Names it in the language that is the page's now. */
+  label(): void {
+    if (this.plain.ariaLabel === this.name()) return;
+    this.plain.ariaLabel = this.name();
     this.later();
   }
 
@@ -88,10 +100,10 @@ export class Listing {
   /** Where the editor cannot be loaded, the text stays as it is. */
   private async load(): Promise<void> {
     const { Editor } = await import("./editor.js").catch(() => ({ Editor: null }));
-    if (!Editor || this.freed) return;
+    if (!Editor || this.freed || !this.box.isConnected) return;
     const focused = this.plain.matches(":focus");
     this.plain.remove();
-    this.editor = new Editor(this.box, this.label, this.point);
+    this.editor = new Editor(this.box, this.name, this.point);
     this.draw();
     if (focused) this.editor.focus();
   }

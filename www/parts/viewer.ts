@@ -85,18 +85,21 @@ class ViewerPart extends DrawnPart {
       this.listing.mark(this.finder.found);
     }
     const line = this.pointed === null ? -1 : (moves.line[this.pointed] as number);
+    this.listing.label();
     this.listing.light(line, !this.querySelector(".listing:hover"));
   }
 
   /** Ctrl+F: the browser would look through the lines that are seen only. */
   private key(event: KeyboardEvent): void {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.key.toLowerCase() !== "f") return;
+    if (!this.listing?.edits || !(event.ctrlKey || event.metaKey) || event.altKey || event.code !== "KeyF") return;
     event.preventDefault();
     this.querySelector<HTMLInputElement>("input.filter")?.focus();
   }
 
   protected override updated(_changed: PropertyValues): void {
-    if (!this.drawing && this.isConnected) {
+    // Taken out of the page, it is drawn when it is put in again.
+    if (!this.isConnected) return;
+    if (!this.drawing) {
       const canvas = this.canvas();
       this.drawing = new Drawing(
         canvas,

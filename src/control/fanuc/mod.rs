@@ -21,7 +21,7 @@ use crate::control::{
     Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_write, feed_rate, offset_line, safety, written,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Formula};
+use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op};
 use crate::geom::{Plane, Vec3};
 use crate::num::{Digits, count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
@@ -163,6 +163,16 @@ fn serves(_subject: Subject, form: Form) -> Result<(), &'static str> {
     match form {
         Form::Moves => Ok(()),
         Form::Cycle => Err("it has no probing cycles of its own; calls of installed macros (P98xx) are not printed"),
+    }
+}
+
+/// What the value of an assignment changes by in a full turn, degrees, where it is an angle or half of one.
+fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
+    let is_angle = |node: NodeId| matches!(formula.node(node), Node::Atan2(..));
+    match formula.node(node) {
+        Node::Atan2(..) => Some(360),
+        Node::Binary(Op::Divide, angle, two) if is_angle(angle) && formula.node(two) == Node::Number(2.0) => Some(180),
+        _ => None,
     }
 }
 
@@ -427,8 +437,12 @@ impl Moves for Skip<'_> {
         let end = step.step.to - touch.vector * touch.search;
         let words = w.all_words(end);
         self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
-        let (off, near) = (Self::off(w, end, &[0, 1, 2]), Self::in_position(w));
-        w.parts(&["IF [", &off, " LE ", &near, "] GOTO ", MISSED]);
+        let near = Self::in_position(w);
+        // A probe that has not settled since the move before would have the start taken for the wall.
+        if let Some(start) = step.from {
+            w.parts(&["IF [", &Self::off(w, start, &[0, 1, 2]), " LE ", &near, "] GOTO ", FREE]);
+        }
+        w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
     }
 
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
@@ -454,6 +468,11 @@ impl Moves for Skip<'_> {
             text.push('=');
             print::print_to(text, &Variables(self.registers), formula, formula.assignments[index].node, self.request.scale);
         });
+        // ATAN gives 0 to 360 or -180 to 180 degrees, as a parameter of the control says (6004 bit 0): the formula means the latter.
+        if let Some(turn) = full_turn(formula, formula.assignments[index].node) {
+            let angle = variable(self.registers.variables[index]);
+            w.line(&format!("IF [{angle} GT {}] THEN {angle}={angle}-{turn}", turn / 2));
+        }
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {

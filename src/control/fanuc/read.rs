@@ -80,6 +80,8 @@ pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.straight = true;
+    // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
+    script.full_circle = true;
     let mut targets = Targets::default();
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
         let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
@@ -110,21 +112,20 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     }
     let what = if cursor.eat("IF") {
         let condition = cursor.bracketed(grammar, script)?;
-        cursor.expect("GOTO")?;
-        targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
-        What::JumpIf(condition, 0)
+        if cursor.eat("THEN") {
+            script.push(line, What::JumpUnless(condition, here + 2));
+            let name = cursor.variable(Names::Hash).ok_or_else(|| text!("a condition without what it does"))?;
+            assignment(name, &mut cursor, grammar, script)?
+        } else {
+            cursor.expect("GOTO")?;
+            targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
+            What::JumpIf(condition, 0)
+        }
     } else if cursor.eat("GOTO") {
         targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
         What::Jump(0)
     } else if let Some(name) = cursor.variable(Names::Hash) {
-        cursor.expect("=")?;
-        let value = cursor.value(grammar, script)?;
-        match system(name) {
-            _ if name == "#3000" && script.number(value).is_some() => What::Alarm,
-            None => What::Set(script.slot(name), value),
-            Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return Err(text!("the control's own values are not written")),
-        }
+        assignment(name, &mut cursor, grammar, script)?
     } else {
         let what = words::words(&mut cursor, grammar, script)?;
         script.push(line, what);
@@ -133,4 +134,16 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     cursor.end()?;
     script.push(line, what);
     Ok(())
+}
+
+/// What stands behind the name of a variable: its value, or an alarm.
+fn assignment<'t>(name: &'t str, cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
+    cursor.expect("=")?;
+    let value = cursor.value(grammar, script)?;
+    match system(name) {
+        _ if name == "#3000" && script.number(value).is_some() => Ok(What::Alarm),
+        None => Ok(What::Set(script.slot(name), value)),
+        Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
+        Some(_) => Err(text!("the control's own values are not written")),
+    }
 }

@@ -464,7 +464,10 @@ impl<'s, 't> Machine<'s, 't> {
                     Binary::Subtract => x - y,
                     Binary::Multiply => x * y,
                     Binary::Divide => x / y,
-                    Binary::Atan => x.atan2(y).to_degrees(),
+                    Binary::Atan => {
+                        let angle = x.atan2(y).to_degrees();
+                        if self.script.full_circle { angle.rem_euclid(360.0) } else { angle }
+                    }
                     Binary::Equal => truth(x == y),
                     Binary::Unequal => truth(x != y),
                     Binary::Less => truth(x < y),

@@ -265,6 +265,8 @@ pub struct Script<'t> {
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
     pub straight: bool,
+    /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
+    pub full_circle: bool,
     /// The variables that hold results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
 }
