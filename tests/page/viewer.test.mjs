@@ -171,3 +171,20 @@ test("a line of a million characters broke the listing when it was clicked and s
   }
   assert.equal(await lines.first().getAttribute("data-number"), "1");
 });
+
+test("a viewer that was taken out of its page while it updated never listed again", async () => {
+  await openText(FOREIGN, "foreign.ngc");
+  const lines = page.locator("tp-viewer .listing .line");
+  await lines.first().waitFor();
+  await page.evaluate(async () => {
+    const element = /** @type {HTMLElement} */ (document.querySelector("touch-path"));
+    const viewer = /** @type {any} */ (element.shadowRoot?.querySelector("tp-viewer"));
+    const place = /** @type {HTMLElement} */ (element.parentElement);
+    element.remove();
+    viewer.requestUpdate();
+    await viewer.updateComplete;
+    place.append(element);
+  });
+  await lines.first().waitFor();
+  assert.equal(await lines.nth(4).textContent(), "G38.2 Z-5 F100");
+});
