@@ -12,6 +12,8 @@ const root = fileURLToPath(new URL("../..", import.meta.url));
 let folder;
 /** @type {any} */
 let Store;
+/** @type {(text: string) => any} */
+let read;
 /** @type {(text: string, unit?: string, units?: string) => number | string} */
 let readNumber;
 
@@ -25,7 +27,7 @@ before(async () => {
     logLevel: "silent",
     build: {
       ssr: true,
-      rolldownOptions: { input: ["www/store.ts", "www/number.ts"] },
+      rolldownOptions: { input: ["www/store.ts", "www/number.ts", "www/reading.ts"] },
       outDir: folder,
       emptyOutDir: true,
     },
@@ -38,6 +40,7 @@ before(async () => {
     ],
   });
   ({ Store } = await import(pathToFileURL(join(folder, "store.js")).href));
+  ({ read } = await import(pathToFileURL(join(folder, "reading.js")).href));
   ({ readNumber } = await import(pathToFileURL(join(folder, "number.js")).href));
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
@@ -103,10 +106,10 @@ test("a text that is no job changes nothing", () => {
   const before = structuredClone(store.draft);
   const moves = "G21 G17 G90 G94\nM5\nG0 X1 Y2\nG0 Z3\nG38.2 Z-5 F100\nM2\n";
   for (const text of ["nothing", "{", '{"format":9,"cycle":{"type":"hole"}}', moves, "x".repeat(3_000_000)]) {
-    assert.throws(() => store.open(text), /./);
+    assert.throws(() => store.open(read(text)), /./);
     assert.deepEqual(store.draft, before);
   }
-  assert.throws(() => store.open(moves), /says no job/);
+  assert.throws(() => store.open(read(moves)), /says no job/);
 });
 
 test("a program for any control is opened as the job that made it", () => {
@@ -117,7 +120,7 @@ test("a program for any control is opened as the job that made it", () => {
     store.set("control.post", id);
     const { text } = store.plan.program;
     const other = new Store();
-    other.open(text);
+    other.open(read(text));
     assert.equal(other.get("cycle.width1"), 66, id);
     assert.equal(other.plan.program.text, text, id);
   }
@@ -197,7 +200,7 @@ test("any run of steps taken back is the state before it, and taken again the st
     () => {
       store.measured = `${draw(9)}, 0, 0`;
     },
-    () => store.open('{"format":1,"cycle":{"type":"web"}}'),
+    () => store.open(read('{"format":1,"cycle":{"type":"web"}}')),
     () => store.usePreset({ name: "x", units: "inch", sections: { stylus: { diameter: 0.1 } } }),
   ];
   const states = [state()];
