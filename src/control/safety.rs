@@ -99,6 +99,14 @@ pub static RULES: &[Rule] = &[
         breaks: probe_asked,
     },
     Rule {
+        name: "probe-free-again",
+        says: "A probe that is still deflected after a move that is not watched ends the program at the next probing move",
+        why: "A probe that stays deflected reports nothing: the next touch would run into the part.",
+        must: true,
+        own_cycle: true,
+        breaks: probe_free_again,
+    },
+    Rule {
         name: LOW_START,
         says: "A stylus below the first place goes straight up first, or nothing moves",
         why: "In the plane at a low height stand fixtures and the part.",
@@ -286,6 +294,15 @@ fn probe_asked(case: &Case<'_>) -> Vec<Break> {
             vec![(Some(touch.line), text!("With a probe that is deflected from the start the program comes to this touch"))]
         }
     }
+}
+
+fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
+    let ends = |ending: Ending| matches!(ending, Ending::ControlStops | Ending::Exit { strays: false, writes: false, .. });
+    case.steps()
+        .iter()
+        .filter(|step| step.stuck.is_some_and(|ending| !ends(ending)))
+        .map(|step| (Some(step.line), text!("With a probe that is still deflected the program makes this probing move")))
+        .collect()
 }
 
 fn low_start(case: &Case<'_>) -> Vec<Break> {

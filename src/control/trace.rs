@@ -49,6 +49,8 @@ pub struct Step {
     pub contact: Ending,
     /// What a miss leads to, where the move must touch.
     pub miss: Ending,
+    /// What a probing move leads to if the probe is still deflected from the motion before it; none where that was watched.
+    pub stuck: Option<Ending>,
 }
 
 /// What a motion does.

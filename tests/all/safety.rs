@@ -83,8 +83,10 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("modes-stated", "fanuc", "G54\nG53\n#100", "G55\nG53\n#100"),
     ("spindle-off", "linuxcnc", "M5 M9", "M9"),
     ("spindle-off", "haas", "M5\n", "M3\n"),
-    // Where positioning is watched its first move would see it, too.
-    ("probe-asked", "sinumerik unwatched", "IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED\n", ""),
+    // Where positioning is not watched the first touch asks again.
+    ("probe-asked", "sinumerik", "IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED\n", ""),
+    ("probe-free-again", "sinumerik", "IF $A_PROBE[1]<>0 GOTOF TP_STUCK\n", ""),
+    ("probe-free-again", "sinumerik unwatched", "IF $A_PROBE[1]<>0 GOTOF TP_STUCK\n", ""),
     ("low-start-goes-up", "linuxcnc", "o4 if [#<_z> LT 30]", "o4 if [#<_z> LT -900]"),
     ("low-start-goes-up", "sinumerik", "IF $AA_IW[Z]>=30 GOTOF TP_ABOVE", "IF $AA_IW[Z]>=-900 GOTOF TP_ABOVE"),
     ("low-start-goes-up", "fanuc", "IF [#5043-#100 LT 30.] GOTO 9005\n", ""),

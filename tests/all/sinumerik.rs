@@ -216,6 +216,50 @@ fn a_contact_ends_the_program_and_names_the_move() {
     assert_eq!((ends(7.0), ends(8.0)), (9, 11));
 }
 
+/// MEAS sees only the edge of the signal. A probe that stays deflected from some touch on ends the program before the next probing
+/// move: nothing is measured with it, nothing is written, and the ball goes nowhere but up.
+#[test]
+fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move() {
+    let (mut ended, mut touches_refused) = (0, 0);
+    for (name, job, _) in plans().into_iter().filter(|(.., plan)| moves_form(plan)) {
+        for protection in ["checked", "none"] {
+            let job = with(&job, "control.protection", Value::Text(protection.to_owned()));
+            let Ok(plan) = touchpath::job::plan(&job) else { continue };
+            // The places of a real part: a program that goes on would find its next wall.
+            if plan.triggers.contains(&None) {
+                continue;
+            }
+            let program = read(&plan.program.text).unwrap();
+            let w = axes(&job)[2];
+            let highest = plan.moves.iter().map(|m| m.to[w]).fold(f64::NEG_INFINITY, f64::max);
+            for k in 0..plan.touches.len() {
+                let touch = plan.moves.iter().position(|m| m.kind == "touch" && m.touch == Some(k)).unwrap();
+                // The next move that has to see the probe: a positioning move only where it is watched.
+                let probes = |kind: &str| kind == "touch" || kind == "position" && protection == "checked";
+                let Some(next) = (touch + 1..plan.moves.len()).find(|i| probes(plan.moves[*i].kind)) else { continue };
+                let mut machine = machine(&job, &plan);
+                machine.start = plan.moves[0].to;
+                machine.start[w] = highest;
+                machine.stuck_from = Some(k + 1);
+                machine.run(&program).unwrap_or_else(|e| panic!("{name} {protection} {k}: {e}"));
+                let wanted = format!("The probe is still deflected before move {}.", next + 1);
+                assert!(machine.message.starts_with(&wanted), "{name} {protection} {k}: {}", machine.message);
+                assert_eq!((machine.alarm, machine.writes), (Some(65000.0), 0), "{name} {protection} {k}");
+                let last = machine.path[machine.path.len() - 1];
+                let stood = plan.moves[next - 1].to;
+                assert!(
+                    (0..3).all(|i| i == w || (last[i] - stood[i]).abs() < 1e-3),
+                    "{name} {protection} {k}: {last:?} {stood:?}"
+                );
+                assert!((last[w] - highest).abs() < 1e-3, "{name} {protection} {k}: it lifts");
+                ended += 1;
+                touches_refused += usize::from(plan.moves[next].kind == "touch");
+            }
+        }
+    }
+    assert!(ended > 300 && touches_refused > 150, "{ended} {touches_refused}");
+}
+
 #[test]
 fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     let (_, job, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();

@@ -20,6 +20,8 @@ pub struct Machine {
     pub behind: [[[f64; 3]; 4]; 3],
     pub metric: bool,
     pub deflected: bool,
+    /// The touch, counted from 1, from which on the probe stays deflected.
+    pub stuck_from: Option<usize>,
     pub message: String,
     pub alarm: Option<f64>,
     /// Ends of all moves.
@@ -42,6 +44,7 @@ impl Machine {
             contact_in: None,
             metric: true,
             deflected: false,
+            stuck_from: None,
             message: String::new(),
             alarm: None,
             path: Vec::new(),
@@ -50,6 +53,10 @@ impl Machine {
             touched: 0,
             state: 0.0,
         }
+    }
+
+    fn is_deflected(&self) -> bool {
+        self.deflected || self.stuck_from.is_some_and(|touch| self.touched >= touch)
     }
 
     pub fn run(&mut self, program: &Program) -> Result<(), String> {
@@ -89,7 +96,9 @@ impl Machine {
                 }
                 Statement::Motion(motion) => {
                     let mut to = [0, 1, 2].map(|axis| motion.axes[axis].unwrap_or(at[axis]));
+                    let deflected = self.is_deflected();
                     if motion.measuring {
+                        // MEAS waits for the edge of the signal: of a probe that is deflected already it sees nothing.
                         self.state = 0.0;
                         // The check two blocks on says whether this is meant to touch.
                         let touch = matches!(&program.blocks[next + 2].statement, Statement::If(Term::Binary("==", ..), _));
@@ -97,11 +106,11 @@ impl Machine {
                             if motion.axes.contains(&None) {
                                 return Err(format!("line {line}: MEAS latches the axes that its block names"));
                             }
-                            if let Some(Some(trigger)) = self.triggers.get(self.touched) {
+                            if let Some(Some(trigger)) = self.triggers.get(self.touched).filter(|_| !deflected) {
                                 (to, self.state) = (*trigger, 1.0);
                             }
                             self.touched += 1;
-                        } else if self.contact_in == self.names.get("TP_MOVE").copied() {
+                        } else if !deflected && self.contact_in == self.names.get("TP_MOVE").copied() {
                             self.state = 1.0;
                             to = [0, 1, 2].map(|i| if at[i].is_nan() { to[i] } else { (at[i] + to[i]) / 2.0 });
                         }
@@ -168,7 +177,7 @@ impl Machine {
             }
             Term::System(name, parts) => match (name.as_str(), parts.as_slice()) {
                 ("$AC_MEA", _) => self.state,
-                ("$A_PROBE", _) => truth(self.deflected),
+                ("$A_PROBE", _) => truth(self.is_deflected()),
                 ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),
                 ("$AA_MW" | "$AA_IW", [axis]) => at[axis_of(axis)?],
                 ("$P_UIFR", parts) => {

@@ -95,6 +95,8 @@ struct Machine<'s, 't> {
     state: State,
     /// Whether the program is in millimetres, as the basic system of the control is taken to be: 1 or 0.
     metric: f64,
+    /// Whether the last motion was not watched, and the state behind it.
+    unwatched: (bool, State),
 }
 
 /// What a block leads to.
@@ -182,7 +184,12 @@ impl<'s, 't> Machine<'s, 't> {
             What::Words(words) => words.modes.metric,
             _ => None,
         });
-        Machine { script, state, metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))) }
+        Machine {
+            script,
+            state,
+            metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
+            unwatched: Default::default(),
+        }
     }
 
     /// The line of a block: inside a subroutine that of the outermost call.
@@ -299,7 +306,7 @@ impl<'s, 't> Machine<'s, 't> {
         let kind = if motion == Motion::Rapid { Kind::Rapid } else { Kind::Feed };
         let (contact, miss) = (Ending::GoesOn, Ending::GoesOn);
         let known = self.state.stated;
-        Ok(Step { line, from, to, known, kind, feed, own_feed: words.feed.is_some(), arc, contact, miss })
+        Ok(Step { line, from, to, known, kind, feed, own_feed: words.feed.is_some(), arc, contact, miss, stuck: None })
     }
 
     /// Makes a motion. Of a probing one the way that it does not take is followed, too.
@@ -307,7 +314,12 @@ impl<'s, 't> Machine<'s, 't> {
         let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
         if !probes {
             self.state.at = step.to;
+            self.unwatched.0 = true;
+            self.unwatched.1.become_like(&self.state);
             return Ok(());
+        }
+        if std::mem::take(&mut self.unwatched.0) {
+            step.stuck = Some(self.still_deflected()?);
         }
         let from = self.state.at;
         let half = [0, 1, 2].map(|axis| (from[axis] + step.to[axis]) / 2.0);
@@ -347,6 +359,15 @@ impl<'s, 't> Machine<'s, 't> {
         ending
     }
 
+    /// What the program leads to from the last motion on, which nothing watched, if the probe is still deflected there.
+    fn still_deflected(&mut self) -> Result<Ending, Trouble> {
+        std::mem::swap(&mut self.state, &mut self.unwatched.1);
+        self.state.deflected = true;
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, true);
+        std::mem::swap(&mut self.state, &mut self.unwatched.1);
+        ending
+    }
+
     /// The ball stops where it met something, or at the end.
     fn arrive(&mut self, to: Place, met: Option<(Place, Place)>) {
         (self.state.at, self.state.trigger) = met.unwrap_or((to, to));
@@ -371,8 +392,8 @@ impl<'s, 't> Machine<'s, 't> {
                     let step = self.motion(line, words, motion)?;
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if fresh => return Ok(Ending::ControlStops),
-                        // A deflected probe ends every probing move where it begins.
-                        Motion::MayTouch if deflected && probes < MOST_LIFTS => {
+                        // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
+                        Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
                             self.arrive(from, Some((from, from)));
                             (fresh, probes) = (false, probes + 1);
                         }

@@ -265,6 +265,8 @@ pub struct Script<'t> {
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
     pub straight: bool,
+    /// Whether a probing move sees only the edge of the probe's signal: nothing of a probe that is deflected when it begins.
+    pub sees_edges: bool,
     /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
     pub full_circle: bool,
     /// The variables that hold results: code and name, from the header.

@@ -5,7 +5,7 @@
 
 use crate::control::iso::writer::Writer;
 use crate::control::moves::Step;
-use crate::control::sinumerik::{DIALECT, begin, end, position};
+use crate::control::sinumerik::{DIALECT, begin, end, names_move, position};
 use crate::control::{Program, Request};
 use crate::form::Checker;
 use crate::path::{self, Feature, Move, Purpose};
@@ -106,6 +106,7 @@ pub fn emit(request: &Request<'_>) -> Program {
     let approach = moves.iter().take_while(|m| m.step <= 1).count();
     for (i, step) in moves.iter().enumerate().take(approach) {
         let from = moves.get(i.wrapping_sub(1)).map(|m| m.to);
+        names_move(&mut w, i);
         position(&mut w, request, Step { index: i, step, from });
     }
     debug_assert!(moves.iter().any(touches), "a cycle touches");
@@ -117,6 +118,7 @@ pub fn emit(request: &Request<'_>) -> Program {
     for _ in approach..last {
         w.leaves_move();
     }
+    names_move(&mut w, last);
     position(&mut w, request, Step { index: last, step: &moves[last], from: Some(moves[last - 1].to) });
     end(&mut w, request);
     w.finish()

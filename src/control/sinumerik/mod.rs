@@ -2,7 +2,9 @@
 //!
 //! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
 //! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
-//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. Results stand in
+//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. MEAS sees only the
+//! edge of a signal, so behind a move that was not watched the next MEAS block asks first whether the probe is free: one that is
+//! still deflected would see nothing. Results stand in
 //! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
 //! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
 //! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
@@ -132,18 +134,28 @@ fn emit(request: &Request<'_>) -> Program {
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
-    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers() })
+    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers(), unwatched: false })
 }
 
 /// The program of one request.
 struct Sinumerik<'a> {
     request: &'a Request<'a>,
     registers: &'a Registers,
+    /// Whether a move was made that nothing watched since the probe was last known to be free.
+    unwatched: bool,
 }
 
 impl Sinumerik<'_> {
     fn notation(&self) -> RParameters<'_> {
         RParameters { registers: self.registers }
+    }
+
+    /// Asks whether the probe is free before a MEAS block, which sees only the edge of its signal.
+    fn ask_probe(&mut self, w: &mut Writer<'_>) {
+        if std::mem::take(&mut self.unwatched) {
+            w.line("STOPRE");
+            w.line("IF $A_PROBE[1]<>0 GOTOF TP_STUCK");
+        }
     }
 }
 
@@ -158,16 +170,23 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
-        w.line("TP_MOVE=1");
+        names_move(w, 0);
         approach(w, self.request, first);
+        self.unwatched = !self.request.protected;
     }
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        names_move(w, step.index);
+        if self.request.protected {
+            self.ask_probe(w);
+        }
         position(w, self.request, step);
+        self.unwatched = !self.request.protected;
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
-        w.parts(&["TP_MOVE=", &count(step.index + 1)]);
+        names_move(w, step.index);
+        self.ask_probe(w);
         w.makes_move();
         // MEAS takes the positions of the axes that its block names.
         w.straight_in_full("MEAS=1 G1", step.step.to - touch.vector * touch.search, self.request.feeds.work);
@@ -187,6 +206,7 @@ impl Moves for Sinumerik<'_> {
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
         w.straight("G1", step.step.to, false, Some(rate_of(self.request, step.step)));
+        self.unwatched = true;
     }
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
@@ -266,10 +286,14 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     }
 }
 
+/// The number of the move that follows, for the messages of the exits.
+fn names_move(w: &mut Writer<'_>, index: usize) {
+    w.parts(&["TP_MOVE=", &count(index + 1)]);
+}
+
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
 /// watched.
 fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
-    w.parts(&["TP_MOVE=", &count(place.index + 1)]);
     if comes_from_anywhere(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
@@ -394,6 +418,9 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
             w.line("GOTOF TP_EXIT");
         }
         if touches {
+            w.line("TP_STUCK:");
+            w.line(&format!("MSG(\"The probe is still deflected before move \"<<TP_MOVE<<\". {written}\")"));
+            w.line("GOTOF TP_EXIT");
             w.line("TP_MISSED:");
             w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
         }

@@ -68,6 +68,7 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
+    script.sees_edges = true;
     let mut targets = Targets::default();
     lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
