@@ -102,10 +102,11 @@ impl<'a> Writer<'a> {
         each_line(text, self.dialect.comment_width - open.len() - close.len(), |line| {
             self.build(|text| {
                 text.push_str(open);
-                let begin = text.len();
-                text.push_str(line);
                 if capitals {
-                    text[begin..].make_ascii_uppercase();
+                    // A semicolon is what such a control shows for the end of a block.
+                    text.extend(line.chars().map(|c| if c == ';' { ',' } else { c.to_ascii_uppercase() }));
+                } else {
+                    text.push_str(line);
                 }
                 text.push_str(close);
             });

@@ -1,7 +1,8 @@
 //! The control's own cycle for an inside rectangle with a protection zone: CYCLE977, 29 arguments by position.
 //!
-//! Positions, fixed values and the meaning of 27 to 29 are those of working generators and their calls. Two things stay open, and the
-//! program says so: the sign of the infeed, on which sources disagree, and that a rectangle takes both coordinates of the centre.
+//! Positions, fixed values and the meaning of 27 to 29 are those of working generators and their calls. Three things stay open, and the
+//! program says so: the sign of the infeed, on which sources disagree, that a rectangle takes both coordinates of the centre, and, in
+//! inches, the unit of the measuring path. Argument 10, a rotation, is always 0.
 
 use crate::control::iso::writer::Writer;
 use crate::control::moves::Step;
@@ -44,7 +45,10 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let [a, _, _] = request.plane.basis();
     let advice = words!(". Use the form \"moves\"");
     if request.path.frame.u.distance(a) > 1e-9 {
-        let message = text!("CYCLE977 measures rectangles that are parallel to the axes only{advice}", advice);
+        let message = text!(
+            "The program calls CYCLE977 without a rotation: width 1 must lie along the first axis of the plane{advice}",
+            advice
+        );
         checker.error("cycle-not-parallel", "cycle.rotation", message);
     }
     if request.path.feature.picked() {
@@ -94,11 +98,14 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 /// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
 pub fn emit(request: &Request<'_>) -> Program {
     let mut w = Writer::new(request, &DIALECT);
-    let notes = [
+    let mut notes = vec![
         "Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed",
         "NOT VERIFIED: argument 11, the infeed, is written positive; sources disagree on its sign. A wrong one lifts instead",
         "NOT VERIFIED: that a rectangle takes both 28 and 29, the centre",
     ];
+    if request.scale != 1.0 {
+        notes.push("NOT VERIFIED: argument 8, the measuring path, is written in inches; its forerunner _FA was in mm always");
+    }
     begin(&mut w, request, "the cycle corrects it", &notes);
     let moves = &request.path.moves;
     let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
