@@ -287,6 +287,9 @@ test("panels, theme, slots, parts and custom properties", async () => {
   assert.equal(await background(), "rgb(255, 255, 255)");
   await set("theme", "auto");
   await page.emulateMedia({ colorScheme: "dark" });
+  // The browser takes the scheme up with its next frame.
+  await page.waitForFunction(() => matchMedia("(prefers-color-scheme: dark)").matches);
+  await page.evaluate(() => new Promise(requestAnimationFrame));
   assert.equal(await background(), "rgb(18, 23, 29)");
   await page.addStyleTag({ url: `${addressOf(server)}own.css` }).catch(() => undefined);
   problems = [];
