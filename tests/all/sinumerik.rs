@@ -380,10 +380,8 @@ fn the_call_of_the_cycle_has_its_arguments_where_real_calls_have_them() {
     assert!(measured.program.text.contains("CYCLE977(1005,,,1,,80,50,"), "{}", measured.program.text);
     assert!(measured.program.text.contains(",1.01,1.01,-1.01,,,,,1,11,0,0)\n"), "{}", measured.program.text);
     assert_eq!(measured.program.text.matches("NOT VERIFIED").count(), 2, "what is open stays marked");
-    let inches = planned(&job(
-        r#"{ "format": 1, "units": "inch", "cycle": { "type": "internal-rectangle-protected" },
-        "control": { "post": "sinumerik", "form": "cycle" } }"#,
-    ));
+    let inches = planned(&job(r#"{ "format": 1, "units": "inch", "cycle": { "type": "internal-rectangle-protected" },
+        "control": { "post": "sinumerik", "form": "cycle" } }"#));
     assert!(inches.program.text.contains("NOT VERIFIED: argument 8, the measuring path, is written in inches"));
     let (ours, zone, bore) = (arguments(line), arguments(zone), arguments(bore));
     assert_eq!((ours.len(), bore.len(), zone.len()), (29, 27, 29));

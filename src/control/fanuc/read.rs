@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
@@ -15,13 +15,13 @@ const FANUC_LIKE: Grammar =
     Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.
-fn system(name: &str) -> Option<System> {
+fn system(name: &[u8]) -> Option<System> {
     match name {
-        "#[2000+#4111]" => return Some(System::Length),
-        "#[2200+#4111]" => return Some(System::Fixed(0.0)),
+        b"#[2000+#4111]" => return Some(System::Length),
+        b"#[2200+#4111]" => return Some(System::Fixed(0.0)),
         _ => {}
     }
-    let number: i32 = name.get(1..)?.parse().ok()?;
+    let number = parse::whole(name.get(1..)?)?;
     let origin = |first: i32, offset: i32| {
         let (place, axis) = ((number - first) / 20, (number - first) % 20);
         (axis < 3).then(|| System::Offset(Part::Origin(place + offset, axis as usize)))
@@ -86,7 +86,7 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
         let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
-            let slot = script.slot(name);
+            let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));
         }
         let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
@@ -137,13 +137,13 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
 }
 
 /// What stands behind the name of a variable: its value, or an alarm.
-fn assignment<'t>(name: &'t str, cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
+fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
     match system(name) {
-        _ if name == "#3000" && script.number(value).is_some() => Ok(What::Alarm),
+        _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
         None => Ok(What::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
-        Some(_) => Err(text!("the control's own values are not written")),
+        Some(_) => fault(text!("the control's own values are not written")),
     }
 }

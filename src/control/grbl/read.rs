@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines;
-use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS};
+use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Script, Trouble};
 use crate::control::iso::words;
 use crate::text::text;
@@ -21,7 +21,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {
         if code.contains(['#', '[', '=']) {
-            return Err(text!("grbl has no variables"));
+            return fault(text!("grbl has no variables"));
         }
         if code.is_empty() || code == "%" {
             return Ok(());

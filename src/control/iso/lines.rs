@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::control::iso::parse::Parsed;
+use crate::control::iso::parse::{Parsed, fault};
 use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
@@ -21,7 +21,7 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
                 let inner =
                     inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands behind it"))?;
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
-                    return Err(text!("two comments are in one line, or one in another"));
+                    return fault(text!("two comments are in one line, or one in another"));
                 }
                 return Ok((&line[..at], Some(inner)));
             }
@@ -76,7 +76,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             block(script, line, self::trimmed(code), comment)
         });
         if let Err(message) = read {
-            troubles.push(Trouble { line, message, understood: false });
+            troubles.push(Trouble { line, message: *message, understood: false });
         }
     }
     if troubles.is_empty() { Ok(()) } else { Err(troubles) }
@@ -110,9 +110,9 @@ pub fn trimmed(text: &str) -> &str {
 #[derive(Debug, Default)]
 pub struct Targets<'t> {
     /// Labels and subroutines, and where they stand.
-    pub known: Vec<(&'t str, usize)>,
+    pub known: Vec<(&'t [u8], usize)>,
     /// Blocks that go somewhere, and where to.
-    pub wanted: Vec<(usize, &'t str)>,
+    pub wanted: Vec<(usize, &'t [u8])>,
 }
 
 /// In place of a place: the name is there more than once.
@@ -122,13 +122,13 @@ impl Targets<'_> {
     /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
-        let names: Vec<String> = self.known.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
-        let mut places: BTreeMap<&str, u32> = BTreeMap::new();
+        let names: Vec<Vec<u8>> = self.known.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
+        let mut places: BTreeMap<&[u8], u32> = BTreeMap::new();
         for (name, (_, place)) in names.iter().zip(&self.known) {
             places.entry(name).and_modify(|known| *known = TWICE).or_insert(*place as u32);
         }
         for (from, name) in &self.wanted {
-            let message = match places.get(name.to_ascii_lowercase().as_str()) {
+            let message = match places.get(name.to_ascii_lowercase().as_slice()) {
                 None => text!("the target of this jump is nowhere"),
                 Some(&TWICE) => text!("the target of this jump is there more than once"),
                 Some(&to) if below && to as usize <= *from => text!("a jump down finds its label above only"),

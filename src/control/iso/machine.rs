@@ -522,7 +522,7 @@ impl<'s, 't> Machine<'s, 't> {
 }
 
 /// The arguments of a subroutine.
-const ARGUMENTS: [&str; 9] = ["#1", "#2", "#3", "#4", "#5", "#6", "#7", "#8", "#9"];
+const ARGUMENTS: [&[u8]; 9] = [b"#1", b"#2", b"#3", b"#4", b"#5", b"#6", b"#7", b"#8", b"#9"];
 
 /// A part of a work offset before the program.
 fn before(part: Part, straight: bool) -> f64 {

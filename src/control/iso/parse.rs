@@ -1,6 +1,7 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
 use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
+use crate::form::printable;
 use crate::text::{Text, text};
 
 /// Deepest nesting of brackets and signs.
@@ -18,10 +19,10 @@ pub struct Grammar {
     pub points: bool,
     /// How variables are named.
     pub names: Names,
-    /// What stands between two values: the word, how tightly it binds (0 least), and what it does.
+    /// What stands between two values beside + - * /: the word, how tightly it binds (0 least), and what it does.
     pub operators: &'static [(&'static str, u8, Binary)],
     /// What the control knows under a name, where it is no variable of the program.
-    pub system: fn(&str) -> Option<System>,
+    pub system: fn(&[u8]) -> Option<System>,
     /// What a code does: its letter, and ten times its number.
     pub code: fn(u8, i32) -> Option<Code>,
 }
@@ -52,12 +53,11 @@ pub enum Code {
     Nothing(&'static str),
 }
 
-/// Operators as words, in brackets `[ ]`; the usual ones first.
+/// How tightly * and / bind; nothing binds tighter.
+const TIGHTEST: u8 = 3;
+
+/// Operators as words, in brackets `[ ]`.
 pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
-    ("+", 2, Binary::Add),
-    ("-", 2, Binary::Subtract),
-    ("*", 3, Binary::Multiply),
-    ("/", 3, Binary::Divide),
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
     ("EQ", 1, Binary::Equal),
@@ -68,12 +68,8 @@ pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("GE", 1, Binary::AtLeast),
 ];
 
-/// Operators as signs, in brackets `( )`; the usual ones first.
+/// Operators as signs, in brackets `( )`.
 pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
-    ("+", 2, Binary::Add),
-    ("-", 2, Binary::Subtract),
-    ("*", 3, Binary::Multiply),
-    ("/", 3, Binary::Divide),
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
     ("==", 1, Binary::Equal),
@@ -85,21 +81,28 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
 /// A place in a line.
 #[derive(Debug)]
 pub struct Cursor<'t> {
-    text: &'t str,
+    /// The line, UTF-8. What is left always begins at a character.
+    text: &'t [u8],
     /// What is left of it.
     rest: &'t [u8],
     depth: usize,
     operators: usize,
 }
 
-/// What went wrong, without its line.
-pub type Parsed<T> = Result<T, Text>;
+/// What went wrong, without its line. In a box: nearly always nothing did, and a small result is handed on in a register.
+pub type Parsed<T> = Result<T, Box<Text>>;
+
+/// Something that went wrong.
+#[cold]
+pub fn fault<T>(text: Text) -> Parsed<T> {
+    Err(Box::new(text))
+}
 
 impl<'t> Cursor<'t> {
     /// The beginning of a text.
     pub fn new(text: &'t str) -> Self {
-        let text = text.trim_start();
-        Cursor { text, rest: text.as_bytes(), depth: 0, operators: 0 }
+        let text = text.trim_start().as_bytes();
+        Cursor { text, rest: text, depth: 0, operators: 0 }
     }
 
     /// Whether nothing is left.
@@ -113,7 +116,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// What was passed since a place.
-    pub(super) fn since(&self, at: usize) -> &'t str {
+    pub(super) fn since(&self, at: usize) -> &'t [u8] {
         &self.text[at..self.at()]
     }
 
@@ -124,7 +127,7 @@ impl<'t> Cursor<'t> {
 
     /// What stands from a place on, in part, for a message.
     pub(super) fn from(&self, at: usize) -> String {
-        crate::form::printable(&self.text[at..].chars().take(40).collect::<String>())
+        printable(&String::from_utf8_lossy(&self.text[at..]).chars().take(40).collect::<String>())
     }
 
     /// The next byte.
@@ -148,10 +151,11 @@ impl<'t> Cursor<'t> {
     }
 
     /// The same, and what these bytes are.
-    fn take(&mut self, bytes: usize) -> &'t str {
-        let at = self.at();
+    #[inline]
+    fn take(&mut self, bytes: usize) -> &'t [u8] {
+        let taken = &self.rest[..bytes];
         self.advance(bytes);
-        &self.text[at..at + bytes]
+        taken
     }
 
     /// Goes past blanks.
@@ -159,7 +163,7 @@ impl<'t> Cursor<'t> {
     fn trim(&mut self) {
         match self.rest {
             [b' ', second, ..] if second.is_ascii_graphic() => self.rest = &self.rest[1..],
-            _ => self.rest = self.text[self.at()..].trim_start().as_bytes(),
+            _ => self.rest = std::str::from_utf8(self.rest).unwrap_or_default().trim_start().as_bytes(),
         }
     }
 
@@ -174,22 +178,22 @@ impl<'t> Cursor<'t> {
 
     /// Goes past a sign that must be next.
     pub fn expect(&mut self, sign: &str) -> Parsed<()> {
-        if self.eat(sign) { Ok(()) } else { Err(text!("{sign} is missing before \"{left}\"", sign.to_owned(), self.left())) }
+        if self.eat(sign) { Ok(()) } else { fault(text!("{sign} is missing before \"{left}\"", sign.to_owned(), self.left())) }
     }
 
     /// Nothing must be left.
     pub fn end(&self) -> Parsed<()> {
-        if self.is_done() { Ok(()) } else { Err(text!("\"{left}\" is left over", self.left())) }
+        if self.is_done() { Ok(()) } else { fault(text!("\"{left}\" is left over", self.left())) }
     }
 
     /// A name: letters, digits and underscores.
-    pub fn name(&mut self) -> Option<&'t str> {
+    pub fn name(&mut self) -> Option<&'t [u8]> {
         let named = self.next().is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
         named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
     }
 
     /// The name of an O word: `<tp_exit>`, `12`.
-    pub fn label(&mut self) -> Option<&'t str> {
+    pub fn label(&mut self) -> Option<&'t [u8]> {
         let end = match self.next()? {
             b'<' => self.rest.iter().position(|b| *b == b'>')? + 1,
             _ => self.count(|b| b.is_ascii_digit()),
@@ -204,23 +208,21 @@ impl<'t> Cursor<'t> {
                 self.advance(end);
                 Ok(number)
             }
-            _ => Err(text!("a number is missing before \"{left}\"", self.left())),
+            _ => fault(text!("a number is missing before \"{left}\"", self.left())),
         }
     }
 
     /// A variable with its sign and brackets: `#5061`, `#<center_x>`, `R12`, `$AA_MW[X]`.
-    pub fn variable(&mut self, names: Names) -> Option<&'t str> {
+    pub fn variable(&mut self, names: Names) -> Option<&'t [u8]> {
         let bytes = self.rest;
-        let end = match (names, bytes.first()?) {
-            (Names::Hash, b'#') if bytes.get(1) == Some(&b'<') => bytes.iter().position(|b| *b == b'>')? + 1,
-            (Names::Hash, b'#') if bytes.get(1) == Some(&b'[') => bytes.iter().position(|b| *b == b']')? + 1,
-            (Names::Hash, b'#') => bytes[1..].iter().position(|b| !b.is_ascii_digit()).unwrap_or(bytes.len() - 1) + 1,
-            (Names::Words, b'$') => {
-                let end = bytes[1..]
-                    .iter()
-                    .position(|b| !(b.is_ascii_alphanumeric() || *b == b'_'))
-                    .map_or(bytes.len(), |end| end + 1);
-                if bytes.get(end) == Some(&b'[') { end + bytes[end..].iter().position(|b| *b == b']')? + 1 } else { end }
+        let to = |close: u8| bytes.iter().position(|b| *b == close).map(|at| at + 1);
+        let end = match (names, bytes) {
+            (Names::Hash, [b'#', b'<', ..]) => to(b'>')?,
+            (Names::Hash, [b'#', b'[', ..]) => to(b']')?,
+            (Names::Hash, [b'#', rest @ ..]) => rest.iter().position(|b| !b.is_ascii_digit()).unwrap_or(rest.len()) + 1,
+            (Names::Words, [b'$', rest @ ..]) => {
+                let end = rest.iter().position(|b| !(b.is_ascii_alphanumeric() || *b == b'_')).unwrap_or(rest.len()) + 1;
+                if bytes.get(end) == Some(&b'[') { to(b']')? } else { end }
             }
             (Names::Words, _) => return self.name(),
             _ => return None,
@@ -236,48 +238,63 @@ impl<'t> Cursor<'t> {
     /// A value whose operators bind as tightly as this, or tighter.
     fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let mut left = self.operand(grammar, script)?;
-        while let Some((word, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
-            self.advance(word.len());
+        while let Some((length, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
+            self.advance(length);
             self.operators += 1;
             if self.operators > LONGEST {
-                return Err(text!("this value is too long"));
+                return fault(text!("this value is too long"));
             }
-            let right = self.bound(binds + 1, grammar, script)?;
-            left = script.keep(Node::Binary(*binary, left, right));
+            let right =
+                if binds == TIGHTEST { self.operand(grammar, script)? } else { self.bound(binds + 1, grammar, script)? };
+            left = script.keep(Node::Binary(binary, left, right));
         }
         Ok(left)
     }
 
-    /// The operator that is next, without going past it.
-    fn operator<'g>(&self, grammar: &'g Grammar) -> Option<(&'g str, u8, &'g Binary)> {
-        let first = self.rest.first()?;
-        // Most values end in a bracket or at the end of the line.
-        if *first == grammar.brackets.1 {
-            return None;
+    /// The operator that is next, without going past it: its length, how tightly it binds, what it does.
+    #[inline]
+    fn operator(&self, grammar: &Grammar) -> Option<(usize, u8, Binary)> {
+        match self.next()? {
+            b'+' => Some((1, TIGHTEST - 1, Binary::Add)),
+            b'-' => Some((1, TIGHTEST - 1, Binary::Subtract)),
+            b'*' => Some((1, TIGHTEST, Binary::Multiply)),
+            b'/' => Some((1, TIGHTEST, Binary::Divide)),
+            // Most values end in a bracket or at the end of the line.
+            b']' | b')' | b',' => None,
+            _ => self.word(grammar),
         }
-        let here = |(word, ..): &&(&str, u8, Binary)| {
-            let word = word.as_bytes();
-            word[0].eq_ignore_ascii_case(first)
-                && self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word))
-        };
-        grammar.operators.iter().find(here).map(|(word, binds, binary)| (*word, *binds, binary))
+    }
+
+    /// The same of operators that are words, or more than one sign.
+    fn word(&self, grammar: &Grammar) -> Option<(usize, u8, Binary)> {
+        let here = |word: &str| self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
+        grammar.operators.iter().find(|(word, ..)| here(word)).map(|(word, binds, binary)| (word.len(), *binds, *binary))
     }
 
     /// One value without an operator around it.
     pub fn operand(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(text!("brackets are nested too deeply"));
+        match self.next() {
+            Some(b'#') => self.named(grammar, script),
+            Some(b'0'..=b'9' | b'.') => {
+                let number = self.number()?;
+                Ok(script.keep(Node::Number(number)))
+            }
+            _ => {
+                self.depth += 1;
+                if self.depth > DEEPEST {
+                    return fault(text!("brackets are nested too deeply"));
+                }
+                let node = self.inner(grammar, script)?;
+                self.depth -= 1;
+                Ok(node)
+            }
         }
-        let node = self.inner(grammar, script)?;
-        self.depth -= 1;
-        Ok(node)
     }
 
     fn inner(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let (open, close) = grammar.brackets;
         match self.next() {
-            None => Err(text!("a value is missing")),
+            None => fault(text!("a value is missing")),
             Some(b'-') => {
                 self.advance(1);
                 let inner = self.operand(grammar, script)?;
@@ -286,41 +303,40 @@ impl<'t> Cursor<'t> {
                     None => script.keep(Node::Unary(Unary::Minus, inner)),
                 })
             }
-            Some(b'0'..=b'9' | b'.') => {
-                let number = self.number()?;
-                Ok(script.keep(Node::Number(number)))
-            }
             Some(b) if b == open => self.bracketed(grammar, script),
-            Some(_) => {
-                let before = self.at();
-                if let Some(name) = self.function(open) {
-                    return self.call(name, close, grammar, script);
-                }
-                let Some(name) = self.variable(grammar.names) else {
-                    return Err(text!("\"{left}\" is not understood", self.from(before)));
-                };
-                Ok(match (grammar.system)(name) {
-                    Some(System::Fixed(x)) => script.keep(Node::Number(x)),
-                    Some(system) => script.keep(Node::System(system)),
-                    None => {
-                        let slot = script.slot(name);
-                        script.keep(Node::Slot(slot))
-                    }
-                })
-            }
+            Some(_) => match self.function(open) {
+                Some(name) => self.call(name, close, grammar, script),
+                None => self.named(grammar, script),
+            },
         }
     }
 
+    /// A variable, or what the control knows under its name.
+    fn named(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
+        let before = self.at();
+        let Some(name) = self.variable(grammar.names) else {
+            return fault(text!("\"{left}\" is not understood", self.from(before)));
+        };
+        Ok(match (grammar.system)(name) {
+            Some(System::Fixed(x)) => script.keep(Node::Number(x)),
+            Some(system) => script.keep(Node::System(system)),
+            None => {
+                let slot = script.slot(name);
+                script.keep(Node::Slot(slot))
+            }
+        })
+    }
+
     /// The name of a function: letters with a bracket behind them.
-    fn function(&mut self, open: u8) -> Option<&'t str> {
+    fn function(&mut self, open: u8) -> Option<&'t [u8]> {
         let end = self.count(|b| b.is_ascii_alphanumeric());
         (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))
     }
 
-    fn call(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
+    fn call(&mut self, name: &[u8], close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         const FUNCTIONS: [(&str, Unary); 4] =
             [("SIN", Unary::Sin), ("COS", Unary::Cos), ("SQRT", Unary::Sqrt), ("ABS", Unary::Abs)];
-        let Some((_, unary)) = FUNCTIONS.into_iter().find(|(word, _)| name.eq_ignore_ascii_case(word)) else {
+        let Some((_, unary)) = FUNCTIONS.into_iter().find(|(word, _)| name.eq_ignore_ascii_case(word.as_bytes())) else {
             return self.angle(name, close, grammar, script);
         };
         let inner = self.bracketed(grammar, script)?;
@@ -328,12 +344,12 @@ impl<'t> Cursor<'t> {
     }
 
     /// `ATAN[y]/[x]`, `ATAN2(y,x)`.
-    fn angle(&mut self, name: &str, close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
-        let (y, x) = if name.eq_ignore_ascii_case("ATAN") {
+    fn angle(&mut self, name: &[u8], close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
+        let (y, x) = if name.eq_ignore_ascii_case(b"ATAN") {
             let y = self.bracketed(grammar, script)?;
             self.expect("/")?;
             (y, self.bracketed(grammar, script)?)
-        } else if name.eq_ignore_ascii_case("ATAN2") {
+        } else if name.eq_ignore_ascii_case(b"ATAN2") {
             self.advance(1);
             let y = self.value(grammar, script)?;
             self.expect(",")?;
@@ -341,7 +357,7 @@ impl<'t> Cursor<'t> {
             self.expect(sign(close))?;
             (y, x)
         } else {
-            return Err(text!("the function {name} is not understood", crate::form::printable(name)));
+            return fault(text!("the function {name} is not understood", printable(&String::from_utf8_lossy(name))));
         };
         Ok(script.keep(Node::Binary(Binary::Atan, y, x)))
     }
@@ -363,6 +379,15 @@ impl<'t> Cursor<'t> {
         self.advance(1);
         Ok(())
     }
+}
+
+/// A whole number of digits alone.
+pub fn whole(digits: &[u8]) -> Option<i32> {
+    let more = |sum: i32, digit: &u8| match digit {
+        b'0'..=b'9' => sum.checked_mul(10)?.checked_add(i32::from(digit - b'0')),
+        _ => None,
+    };
+    if digits.is_empty() { None } else { digits.iter().try_fold(0, more) }
 }
 
 fn sign(byte: u8) -> &'static str {

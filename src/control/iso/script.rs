@@ -256,11 +256,11 @@ pub struct Script<'t> {
     /// Its values.
     pub nodes: Vec<Node>,
     /// The names of its variables.
-    pub slots: Vec<&'t str>,
+    pub slots: Vec<&'t [u8]>,
     /// The same by name.
-    names: HashMap<&'t str, Slot, FxBuildHasher>,
+    names: HashMap<&'t [u8], Slot, FxBuildHasher>,
     /// Those beyond the usual number.
-    more_names: BTreeMap<&'t str, Slot>,
+    more_names: BTreeMap<&'t [u8], Slot>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
@@ -293,22 +293,25 @@ impl<'t> Script<'t> {
     }
 
     /// The variable of this name, a new one where there is none yet.
-    pub fn slot(&mut self, name: &'t str) -> Slot {
-        let new = self.slots.len() as Slot;
-        let slot = if self.names.len() < USUAL_NAMES {
-            *self.names.entry(name).or_insert(new)
-        } else {
-            self.find(name).unwrap_or_else(|| *self.more_names.entry(name).or_insert(new))
-        };
-        if slot == new {
-            self.slots.push(name);
+    pub fn slot(&mut self, name: &'t [u8]) -> Slot {
+        if let Some(slot) = self.find(name) {
+            return slot;
         }
-        slot
+        let new = self.slots.len() as Slot;
+        self.slots.push(name);
+        if self.names.len() < USUAL_NAMES {
+            self.names.insert(name, new);
+        } else {
+            self.more_names.insert(name, new);
+        }
+        new
     }
 
     /// The variable of this name, where there is one.
-    pub fn find(&self, name: &str) -> Option<Slot> {
-        self.names.get(name).or_else(|| self.more_names.get(name)).copied()
+    pub fn find(&self, name: &[u8]) -> Option<Slot> {
+        let known = self.names.get(name).copied();
+        // The tree is empty in nearly every program.
+        if known.is_some() || self.more_names.is_empty() { known } else { self.more_names.get(name).copied() }
     }
 
     /// Keeps a value.
@@ -371,13 +374,13 @@ mod tests {
     fn every_name_is_one_variable() {
         let names: Vec<String> = (0..3 * USUAL_NAMES).map(|n| format!("#<v{n}>")).collect();
         let mut script = Script::with_room_for("");
-        let slots: Vec<_> = names.iter().map(|name| script.slot(name)).collect();
+        let slots: Vec<_> = names.iter().map(|name| script.slot(name.as_bytes())).collect();
         assert!(slots.iter().enumerate().all(|(n, slot)| *slot as usize == n), "each is a new one");
         for (name, slot) in names.iter().zip(slots).rev() {
-            assert_eq!(script.slot(name), slot, "{name}");
-            assert_eq!(script.find(name), Some(slot), "{name}");
+            assert_eq!(script.slot(name.as_bytes()), slot, "{name}");
+            assert_eq!(script.find(name.as_bytes()), Some(slot), "{name}");
         }
         assert_eq!(script.slots.len(), names.len());
-        assert_eq!(script.find("#<w>"), None);
+        assert_eq!(script.find(b"#<w>"), None);
     }
 }

@@ -1,6 +1,6 @@
 //! Blocks of words: `G1 X10 F100`.
 
-use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed};
+use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed, fault};
 use crate::control::iso::script::{Motion, NodeId, Script, What, Words};
 use crate::text::text;
 
@@ -31,18 +31,18 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
     while let Some(letter) = cursor.next() {
         let letter = letter.to_ascii_uppercase();
         if !letter.is_ascii_uppercase() {
-            return Err(text!("\"{left}\" is not understood", cursor.left()));
+            return fault(text!("\"{left}\" is not understood", cursor.left()));
         }
         let begin = cursor.at();
         cursor.advance(1);
         let value = cursor.operand(grammar, script)?;
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
-        if counted && !cursor.since(begin).contains('.') {
-            return Err(text!("a number has no point: \"{left}\"", cursor.from(begin)));
+        if counted && !cursor.since(begin).contains(&b'.') {
+            return fault(text!("a number has no point: \"{left}\"", cursor.from(begin)));
         }
         block
             .add(letter, value, grammar, script)
-            .map_err(|reason| text!("{reason}: \"{word}\"", reason, cursor.from(begin)))?;
+            .map_err(|reason| text!("{reason}: \"{word}\"", *reason, cursor.from(begin)))?;
     }
     block.finish(script)
 }
@@ -50,7 +50,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
 impl Block {
     fn add(&mut self, letter: u8, value: NodeId, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
         let twice = |place: &mut Option<NodeId>| {
-            if place.replace(value).is_some() { Err(text!("a word stands twice")) } else { Ok(()) }
+            if place.replace(value).is_some() { fault(text!("a word stands twice")) } else { Ok(()) }
         };
         match letter {
             b'X' | b'Y' | b'Z' => {
@@ -63,13 +63,13 @@ impl Block {
                 let tenths = script.number(value).map(|x| (x * 10.0).round()).filter(|x| (0.0..100_000.0).contains(x));
                 match tenths.and_then(|tenths| (grammar.code)(letter, tenths as i32)) {
                     Some(code) => self.code(code),
-                    None => Err(text!("this code is not understood")),
+                    None => fault(text!("this code is not understood")),
                 }
             }
             _ => {
                 let bit = 1 << (letter - b'A');
                 if self.others & bit != 0 {
-                    return Err(text!("a word stands twice"));
+                    return fault(text!("a word stands twice"));
                 }
                 self.others |= bit;
                 if let Some(i) = VALUED.iter().position(|known| *known == letter) {
@@ -88,7 +88,7 @@ impl Block {
                     (None, motion) => motion,
                     (Some(Motion::MayTouch), Motion::MustTouch | Motion::MustBeFree) => motion,
                     (Some(Motion::MustTouch | Motion::MustBeFree), Motion::MayTouch) => self.words.motion.unwrap_or(motion),
-                    _ => return Err(text!("two motions are in one block")),
+                    _ => return fault(text!("two motions are in one block")),
                 });
             }
             Code::Mode(modes) => self.words.modes = self.words.modes.then(modes),
@@ -119,7 +119,7 @@ impl Block {
         while others != 0 {
             let letter = (b'A' + others.trailing_zeros() as u8) as char;
             if !allowed.contains(letter) {
-                return Err(text!("the word {letter} is not understood here", letter));
+                return fault(text!("the word {letter} is not understood here", letter));
             }
             others &= others - 1;
         }
@@ -131,15 +131,15 @@ impl Block {
             return match whole(b'L') {
                 Some(20) if self.value(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
                 Some(2) => Ok(What::Origin(number, self.words.to, self.value(b'R'))),
-                _ => Err(text!("G10 is understood with L2 and L20")),
+                _ => fault(text!("G10 is understood with L2 and L20")),
             };
         }
         match (self.moves, self.words.motion) {
-            (true, None) => Err(text!("a block with axis words must name its motion")),
-            (false, Some(_)) => Err(text!("a motion without axis words")),
-            (false, None) if self.words.feed.is_some() => Err(text!("a feed without a motion")),
+            (true, None) => fault(text!("a block with axis words must name its motion")),
+            (false, Some(_)) => fault(text!("a motion without axis words")),
+            (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(What::End),
-            (true, _) if self.ends => Err(text!("a motion in the last block")),
+            (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, WORD_OPERATORS};
+use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
@@ -17,15 +17,16 @@ static GRAMMAR: Grammar = Grammar {
 };
 
 /// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
-fn system(name: &str) -> Option<System> {
-    match name {
-        "#<_x>" => return Some(System::Place(0)),
-        "#<_y>" => return Some(System::Place(1)),
-        "#<_z>" => return Some(System::Place(2)),
-        _ if name.starts_with("#<") => return None,
-        _ => {}
+fn system(name: &[u8]) -> Option<System> {
+    if let [b'#', b'<', name @ ..] = name {
+        return match name {
+            b"_x>" => Some(System::Place(0)),
+            b"_y>" => Some(System::Place(1)),
+            b"_z>" => Some(System::Place(2)),
+            _ => None,
+        };
     }
-    let number: i32 = name[1..].parse().ok()?;
+    let number = parse::whole(&name[1..])?;
     match number {
         5061..=5063 => Some(System::Trigger(number as usize - 5061)),
         5070 => Some(System::Contact),
@@ -45,7 +46,7 @@ fn system(name: &str) -> Option<System> {
 enum Open<'t> {
     Sub,
     /// The jump of the `if`, and that of its `else`.
-    If(&'t str, usize, Option<usize>),
+    If(&'t [u8], usize, Option<usize>),
 }
 
 /// Reads a program.
@@ -68,7 +69,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if let Some(name) = cursor.variable(Names::Hash) {
             cursor.expect("=")?;
             if system(name).is_some() {
-                return Err(text!("the control's own parameters are not written"));
+                return fault(text!("the control's own parameters are not written"));
             }
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
@@ -114,7 +115,10 @@ fn o_word<'t>(
     cursor.expect("o")?;
     let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
-    match cursor.name().unwrap_or("").to_ascii_lowercase().as_str() {
+    let word = cursor.name().unwrap_or_default();
+    let known =
+        ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known.as_bytes()));
+    match known.unwrap_or_default() {
         "sub" => {
             // The main program passes by.
             script.push(line, What::Jump(0));
@@ -123,7 +127,7 @@ fn o_word<'t>(
         }
         "endsub" => {
             script.push(line, What::Return);
-            let Some(Open::Sub) = open.pop() else { return Err(text!("an endsub without its sub")) };
+            let Some(Open::Sub) = open.pop() else { return fault(text!("an endsub without its sub")) };
             let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
             script.blocks[begin].what = What::Jump(here + 1);
         }
@@ -147,17 +151,17 @@ fn o_word<'t>(
                     jump_to(script, *begin, here + 1);
                     *middle = Some(here);
                 }
-                _ => return Err(text!("an else without its if")),
+                _ => return fault(text!("an else without its if")),
             }
         }
         "endif" => {
             script.push(line, What::Nothing);
             match open.pop() {
                 Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
-                _ => return Err(text!("an endif without its if")),
+                _ => return fault(text!("an endif without its if")),
             }
         }
-        _ => return Err(text!("this O word is not understood")),
+        _ => return fault(text!("this O word is not understood")),
     }
     cursor.end()
 }

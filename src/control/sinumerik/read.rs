@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS};
+use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
 use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
@@ -15,10 +15,11 @@ fn axis_of(name: &str) -> Option<usize> {
     AXIS_NAMES.iter().position(|axis| *axis == name.trim())
 }
 
-fn system(name: &str) -> Option<System> {
-    if !name.starts_with('$') {
+fn system(name: &[u8]) -> Option<System> {
+    if !name.starts_with(b"$") {
         return None;
     }
+    let name = std::str::from_utf8(name).ok()?;
     let (head, inner) = match name.split_once('[') {
         Some((head, inner)) => (head, inner.strip_suffix(']')?),
         None => (name, ""),
@@ -89,7 +90,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 /// `R1 = center.x, R2 = center.y`.
 fn results<'t>(script: &mut Script<'t>, list: &'t str) {
     for (register, code) in list.split(", ").filter_map(|entry| entry.split_once(" = ")) {
-        let slot = script.slot(register);
+        let slot = script.slot(register.as_bytes());
         script.results.push((code, slot));
     }
 }
@@ -97,10 +98,10 @@ fn results<'t>(script: &mut Script<'t>, list: &'t str) {
 fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut Targets<'t>) -> Parsed<()> {
     let here = script.blocks.len();
     if let Some(label) = code.strip_suffix(':') {
-        if Cursor::new(label).name() != Some(label) {
-            return Err(text!("this is no label"));
+        if Cursor::new(label).name() != Some(label.as_bytes()) {
+            return fault(text!("this is no label"));
         }
-        targets.known.push((label, here));
+        targets.known.push((label.as_bytes(), here));
         script.push(line, What::Nothing);
         return Ok(());
     }
@@ -124,24 +125,26 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
                 words.motion = Some(Motion::MayTouch);
                 What::Words(words)
             }
-            _ => return Err(text!("MEAS=1 stands in a block with G1")),
+            _ => return fault(text!("MEAS=1 stands in a block with G1")),
         }
-    } else if let Some((name, arguments)) = code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name)) {
+    } else if let Some((name, arguments)) =
+        code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))
+    {
         return call(script, line, name, arguments);
     } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
         let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
         cursor.expect("=")?;
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
-            None if name.starts_with('$') => return Err(text!("this is not understood")),
+            None if name.starts_with(b"$") => return fault(text!("this is not understood")),
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return Err(text!("the control's own values are not written")),
+            Some(_) => return fault(text!("the control's own values are not written")),
         }
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
             What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
-                return Err(text!("arcs are not understood"));
+                return fault(text!("arcs are not understood"));
             }
             what => what,
         }
@@ -158,7 +161,7 @@ fn call(script: &mut Script<'_>, line: usize, name: &str, arguments: &str) -> Pa
         "MSG" => What::Nothing,
         "SETAL" => What::Warned,
         "CYCLE977" if arguments.split(',').count() == 29 => What::Native,
-        _ => return Err(text!("this call is not known, or not with so many arguments")),
+        _ => return fault(text!("this call is not known, or not with so many arguments")),
     };
     script.push(line, what);
     Ok(())
