@@ -144,6 +144,46 @@ test("a long program: only lines that are seen are in the document; a line and i
   assert.ok(await viewer.getByLabel("Find in the program").evaluate((input) => input.matches(":focus")));
 });
 
+test("a program of very many moves froze the page while it was drawn: it is drawn in few strokes, and looks the same", async () => {
+  await page.evaluate(() => {
+    const strokes = Object.assign(globalThis, { strokes: 0 });
+    const { stroke } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.stroke = function () {
+      strokes.strokes++;
+      stroke.call(this);
+    };
+  });
+  const round = "G0 X0 Y0\nG1 X40 F500\nG1 Y30\nG1 X0\nG38.2 Y10 F100\n";
+  const seen = async (/** @type {string} */ text) => {
+    await page.evaluate(() => Object.assign(globalThis, { strokes: 0 }));
+    await openText(text, "rounds.ngc");
+    await page.locator("tp-viewer").getByRole("button", { name: "top" }).click();
+    const { touch, link } = await painted();
+    // Where anything is drawn within the sides of the round: arrow heads and dashes apart, a long program has the same lines.
+    const inked = await page.evaluate(() => {
+      const app = document.querySelector("touch-path");
+      const canvas = /** @type {HTMLCanvasElement} */ (app?.shadowRoot?.querySelector("tp-viewer canvas"));
+      const { width, height } = canvas;
+      const pixels = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+      const [r, g, b] = pixels;
+      const ink = (/** @type {number} */ x, /** @type {number} */ y) => {
+        const at = 4 * (y * width + x);
+        return pixels[at] !== r || pixels[at + 1] !== g || pixels[at + 2] !== b;
+      };
+      const count = (/** @type {number} */ n) => Array.from({ length: Math.round(n) }, (_, i) => i);
+      // Axes and scale stand lower.
+      const row = count(width).filter((x) => count(height / 3).some((y) => ink(x, y + Math.round(height / 3))));
+      return { left: row[0], right: row.at(-1) };
+    });
+    return { touch, link, inked, strokes: await page.evaluate(() => /** @type {any} */ (globalThis).strokes) };
+  };
+  const short = await seen(`G21 G17 G90\nG0 Z5\n${round}M2\n`);
+  const long = await seen(`G21 G17 G90\nG0 Z5\n${round.repeat(3000)}M2\n`);
+  assert.ok(long.touch && long.link);
+  assert.deepEqual(long.inked, short.inked);
+  assert.ok(long.strokes < 200, `${long.strokes} strokes for 15000 moves`);
+});
+
 test("on a phone the listing jumped under the pointer: what is said of a line has its room", async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openText(FOREIGN, "foreign.ngc");

@@ -1,5 +1,6 @@
 //! Draws a scene on a browser's canvas: the only module that names `web_sys`.
 
+mod long;
 mod strokes;
 mod theme;
 
@@ -172,14 +173,21 @@ impl Painter {
         for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
             self.angle(&arc, name(arc.angle.field), marks.field == Some(arc.angle.field));
         }
-        // Touches lie on their ways back: drawn last, they are seen.
-        for touches in [false, true] {
-            for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                self.line(line, camera, highlight == Some(line.index), reached(scene, line));
+        if scene.lines.len() > long::LONG {
+            self.long(scene, camera);
+            for line in scene.lines.iter().filter(|line| highlight == Some(line.index)) {
+                self.line(line, camera, true, true);
             }
-        }
-        if !self.small {
-            self.arrows(scene, camera);
+        } else {
+            // Touches lie on their ways back: drawn last, they are seen.
+            for touches in [false, true] {
+                for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
+                    self.line(line, camera, highlight == Some(line.index), reached(scene, line));
+                }
+            }
+            if !self.small {
+                self.arrows(scene, camera);
+            }
         }
         self.touches(scene, camera, deviates);
         for spot in marks.measured {

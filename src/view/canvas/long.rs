@@ -1,0 +1,107 @@
+//! The lines of a long program: in few strokes, and without those that cannot be seen.
+
+use std::collections::HashSet;
+
+use rustc_hash::FxBuildHasher;
+
+use super::Painter;
+use crate::view::camera::Camera;
+use crate::view::scene::{Line, Scene, Spot, Stroke};
+
+/// A picture with more lines than this is drawn so: no job has so many.
+pub(super) const LONG: usize = 5_000;
+
+/// What ends nearer than this to the point before is drawn with the next line, pixels.
+const NEAR: f64 = 0.7;
+
+/// How far a line reaches beyond the points that it joins, pixels: half its width.
+const WIDE: f64 = 3.0;
+
+/// The most points of a stroke: one twice as long takes browsers longer than two.
+const MOST: usize = 500;
+
+/// Draws lines that follow each other in one stroke.
+struct Pen<'p> {
+    painter: &'p Painter,
+    /// What the stroke is; none before the first.
+    style: Option<(Stroke, bool)>,
+    /// Its last point, and where its last line ends.
+    ends: [Spot; 2],
+    points: usize,
+}
+
+impl Pen<'_> {
+    fn line(&mut self, style: (Stroke, bool), [from, to]: [Spot; 2]) {
+        let c = &self.painter.context;
+        if self.style != Some(style) || self.ends[1] != from || self.points == MOST {
+            self.finish();
+            c.begin_path();
+            c.move_to(from[0], from[1]);
+            (self.style, self.ends, self.points) = (Some(style), [from; 2], 0);
+        }
+        self.ends[1] = to;
+        if (to[0] - self.ends[0][0]).hypot(to[1] - self.ends[0][1]) >= NEAR {
+            self.point(to);
+        }
+    }
+
+    fn point(&mut self, to: Spot) {
+        self.painter.context.line_to(to[0], to[1]);
+        self.ends[0] = to;
+        self.points += 1;
+    }
+
+    /// Ends the stroke. Feeds have no dashes here: most of their lines are shorter than one.
+    fn finish(&mut self) {
+        let Some((stroke, rapid)) = self.style.take() else { return };
+        if self.points == 0 || self.ends[0] != self.ends[1] {
+            self.point(self.ends[1]);
+        }
+        let Painter { context: c, theme, .. } = self.painter;
+        let (colour, width) = match stroke {
+            _ if rapid => (&theme.position, 1.0),
+            Stroke::Touch | Stroke::Overtravel => (&theme.touch, 2.5),
+            Stroke::Position => (&theme.position, 1.5),
+            Stroke::Link => (&theme.link, 1.0),
+        };
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.painter.dash(if rapid { &[12.0, 5.0] } else { &[] });
+        c.stroke();
+    }
+}
+
+/// On which sides of a window a spot lies beyond it: a bit each.
+fn beyond([x, y]: Spot, [width, height]: Spot) -> u8 {
+    let sides = [x < -WIDE, x > width + WIDE, y < -WIDE, y > height + WIDE];
+    sides.iter().enumerate().map(|(bit, out)| u8::from(*out) << bit).sum()
+}
+
+/// The pixel of a spot.
+fn pixel(spot: Spot) -> [i32; 2] {
+    spot.map(|x| x.round() as i32)
+}
+
+impl Painter {
+    /// Draws the lines of a long program; touches last, as in any picture.
+    pub(super) fn long(&self, scene: &Scene, camera: &Camera) {
+        let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
+        let mut drawn: HashSet<([[i32; 2]; 2], bool), FxBuildHasher> = HashSet::default();
+        for touches in [false, true] {
+            drawn.clear();
+            let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
+            for line in scene.lines.iter().filter(|line| touch(line) == touches) {
+                let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
+                if beyond(ends[0], camera.size) & beyond(ends[1], camera.size) != 0 {
+                    continue;
+                }
+                // From pixel to pixel a line is drawn once.
+                let pixels = ends.map(pixel);
+                if pixels[0] == pixels[1] || drawn.insert((pixels, line.rapid)) {
+                    pen.line((line.stroke, line.rapid), ends);
+                }
+            }
+            pen.finish();
+        }
+    }
+}
