@@ -3,8 +3,8 @@ import { script } from "./offline.js";
 import address from "./reader.js?worker&url";
 import type { Reading } from "./reading.js";
 
-/** Reads a text beside the page. Fails where there can be no worker, or what it does breaks. */
-export function readBeside(text: string): Promise<Reading> {
+/** Reads a text beside the page. Fails where there can be no worker, what it does breaks, or the signal aborts it. */
+export function readBeside(text: string, signal: AbortSignal): Promise<Reading> {
   return new Promise((done, fail) => {
     const worker = new Worker(script(address), { type: "module" });
     // One that does not come, over a slow network, is not waited for.
@@ -14,6 +14,7 @@ export function readBeside(text: string): Promise<Reading> {
       worker.terminate();
       settle();
     };
+    signal.addEventListener("abort", () => end(() => fail(signal.reason)), { once: true });
     worker.onmessage = ({ data }: MessageEvent<"ready" | Reading>) => {
       if (data === "ready") {
         clearTimeout(late);

@@ -17,5 +17,5 @@ document.querySelector("touch-path")?.addEventListener("wanted", (event) => keep
 // Texts that are long enough to hold up the page are read in a worker.
 document.querySelector("touch-path")?.addEventListener("read", (event) => {
   const { detail } = event as CustomEvent<Unread>;
-  detail.reading = readBeside(detail.text);
+  detail.reading = readBeside(detail.text, detail.signal);
 });

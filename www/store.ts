@@ -69,6 +69,8 @@ export class Store extends Phrases {
   saved: string | null = null;
   /** Counts the forms that were computed: another number is another form, also where it has errors. */
   revision = 0;
+  /** How many whole jobs it has taken. */
+  documents = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */
   stale = false;
   /** The job that `plan` is of. */
@@ -268,6 +270,7 @@ export class Store extends Phrases {
   /** Takes a whole job, one that fits the form. */
   load(job: Draft, measured = ""): void {
     if (this.refuses) return;
+    this.documents++;
     this.mark(null);
     this.draft = complete(job, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };

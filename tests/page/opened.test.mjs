@@ -325,6 +325,42 @@ test("of two texts the one that was opened last counts, whichever is read first"
   assert.equal(await held("cycle.type"), "boss");
 });
 
+test("a job that the page around sets while a long text is read was overwritten by the text", async () => {
+  await page.evaluate(async (text) => {
+    const element = /** @type {any} */ (document.querySelector("touch-path"));
+    const read = element.app.intake.text(text);
+    element.job = { format: 1, cycle: { type: "boss" } };
+    await read;
+  }, long("hole"));
+  assert.equal(await held("cycle.type"), "boss");
+  assert.match(await note(), /another job came while this text was read/);
+});
+
+test("a worker whose text is of no use any more ran to its end", async () => {
+  // Workers that read and never answer.
+  await page.evaluate(() => {
+    const counts = Object.assign(globalThis, { workers: 0 });
+    const { Worker } = globalThis;
+    globalThis.Worker = class extends Worker {
+      constructor(/** @type {ConstructorParameters<typeof Worker>} */ ...all) {
+        super(...all);
+        counts.workers++;
+      }
+      postMessage() {}
+      terminate() {
+        super.terminate();
+        counts.workers--;
+      }
+    };
+  });
+  const workers = () => page.evaluate(() => /** @type {any} */ (globalThis).workers);
+  await openText(long("hole"));
+  await settles(async () => (await workers()) === 1);
+  await openText('{"format":1,"cycle":{"type":"boss"}}');
+  await until("cycle.type", "boss");
+  assert.equal(await workers(), 0);
+});
+
 test("a stricter policy around the page left it empty: without workers it does what it can", async () => {
   await page.route("**/", async (route) => {
     const response = await route.fetch();

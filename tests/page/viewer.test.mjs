@@ -148,9 +148,9 @@ test("a program of very many moves froze the page while it was drawn: it is draw
   await page.evaluate(() => {
     const strokes = Object.assign(globalThis, { strokes: 0 });
     const { stroke } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.stroke = function () {
+    CanvasRenderingContext2D.prototype.stroke = function (/** @type {any[]} */ ...path) {
       strokes.strokes++;
-      stroke.call(this);
+      Reflect.apply(stroke, this, path);
     };
   });
   const round = "G0 X0 Y0\nG1 X40 F500\nG1 Y30\nG1 X0\nG38.2 Y10 F100\n";

@@ -128,8 +128,8 @@ export class App extends LitElement {
         // The page keeps the editor for when there is no network.
         this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
       },
-      beside: (text) => {
-        const detail: Unread = { text, reading: null };
+      beside: (text, signal) => {
+        const detail: Unread = { text, signal, reading: null };
         this.around.host.dispatchEvent(new CustomEvent("read", { detail }));
         return detail.reading;
       },

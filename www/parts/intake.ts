@@ -11,13 +11,14 @@ interface Page {
   showJob(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;
-  /** Reads a text beside the page; null where that cannot be. */
-  beside(text: string): Promise<Reading> | null;
+  /** Reads a text beside the page, until the signal says that it is of no use any more; null where that cannot be. */
+  beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
 
 /** A text to be read, for the page around: whoever reads it says so in `reading`. */
 export interface Unread {
   text: string;
+  signal: AbortSignal;
   reading: Promise<Reading> | null;
 }
 
@@ -32,8 +33,8 @@ export interface Viewed {
 
 /** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
 export class Intake {
-  /** Counts the texts that were taken up: what was read is of no use where another one was opened meanwhile. */
-  private texts = 0;
+  /** Of the text that was taken up last: aborted when another one is, since what was read is of no use then. */
+  private last = new AbortController();
 
   constructor(
     private readonly store: Store,
@@ -51,12 +52,12 @@ export class Intake {
 
   /** A file too large for a job is not even read. */
   async file(file: File): Promise<void> {
-    const count = ++this.texts;
+    const signal = this.begin();
     if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
-      if (count !== this.texts) return;
+      if (signal.aborted) return;
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
       else await this.text(text);
     }
@@ -112,26 +113,40 @@ export class Intake {
 
   /** Takes a text; false where nothing could be made of it. */
   async text(text: string): Promise<boolean> {
-    const count = ++this.texts;
+    const signal = this.begin();
     try {
       if (text.length > this.store.longest) {
         this.page.tell(this.store.say(this.store.tooLong(text.length)));
         return false;
       }
-      const reading = await this.read(text);
-      return count === this.texts && this.take(text, reading);
+      const { documents } = this.store;
+      const reading = await this.read(text, signal);
+      if (signal.aborted) return false;
+      if (documents === this.store.documents) return this.take(text, reading);
+      this.page.tell(this.store.t("Nothing was changed: another job came while this text was read"));
+      return false;
     } catch {
-      if (count === this.texts) this.page.tell(this.store.t("This text cannot be read"));
+      if (!signal.aborted) this.page.tell(this.store.t("This text cannot be read"));
       return false;
     }
   }
 
+  /** Begins with another text. */
+  private begin(): AbortSignal {
+    this.last.abort();
+    this.last = new AbortController();
+    return this.last.signal;
+  }
+
   /** Reads a text: a long one beside the page, where that can be. */
-  private async read(text: string): Promise<Reading> {
-    const reading = text.length < LONG ? null : this.page.beside(text);
+  private async read(text: string, signal: AbortSignal): Promise<Reading> {
+    const reading = text.length < LONG ? null : this.page.beside(text, signal);
     if (!reading) return read(text);
     this.page.tell(this.store.t("This text is being read …"));
-    return reading.catch(() => read(text));
+    return reading.catch((thrown) => {
+      if (signal.aborted) throw thrown;
+      return read(text);
+    });
   }
 
   /** Shows the job of a text, or else its moves; false where it has neither. */
