@@ -176,6 +176,28 @@ test("letters typed in one field are one step, in another field another, and the
   assert.equal(await field("cycle.width2").inputValue(), "45");
 });
 
+test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or its place where it has none", async () => {
+  const width = field("cycle.width1");
+  const before = await width.inputValue();
+  await width.fill("66");
+  // What Chromium sends for Ctrl with the key that has я on it.
+  const press = (/** @type {string} */ key, /** @type {string} */ code) =>
+    width.evaluate(
+      (input, [key, code]) =>
+        input.dispatchEvent(
+          new KeyboardEvent("keydown", { key, code, ctrlKey: true, bubbles: true, composed: true, cancelable: true }),
+        ),
+      [key, code],
+    );
+  await press("я", "KeyZ");
+  assert.equal(await width.inputValue(), before);
+  // н stands on Y, which does again what was undone; on a German keyboard z is typed there, and undoes.
+  await press("н", "KeyY");
+  assert.equal(await width.inputValue(), "66");
+  await press("z", "KeyY");
+  assert.equal(await width.inputValue(), before);
+});
+
 test("Reset asked nothing: it asks, and keeps everything where one thinks better of it", async () => {
   await field("cycle.width1").fill("71");
   await more("Reset");

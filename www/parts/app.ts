@@ -7,6 +7,7 @@ import { toFragment } from "../share.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
 import { LANGUAGES, type Lang, languageOf, w, wordsOf } from "../words.js";
+import { letterOf } from "./keys.js";
 import "./bar.js";
 import "./checks.js";
 import "./findings.js";
@@ -338,7 +339,7 @@ export class App extends LitElement {
   /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
   private readonly shortcut = (event: KeyboardEvent): void => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
+    const key = letterOf(event);
     const at = event.composedPath()[0] as Element;
     // What the page around has put into a slot is its own.
     if (!this.contains(at)) return;

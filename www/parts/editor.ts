@@ -1,7 +1,9 @@
 // The editor of an opened program: CodeMirror, which puts only the lines that are seen into the document, of however many. Nothing is edited.
+
 import { EditorState, type Range, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
 import { words } from "./colours.js";
+import { letterOf } from "./keys.js";
 import type { Shown } from "./listing.js";
 
 /** What the lines have beside their text. */
@@ -72,7 +74,7 @@ export class Editor {
       if (line !== undefined) point(Number(line));
     };
     const all = (event: KeyboardEvent, view: EditorView) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.code !== "KeyA") return false;
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || letterOf(event) !== "a") return false;
       view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
       return true;
     };

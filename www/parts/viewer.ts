@@ -1,10 +1,12 @@
 // The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
+
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 import { Finder } from "./finder.js";
+import { letterOf } from "./keys.js";
 import { Listing } from "./listing.js";
 
 /** What the kinds of moves are called. */
@@ -91,7 +93,7 @@ class ViewerPart extends DrawnPart {
 
   /** Ctrl+F: the browser would look through the lines that are seen only. */
   private key(event: KeyboardEvent): void {
-    if (!this.listing?.edits || !(event.ctrlKey || event.metaKey) || event.altKey || event.code !== "KeyF") return;
+    if (!this.listing?.edits || !(event.ctrlKey || event.metaKey) || event.altKey || letterOf(event) !== "f") return;
     event.preventDefault();
     this.querySelector<HTMLInputElement>("input.filter")?.focus();
   }
