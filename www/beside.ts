@@ -9,12 +9,14 @@ export function readBeside(text: string, signal: AbortSignal): Promise<Reading> 
     const worker = new Worker(script(address), { type: "module" });
     // One that does not come, over a slow network, is not waited for.
     const late = setTimeout(() => end(() => fail(new Error("the worker did not come"))), 3000);
+    const abort = () => end(() => fail(signal.reason));
     const end = (settle: () => void) => {
       clearTimeout(late);
+      signal.removeEventListener("abort", abort);
       worker.terminate();
       settle();
     };
-    signal.addEventListener("abort", () => end(() => fail(signal.reason)), { once: true });
+    signal.addEventListener("abort", abort);
     worker.onmessage = ({ data }: MessageEvent<"ready" | Reading>) => {
       if (data === "ready") {
         clearTimeout(late);

@@ -69,7 +69,7 @@ export class Store extends Phrases {
   saved: string | null = null;
   /** Counts the forms that were computed: another number is another form, also where it has errors. */
   revision = 0;
-  /** How many whole jobs it has taken. */
+  /** How many times the job was replaced: by another document, the defaults, or another cycle. */
   documents = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */
   stale = false;
@@ -245,6 +245,7 @@ export class Store extends Phrases {
           form: (fresh.control as Draft).form,
           workOffset: this.catalog.posts.find((p) => p.id === home)?.workOffsets ? control.workOffset : null,
         };
+    this.documents++;
     this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
     this.points = back?.points ?? noPoints();
     (this.draft.part as Draft).sizes = {};

@@ -100,7 +100,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "probe-free-again",
-        says: "A probe that is still deflected after a move that is not watched ends the program at the next probing move",
+        says: "A probe that is still deflected after a move that is not watched ends the program before the next probing move",
         why: "A probe that stays deflected reports nothing: the next touch would run into the part.",
         must: true,
         own_cycle: true,

@@ -17,7 +17,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("cycle-chooses-points", "The control's own cycle chooses its touches, so picked ones cannot be used."),
     ("cycle-differs", "The control's own cycle moves otherwise than the documented moves that are shown."),
     ("cycle-no-zone", "The control's own cycle needs a protection zone, and these clearances leave none."),
-    ("cycle-not-parallel", "The program calls the control's own cycle without a rotation."),
+    ("cycle-not-parallel", "The control's own cycle is called without a rotation, and this feature is turned."),
     ("cycle-one-path", "The control's own cycle has one measuring path for all walls."),
     ("cycle-path-short", "The measuring path of the control's own cycle would be too short."),
     ("cycle-plane", "How the control's own cycle takes another plane than G17 is not known from any source at hand."),

@@ -166,3 +166,25 @@ fn a_klartext_program_keeps_what_only_its_header_says() {
     assert_eq!(at(&read.job, "cycle.diameter1"), 0.8);
     assert!(read.findings.iter().any(|f| f.code == "not-in-program"));
 }
+
+/// What a program would do with a probe that stays deflected is asked beside what it does: an alarm there is no fault of the program.
+#[test]
+fn a_feed_that_is_computed_from_a_trigger_was_refused() {
+    let text = "G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 Z-10 F100\n#1=[10-#5063]\nG1 Z10 F[#1*20]\nM2\n";
+    let imported = touchpath::import::import(text).unwrap();
+    let moves = imported.trace.unwrap().moves;
+    assert_eq!(moves.iter().map(|m| m.line).collect::<Vec<_>>(), [1, 2, 4]);
+}
+
+/// Blanks of any kind stand between words, and many of them cost no more than as many letters.
+#[test]
+fn blanks_between_words_are_passed_over_once() {
+    for blank in ["  ", "\t", "\u{a0}", " \u{2003} ", "\t\u{a0}\t"] {
+        let text = format!("G21{blank}G17{blank}G90\nG0{blank}X1{blank}Y2{blank}Z[1{blank}+{blank}2]\nG1 X5 F100\nM2\n");
+        let imported = touchpath::import::import(&text).unwrap_or_else(|e| panic!("{blank:?}: {e}"));
+        let moves = imported.trace.unwrap().moves;
+        assert_eq!(moves[0].to, [Some(1.0), Some(2.0), Some(3.0)], "{blank:?}");
+        // A million characters in a line: read or refused, and not for minutes.
+        let _ = said(&format!("G0 X0\n{}\nM2\n", format!("G21{blank}").repeat(150_000)));
+    }
+}

@@ -216,8 +216,8 @@ fn a_contact_ends_the_program_and_names_the_move() {
     assert_eq!((ends(7.0), ends(8.0)), (9, 11));
 }
 
-/// MEAS sees only the edge of the signal. A probe that stays deflected from some touch on ends the program before the next probing
-/// move: nothing is measured with it, nothing is written, and the ball goes nowhere but up.
+/// On the control of the tests MEAS sees only the edge of the signal. A probe that stays deflected from some touch on ends the program
+/// before the next probing move: nothing is measured with it, nothing is written, and the ball goes nowhere but up.
 #[test]
 fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move() {
     let (mut ended, mut touches_refused) = (0, 0);
@@ -242,7 +242,7 @@ fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move
                 machine.start[w] = highest;
                 machine.stuck_from = Some(k + 1);
                 machine.run(&program).unwrap_or_else(|e| panic!("{name} {protection} {k}: {e}"));
-                let wanted = format!("The probe is still deflected before move {}.", next + 1);
+                let wanted = format!("The probe is deflected before move {}.", next + 1);
                 assert!(machine.message.starts_with(&wanted), "{name} {protection} {k}: {}", machine.message);
                 assert_eq!((machine.alarm, machine.writes), (Some(65000.0), 0), "{name} {protection} {k}");
                 let last = machine.path[machine.path.len() - 1];

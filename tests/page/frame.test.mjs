@@ -196,6 +196,10 @@ test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or
   assert.equal(await width.inputValue(), "66");
   await press("z", "KeyY");
   assert.equal(await width.inputValue(), before);
+  // A Dvorak keyboard has its semicolon there: that is no shortcut.
+  await press(";", "KeyZ");
+  await press("Dead", "KeyY");
+  assert.equal(await width.inputValue(), before);
 });
 
 test("Reset asked nothing: it asks, and keeps everything where one thinks better of it", async () => {

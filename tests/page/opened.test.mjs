@@ -333,7 +333,7 @@ test("a job that the page around sets while a long text is read was overwritten 
     await read;
   }, long("hole"));
   assert.equal(await held("cycle.type"), "boss");
-  assert.match(await note(), /another job came while this text was read/);
+  assert.match(await note(), /the job was replaced while this text was read/);
 });
 
 test("a worker whose text is of no use any more ran to its end", async () => {

@@ -1,5 +1,4 @@
 // The editor of an opened program: CodeMirror, which puts only the lines that are seen into the document, of however many. Nothing is edited.
-
 import { EditorState, type Range, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
 import { words } from "./colours.js";

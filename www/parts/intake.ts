@@ -52,14 +52,14 @@ export class Intake {
 
   /** A file too large for a job is not even read. */
   async file(file: File): Promise<void> {
-    const signal = this.begin();
+    const { signal, documents } = this.begin();
     if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
       if (signal.aborted) return;
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
-      else await this.text(text);
+      else await this.text(text, documents);
     }
   }
 
@@ -97,7 +97,9 @@ export class Intake {
     const { hash } = location;
     if (!isFragment(hash)) return;
     history.replaceState(null, "", location.pathname + location.search);
+    const { signal } = this.begin();
     const state = await fromFragment(hash, this.store.longest);
+    if (signal.aborted) return;
     try {
       if (!state) {
         this.page.tell(this.store.t("Nothing was changed: this link holds no job that can be read here"));
@@ -111,19 +113,18 @@ export class Intake {
     }
   };
 
-  /** Takes a text; false where nothing could be made of it. */
-  async text(text: string): Promise<boolean> {
-    const signal = this.begin();
+  /** Takes a text, begun when the store had taken so many jobs; false where nothing could be made of it. */
+  async text(text: string, documents = this.store.documents): Promise<boolean> {
+    const { signal } = this.begin();
     try {
       if (text.length > this.store.longest) {
         this.page.tell(this.store.say(this.store.tooLong(text.length)));
         return false;
       }
-      const { documents } = this.store;
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
       if (documents === this.store.documents) return this.take(text, reading);
-      this.page.tell(this.store.t("Nothing was changed: another job came while this text was read"));
+      this.page.tell(this.store.t("Nothing was changed: the job was replaced while this text was read"));
       return false;
     } catch {
       if (!signal.aborted) this.page.tell(this.store.t("This text cannot be read"));
@@ -132,10 +133,10 @@ export class Intake {
   }
 
   /** Begins with another text. */
-  private begin(): AbortSignal {
+  private begin(): { signal: AbortSignal; documents: number } {
     this.last.abort();
     this.last = new AbortController();
-    return this.last.signal;
+    return { signal: this.last.signal, documents: this.store.documents };
   }
 
   /** Reads a text: a long one beside the page, where that can be. */

@@ -1,4 +1,5 @@
-/** The letter that a key stands for in a shortcut: what it types, and on a layout without Latin letters what stands in its place on one with them. */
+/** The letter that a key stands for in a shortcut: what it types, and where that is a letter of another script what stands in its place in Latin. */
 export function letterOf({ key, code }: KeyboardEvent): string {
-  return (/^[a-z]$/i.test(key) ? key : code.replace(/^Key/, "")).toLowerCase();
+  const other = /^\p{L}$/u.test(key) && !/\p{Script=Latin}/u.test(key);
+  return (other ? code.replace(/^Key/, "") : key).toLowerCase();
 }

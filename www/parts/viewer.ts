@@ -1,5 +1,4 @@
 // The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
-
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";
@@ -116,6 +115,7 @@ class ViewerPart extends DrawnPart {
     this.drawing?.use((view) => {
       if (this.drawn && this.drawn !== this.viewed) view.showProgram(this.viewed.text);
       view.highlight(this.pointed ?? undefined);
+      this.querySelector(".key")?.classList.toggle("solid", view.isLong());
     });
     this.list();
     this.drawn = this.viewed;

@@ -99,6 +99,17 @@ struct Machine<'s, 't> {
     unwatched: (bool, State),
 }
 
+/// The probe while it is followed what a program leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Probe {
+    /// It does what the last probing move says.
+    Free,
+    /// It is deflected from the start.
+    Deflected,
+    /// It is still deflected from a motion that was not watched: what moves now belongs to the exit.
+    StillDeflected,
+}
+
 /// What a block leads to.
 enum Flow<'s> {
     Next,
@@ -158,7 +169,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
 /// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
 pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     let mut machine = Machine::new(script, Run { deflected: true, ..run });
-    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, true)
+    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
 }
 
 fn trouble(line: usize, message: Text) -> Trouble {
@@ -319,7 +330,8 @@ impl<'s, 't> Machine<'s, 't> {
             return Ok(());
         }
         if std::mem::take(&mut self.unwatched.0) {
-            step.stuck = Some(self.still_deflected()?);
+            // A block that no control could make stops it with an alarm.
+            step.stuck = Some(self.still_deflected().unwrap_or(Ending::ControlStops));
         }
         let from = self.state.at;
         let half = [0, 1, 2].map(|axis| (from[axis] + step.to[axis]) / 2.0);
@@ -354,7 +366,7 @@ impl<'s, 't> Machine<'s, 't> {
     fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
         scratch.become_like(&self.state);
         self.arrive(to, met);
-        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, false);
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::Free);
         std::mem::swap(&mut self.state, scratch);
         ending
     }
@@ -363,7 +375,7 @@ impl<'s, 't> Machine<'s, 't> {
     fn still_deflected(&mut self) -> Result<Ending, Trouble> {
         std::mem::swap(&mut self.state, &mut self.unwatched.1);
         self.state.deflected = true;
-        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, true);
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::StillDeflected);
         std::mem::swap(&mut self.state, &mut self.unwatched.1);
         ending
     }
@@ -375,10 +387,10 @@ impl<'s, 't> Machine<'s, 't> {
     }
 
     /// Follows the program until it stops, or until it clearly continues.
-    fn ending(&mut self, most_moves: usize, most_blocks: usize, deflected: bool) -> Result<Ending, Trouble> {
+    fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
         let up = self.tool_axis();
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
-        let (mut fresh, mut probes) = (deflected, 0);
+        let (deflected, mut probes) = (probe != Probe::Free, 0);
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
@@ -391,18 +403,19 @@ impl<'s, 't> Machine<'s, 't> {
                     let from = self.state.at;
                     let step = self.motion(line, words, motion)?;
                     match motion {
-                        Motion::MustTouch | Motion::MustBeFree if fresh => return Ok(Ending::ControlStops),
+                        Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
                         // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
                         Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
                             self.arrive(from, Some((from, from)));
-                            (fresh, probes) = (false, probes + 1);
+                            probes += 1;
                         }
                         Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
                         Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
                             moves += 1;
                             let across = (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
                             let rises = step.to[up] > from[up];
-                            if !fresh {
+                            // From the start up to the first probing move the program does as it does with a free probe.
+                            if probe != Probe::Deflected || probes > 0 {
                                 lifts |= rises && !across;
                                 strays |= across || step.to[up] < from[up];
                             }

@@ -161,10 +161,19 @@ impl<'t> Cursor<'t> {
     /// Goes past blanks.
     #[inline(never)]
     fn trim(&mut self) {
-        match self.rest {
-            [b' ', second, ..] if second.is_ascii_graphic() => self.rest = &self.rest[1..],
-            _ => self.rest = std::str::from_utf8(self.rest).unwrap_or_default().trim_start().as_bytes(),
+        self.rest = self.rest.trim_ascii_start();
+        // Blanks that are not ASCII are rare, and one of them is at most four bytes long.
+        while let Some(length) = self.wide_blank() {
+            self.rest = self.rest[length..].trim_ascii_start();
         }
+    }
+
+    /// The length of the next character where it is a blank and not ASCII.
+    fn wide_blank(&self) -> Option<usize> {
+        let first = self.next().filter(|b| !b.is_ascii())?;
+        let length = (first.leading_ones() as usize).min(self.rest.len());
+        let character = std::str::from_utf8(&self.rest[..length]).ok()?;
+        character.chars().all(char::is_whitespace).then_some(length)
     }
 
     /// Goes past a word or sign where it is next.

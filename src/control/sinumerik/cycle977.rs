@@ -45,10 +45,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let [a, _, _] = request.plane.basis();
     let advice = words!(". Use the form \"moves\"");
     if request.path.frame.u.distance(a) > 1e-9 {
-        let message = text!(
-            "The program calls CYCLE977 without a rotation: width 1 must lie along the first axis of the plane{advice}",
-            advice
-        );
+        let message = text!("The program calls CYCLE977 without a rotation, and this rectangle is turned{advice}", advice);
         checker.error("cycle-not-parallel", "cycle.rotation", message);
     }
     if request.path.feature.picked() {

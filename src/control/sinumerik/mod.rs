@@ -2,9 +2,9 @@
 //!
 //! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
 //! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
-//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. MEAS sees only the
-//! edge of a signal, so behind a move that was not watched the next MEAS block asks first whether the probe is free: one that is
-//! still deflected would see nothing. Results stand in
+//! touch runs without: the probe is deflected when it sets out, and the way is the one the ball has just come. MEAS waits for
+//! the rising edge of the signal, and what it does with a probe that is deflected already is proven by nothing we have. So after a
+//! move that was not watched the program asks before the next MEAS block whether the probe is free. Results stand in
 //! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
 //! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
 //! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
@@ -150,7 +150,7 @@ impl Sinumerik<'_> {
         RParameters { registers: self.registers }
     }
 
-    /// Asks whether the probe is free before a MEAS block, which sees only the edge of its signal.
+    /// Asks before a MEAS block whether the probe is free, where nothing watched the move before it.
     fn ask_probe(&mut self, w: &mut Writer<'_>) {
         if std::mem::take(&mut self.unwatched) {
             w.line("STOPRE");
@@ -419,7 +419,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
         }
         if touches {
             w.line("TP_STUCK:");
-            w.line(&format!("MSG(\"The probe is still deflected before move \"<<TP_MOVE<<\". {written}\")"));
+            w.line(&format!("MSG(\"The probe is deflected before move \"<<TP_MOVE<<\". {written}\")"));
             w.line("GOTOF TP_EXIT");
             w.line("TP_MISSED:");
             w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));

@@ -14,8 +14,8 @@ pub(super) const LONG: usize = 5_000;
 /// What ends nearer than this to the point before is drawn with the next line, pixels.
 const NEAR: f64 = 0.7;
 
-/// How far a line reaches beyond the points that it joins, pixels: half its width.
-const WIDE: f64 = 3.0;
+/// How far beyond the window a line is drawn, pixels: more than half its width.
+const WIDE: f64 = 16.0;
 
 /// The most points of a stroke: one twice as long takes browsers longer than two.
 const MOST: usize = 500;
@@ -62,7 +62,7 @@ impl Pen<'_> {
             _ if rapid => (&theme.position, 1.0),
             Stroke::Touch | Stroke::Overtravel => (&theme.touch, 2.5),
             Stroke::Position => (&theme.position, 1.5),
-            Stroke::Link => (&theme.link, 1.0),
+            Stroke::Link => (&theme.link, 1.5),
         };
         c.set_stroke_style_str(colour);
         c.set_line_width(width);
@@ -71,10 +71,28 @@ impl Pen<'_> {
     }
 }
 
-/// On which sides of a window a spot lies beyond it: a bit each.
-fn beyond([x, y]: Spot, [width, height]: Spot) -> u8 {
-    let sides = [x < -WIDE, x > width + WIDE, y < -WIDE, y > height + WIDE];
-    sides.iter().enumerate().map(|(bit, out)| u8::from(*out) << bit).sum()
+/// The part of a line that lies in a window of this size, and a little around it. Far beyond it a browser would still make every dash.
+fn clipped([from, to]: [Spot; 2], size: Spot) -> Option<[Spot; 2]> {
+    let inside = |p: Spot| (0..2).all(|i| p[i] >= -WIDE && p[i] <= size[i] + WIDE);
+    if inside(from) && inside(to) {
+        return Some([from, to]);
+    }
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for i in 0..2 {
+        let way = to[i] - from[i];
+        let (low, high) = (-WIDE - from[i], size[i] + WIDE - from[i]);
+        if way == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (enters, leaves) = if way > 0.0 { (low / way, high / way) } else { (high / way, low / way) };
+        (first, last) = (first.max(enters), last.min(leaves));
+    }
+    let at = |part: f64| [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+    // Ends that lie inside stay as they are: lines go on from there.
+    (first <= last).then(|| [if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
 }
 
 /// The pixel of a spot.
@@ -86,18 +104,17 @@ impl Painter {
     /// Draws the lines of a long program; touches last, as in any picture.
     pub(super) fn long(&self, scene: &Scene, camera: &Camera) {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
-        let mut drawn: HashSet<([[i32; 2]; 2], bool), FxBuildHasher> = HashSet::default();
+        let mut drawn: HashSet<([[i32; 2]; 2], u8, bool), FxBuildHasher> = HashSet::default();
         for touches in [false, true] {
             drawn.clear();
             let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
                 let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
-                if beyond(ends[0], camera.size) & beyond(ends[1], camera.size) != 0 {
-                    continue;
-                }
-                // From pixel to pixel a line is drawn once.
+                let Some(ends) = clipped(ends, camera.size) else { continue };
                 let pixels = ends.map(pixel);
-                if pixels[0] == pixels[1] || drawn.insert((pixels, line.rapid)) {
+                // From pixel to pixel a line of a kind is drawn once, but for those within a pixel that continue another one.
+                let continues = pixels[0] == pixels[1] && pen.ends[1] == ends[0];
+                if continues || drawn.insert((pixels, line.stroke as u8, line.rapid)) {
                     pen.line((line.stroke, line.rapid), ends);
                 }
             }

@@ -81,6 +81,11 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
     Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
 
+/// Whether a scene has so many lines that it is drawn in few strokes, and feeds without dashes.
+pub fn is_long(scene: &Scene) -> bool {
+    scene.lines.len() > long::LONG
+}
+
 /// Whether a run comes to a line: not behind a collision.
 fn reached(scene: &Scene, line: &Line) -> bool {
     scene.collision.is_none_or(|(index, _)| line.index <= index)
@@ -173,7 +178,7 @@ impl Painter {
         for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
             self.angle(&arc, name(arc.angle.field), marks.field == Some(arc.angle.field));
         }
-        if scene.lines.len() > long::LONG {
+        if is_long(scene) {
             self.long(scene, camera);
             for line in scene.lines.iter().filter(|line| highlight == Some(line.index)) {
                 self.line(line, camera, true, true);

@@ -12,7 +12,7 @@ use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
-use crate::view::canvas::{Marks, Painter, Theme, axis_at};
+use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::scene::{self, Moves, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
@@ -297,6 +297,12 @@ impl View {
         self.highlight = Some(index);
         self.part = if part.is_finite() { crate::num::within(part, 0.0, 1.0) } else { 1.0 };
         self.light();
+    }
+
+    /// Whether the picture has so many lines that feeds are drawn without dashes.
+    #[wasm_bindgen(js_name = isLong)]
+    pub fn is_long(&self) -> bool {
+        self.shown.as_ref().is_some_and(|shown| is_long(&shown.scene))
     }
 
     /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time.
