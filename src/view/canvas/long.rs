@@ -1,9 +1,5 @@
 //! The lines of a long program: in few strokes, and without those that cannot be seen.
 
-use std::collections::HashSet;
-
-use rustc_hash::FxBuildHasher;
-
 use super::Painter;
 use crate::view::camera::Camera;
 use crate::view::scene::{Line, Scene, Spot, Stroke};
@@ -95,18 +91,33 @@ fn clipped([from, to]: [Spot; 2], size: Spot) -> Option<[Spot; 2]> {
     (first <= last).then(|| [if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
 }
 
-/// The pixel of a spot.
-fn pixel(spot: Spot) -> [i32; 2] {
-    spot.map(|x| x.round() as i32)
+/// The pixel of a spot, counted from a place outside every window.
+fn pixel(spot: Spot) -> [u64; 2] {
+    spot.map(|x| (x.round() + 2.0 * WIDE) as u64)
+}
+
+/// The lines that were drawn last, by their pixels: a place each, which a later one takes.
+struct Drawn(Vec<u64>);
+
+impl Drawn {
+    const PLACES: u32 = 16;
+
+    /// Whether a line between these pixels is new. One of long ago may be.
+    fn is_new(&mut self, line: &Line, [[a, b], [c, d]]: [[u64; 2]; 2]) -> bool {
+        // No window has as many pixels as fifteen bits count.
+        let line = [b, c, d, line.stroke as u64, u64::from(line.rapid)].into_iter().zip([15, 15, 15, 2, 1]);
+        let key = 1 + line.fold(a, |key, (more, bits)| key << bits | more);
+        let place = key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> (u64::BITS - Self::PLACES);
+        std::mem::replace(&mut self.0[place as usize], key) != key
+    }
 }
 
 impl Painter {
     /// Draws the lines of a long program; touches last, as in any picture.
     pub(super) fn long(&self, scene: &Scene, camera: &Camera) {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
-        let mut drawn: HashSet<([[i32; 2]; 2], u8, bool), FxBuildHasher> = HashSet::default();
+        let mut drawn = Drawn(vec![0; 1 << Drawn::PLACES]);
         for touches in [false, true] {
-            drawn.clear();
             let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
                 let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
@@ -114,7 +125,7 @@ impl Painter {
                 let pixels = ends.map(pixel);
                 // From pixel to pixel a line of a kind is drawn once, but for those within a pixel that continue another one.
                 let continues = pixels[0] == pixels[1] && pen.ends[1] == ends[0];
-                if continues || drawn.insert((pixels, line.stroke as u8, line.rapid)) {
+                if continues || drawn.is_new(line, pixels) {
                     pen.line((line.stroke, line.rapid), ends);
                 }
             }
