@@ -97,9 +97,9 @@ fn pixel(spot: Spot) -> [u64; 2] {
 }
 
 /// The lines that were drawn last, by their pixels: a place each, which a later one takes.
-struct Drawn(Vec<u64>);
+struct Recent(Vec<u64>);
 
-impl Drawn {
+impl Recent {
     const PLACES: u32 = 16;
 
     /// Whether a line between these pixels is new. One of long ago may be.
@@ -116,7 +116,7 @@ impl Painter {
     /// Draws the lines of a long program; touches last, as in any picture.
     pub(super) fn long(&self, scene: &Scene, camera: &Camera) {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
-        let mut drawn = Drawn(vec![0; 1 << Drawn::PLACES]);
+        let mut recent = Recent(vec![0; 1 << Recent::PLACES]);
         for touches in [false, true] {
             let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
@@ -125,7 +125,7 @@ impl Painter {
                 let pixels = ends.map(pixel);
                 // From pixel to pixel a line of a kind is drawn once, but for those within a pixel that continue another one.
                 let continues = pixels[0] == pixels[1] && pen.ends[1] == ends[0];
-                if continues || drawn.is_new(line, pixels) {
+                if continues || recent.is_new(line, pixels) {
                     pen.line((line.stroke, line.rapid), ends);
                 }
             }
