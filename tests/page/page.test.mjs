@@ -11,6 +11,7 @@ import {
   held,
   more,
   open,
+  openText,
   PICTURE,
   page,
   pixels,
@@ -258,6 +259,22 @@ test("measured points give the same results, and bad ones a plain answer", async
   assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
   await page.getByRole("button", { name: "Fill in the points shown" }).click();
   assert.match((await own("width1")) ?? "", /80\.000/);
+});
+
+test("lines that belong to a move stood above the heading of its step", async () => {
+  for (const [post, names] of [
+    ["sinumerik", /TP_MOVE=\d+$/],
+    ["fanuc", /#149=\d+$/],
+    ["linuxcnc", /G38\.|G1 /],
+  ]) {
+    await openText(JSON.stringify({ format: 1, cycle: { type: "internal-rectangle-protected" }, control: { post } }));
+    await until("control.post", String(post));
+    const first = await page
+      .locator("tp-program .step + .line .text")
+      .evaluateAll((rows) => rows.slice(1).map((row) => row.textContent));
+    assert.ok(first.length > 8, String(post));
+    for (const text of first) assert.match(text ?? "", /** @type {RegExp} */ (names), String(post));
+  }
 });
 
 test("words are found in the program, in its folded header too, and stay found while it changes", async () => {

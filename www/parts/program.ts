@@ -16,6 +16,9 @@ interface Block {
 /** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 
+/** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. What the program asks before the move stands below it. */
+const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
+
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
   protected override follows = ["change"];
@@ -57,7 +60,8 @@ class ProgramPart extends Part {
     let now = -1;
     const blocks: Block[] = [];
     for (const one of numbered.slice(head)) {
-      const move = moveAt.get(one.line);
+      const named = NAMED.exec(one.text)?.[1];
+      const move = moveAt.get(one.line) ?? (named === undefined ? undefined : Number(named) - 1);
       const next = move === undefined ? now : (moves[move]?.step ?? 0);
       if (next !== now || blocks.length === 0) blocks.push({ step: Math.max(next, 0), lines: [] });
       now = next;
