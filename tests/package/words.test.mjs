@@ -58,6 +58,11 @@ test("no part of the page says an English text of its own", () => {
     );
   }
   assert.ok(parts > 15);
+  // What a style sheet writes has no words in any language.
+  for (const name of ["style", "page"]) {
+    const source = readFileSync(at(`www/${name}.css`), "utf8");
+    assert.deepEqual(source.match(/\bcontent:[^;"]*"[^";]*[A-Za-z][^";]*"/g), null, name);
+  }
 });
 
 test("the words of a language are a file of the package", async () => {

@@ -559,6 +559,17 @@ test("an element has the language of its own lang, or that of what is around it"
     () => document.querySelector("#own")?.shadowRoot?.querySelector("#tab-checks")?.textContent === "Checks",
   );
   assert.equal(await tab("around"), ru);
+  // What is around an element may change its language.
+  await page.evaluate(() => {
+    document.documentElement.lang = "de";
+    document.querySelector("section")?.removeAttribute("lang");
+  });
+  for (const id of ["own", "around"])
+    await page.waitForFunction(
+      ([id, de]) => document.querySelector(`#${id}`)?.shadowRoot?.querySelector("#tab-checks")?.textContent === de,
+      [id, de],
+    );
+  assert.equal(await tab("none"), zh, "its own language stays");
 });
 
 test("the language that is set last is shown, however late the words of the one before come", async () => {

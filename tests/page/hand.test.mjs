@@ -50,6 +50,14 @@ test("a width in error: the table of the width before was copied and saved", asy
   );
 });
 
+test("results of the form before an error say so", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  const caption = page.locator("tp-results caption").first();
+  assert.doesNotMatch(await textOf(caption), /last good/);
+  await field("cycle.width1").fill("-5");
+  assert.match(await textOf(caption), /The form has errors: this is the last good plan/);
+});
+
 test("'Copied' stood beside a program that was not the copied one", async () => {
   await button("Copy").click();
   await page.getByText("Copied").waitFor();

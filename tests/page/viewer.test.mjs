@@ -1,7 +1,7 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, framed, more, openText, PICTURE, page, program, setUp, textOf } from "./common.mjs";
+import { boxOf, framed, more, openText, PICTURE, page, program, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -190,6 +190,36 @@ test("a program of very many moves froze the page while it was drawn: it is draw
   for (const side of /** @type {const} */ (["left", "right"]))
     assert.ok(Math.abs((long.inked[side] ?? 0) - (short.inked[side] ?? -9)) <= 4, side);
   assert.ok(long.strokes < 200, `${long.strokes} strokes for 15000 moves`);
+});
+
+test("before its editor is there, a found line was not brought into sight; when the editor came, the listing returned to its start", async () => {
+  /** @type {() => void} */
+  let send = () => {};
+  const sent = new Promise((done) => {
+    send = () => done(null);
+  });
+  await page.route(/\/editor-[^/]+\.js$/, async (route) => {
+    await sent;
+    await route.continue();
+  });
+  const lines = Array.from({ length: 400 }, (_, i) => `G0 X${i} Y0`);
+  await openText(["G21 G90", ...lines, "G38.2 Z-5 F100", ...lines, "M2", ""].join("\n"), "foreign.nc");
+  const viewer = page.locator("tp-viewer");
+  await viewer.getByLabel("Find in the program").fill("g38.2");
+  const plain = viewer.locator(".listing pre");
+  const height = 13 * 1.5;
+  // The line counts from 0, and its rest is above it.
+  const at = () => plain.evaluate((pre) => [pre.scrollTop, pre.clientHeight]);
+  await settles(async () => ((await at())[0] ?? 0) > 0);
+  const [top = 0, room = 0] = await at();
+  const line = 401 * height;
+  assert.ok(top < line && line + height < top + room, `${top} to ${top + room}, the line at ${line}`);
+  send();
+  await viewer.locator(".cm-scroller").waitFor();
+  await framed();
+  const now = await viewer.locator(".cm-scroller").evaluate((box) => box.scrollTop);
+  assert.ok(Math.abs(now - top) < height, `${now} instead of ${top}`);
+  assert.match(await textOf(viewer.locator(".line.here")), /G38\.2/);
 });
 
 test("on a phone the listing jumped under the pointer: what is said of a line has its room", async () => {

@@ -110,6 +110,8 @@ export class App extends LitElement {
   private wanted: PanelName[] = [];
   private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
+  /** Where the element has no language of its own, that of the page around may change. */
+  private readonly languages = new MutationObserver(() => this.reword());
   private readonly intake: Intake;
   /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
   private readonly there = new Set<string>();
@@ -176,6 +178,12 @@ export class App extends LitElement {
     if (this.hasUpdated) this.reword();
     this.measure();
     this.observer.observe(this);
+    for (
+      let root: Node | null = this.around.host.getRootNode();
+      root;
+      root = root instanceof ShadowRoot ? root.host.getRootNode() : null
+    )
+      this.languages.observe(root, { subtree: true, attributeFilter: ["lang"] });
     const { intake } = this;
     this.addEventListener("paste", intake.refuse);
     this.addEventListener("drop", intake.refuse);
@@ -192,6 +200,7 @@ export class App extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
+    this.languages.disconnect();
     const { intake } = this;
     this.removeEventListener("paste", intake.refuse);
     this.removeEventListener("drop", intake.refuse);

@@ -3,7 +3,7 @@ import { EditorState, type Range, StateEffect, StateField } from "@codemirror/st
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
 import { words } from "./colours.js";
 import { letterOf } from "./keys.js";
-import type { Shown } from "./listing.js";
+import { MARGIN, type Shown } from "./listing.js";
 
 /** What the lines have beside their text. */
 type Look = Pick<Shown, "kind" | "lit" | "found">;
@@ -112,6 +112,13 @@ export class Editor {
     this.view.destroy();
   }
 
+  /** Scrolls until this line is the first that is seen. */
+  begin(line: number): void {
+    const { doc } = this.view.state;
+    const { from } = doc.line(Math.min(line, doc.lines - 1) + 1);
+    this.view.dispatch({ effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 0 }) });
+  }
+
   show({ text, kind, lit, found, sight }: Shown): void {
     const { state } = this.view;
     const whole = { from: 0, to: state.doc.length, insert: text };
@@ -120,7 +127,7 @@ export class Editor {
     const effects: StateEffect<unknown>[] = [change.of({ kind, lit, found })];
     const doc = changes.apply(state.doc);
     if (sight >= 0 && sight < doc.lines)
-      effects.push(EditorView.scrollIntoView(doc.line(sight + 1).from, { y: "nearest", yMargin: 40 }));
+      effects.push(EditorView.scrollIntoView(doc.line(sight + 1).from, { y: "nearest", yMargin: MARGIN }));
     this.view.dispatch({ changes, effects });
   }
 }

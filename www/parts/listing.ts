@@ -21,6 +21,9 @@ export interface Shown {
   sight: number;
 }
 
+/** A line that is brought into sight is this far from the edge, px. */
+export const MARGIN = 40;
+
 const NONE: Found = { matches: new Set(), here: -1 };
 
 /** The text in its box. What changes within a frame is shown at once, in that frame. */
@@ -88,13 +91,53 @@ export class Listing {
   }
 
   private later(): void {
-    if (this.editor) this.frame ||= requestAnimationFrame(() => this.draw());
+    this.frame ||= requestAnimationFrame(() => this.draw());
   }
 
   private draw(): void {
     this.frame = 0;
-    this.editor?.show(this.shown);
+    if (this.editor) this.editor.show(this.shown);
+    else this.reveal(this.shown.sight);
     this.shown.sight = -1;
+  }
+
+  /** Brings a line of the plain text into sight, where it is not. */
+  private reveal(line: number): void {
+    if (line < 0) return;
+    const [{ top, bottom }, box] = [this.placeOf(this.starts()[line] ?? 0), this.plain.getBoundingClientRect()];
+    if (top < box.top || bottom > box.bottom) this.plain.scrollTop += top - box.top - MARGIN;
+  }
+
+  /** The first line of the plain text that is seen from its beginning. */
+  private first(): number {
+    const starts = this.starts();
+    const { top } = this.plain.getBoundingClientRect();
+    let [least, most] = [0, starts.length - 1];
+    while (least < most) {
+      const middle = Math.floor((least + most) / 2);
+      if (this.placeOf(starts[middle] ?? 0).top < top) least = middle + 1;
+      else most = middle;
+    }
+    return least;
+  }
+
+  /** Where the lines of the text begin. */
+  private starts(): number[] {
+    const starts = [0];
+    const { text } = this.shown;
+    for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) starts.push(at + 1);
+    return starts;
+  }
+
+  /** Where a character of the plain text is on the screen. */
+  private placeOf(at: number): DOMRect {
+    const range = document.createRange();
+    const text = this.plain.firstChild as Text | null;
+    if (text) {
+      range.setStart(text, at);
+      range.setEnd(text, Math.min(at + 1, text.length));
+    }
+    return range.getBoundingClientRect();
   }
 
   /** Where the editor cannot be loaded, the text stays as it is. */
@@ -102,9 +145,12 @@ export class Listing {
     const { Editor } = await import("./editor.js").catch(() => ({ Editor: null }));
     if (!Editor || this.freed || !this.box.isConnected) return;
     const focused = this.plain.matches(":focus");
+    const first = this.plain.scrollTop > 0 && this.shown.sight < 0 ? this.first() : -1;
     this.plain.remove();
     this.editor = new Editor(this.box, this.name, this.point);
     this.draw();
+    // What was seen before is seen still.
+    if (first >= 0) this.editor.begin(first);
     if (focused) this.editor.focus();
   }
 }
