@@ -15,7 +15,7 @@ fn plans() -> Vec<(String, Value, Plan)> {
     crate::common::jobs()
         .into_iter()
         .flat_map(|(name, job)| {
-            [("fanuc", 3.0), ("haas", 9.0), ("haas", 0.0)].map(|(post, offset)| {
+            [("fanuc", 3.0), ("fanuc", 0.0), ("haas", 9.0), ("haas", 0.0)].map(|(post, offset)| {
                 let job = put(&job, post, offset);
                 let plan = touchpath::job::plan(&job).ok()?;
                 Some((format!("{name} {post} {offset}"), job, plan))
@@ -67,6 +67,9 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
             let before = control.variables.clone();
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}\n{}", plan.program.text));
             assert_eq!(control.alarm, None, "{name}\n{}", plan.program.text);
+            // M30 may clear what was measured: the program waits before it where nothing else keeps the results.
+            let waits = !control.haas && control.writes.is_empty() && name.ends_with(" 0") && !plan.touches.is_empty();
+            assert_eq!(control.stops, usize::from(waits), "{name}");
             let header: Vec<&str> = plan.program.text.lines().filter_map(|l| l.strip_prefix("(RESULTS: ")).collect();
             assert_eq!(header.is_empty(), plan.touches.is_empty(), "{name}");
             for entry in header.iter().flat_map(|line| line.trim_end_matches(')').split(", ")) {
@@ -173,11 +176,15 @@ fn a_missed_touch_writes_nothing() {
 fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     for (name, job, plan) in plans().into_iter().filter(|(.., plan)| !plan.moves.is_empty()) {
         let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
-        for (code, value) in [(4006, if inch { 21.0 } else { 20.0 }), (4008, 49.0), (4011, 51.0), (4016, 68.0)] {
+        let common =
+            [(4006, if inch { 21.0 } else { 20.0 }), (4008, 49.0), (4008, 44.0), (4008, 43.4), (4011, 51.0), (4016, 68.0)];
+        let fanuc = [(4016, 68.2), (4017, 16.0), (4022, 51.1), (4111, 0.0), (4111, 201.0)];
+        let haas = plan.program.post == "haas";
+        for (code, value) in common.into_iter().chain(fanuc.into_iter().filter(|_| !haas)) {
             let mut control = control(&job, &plan);
             control.modal.iter_mut().find(|(known, _)| *known == code).unwrap().1 = value;
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
-            assert_eq!(control.alarm.as_deref(), Some("3 OTHER UNITS, G49, G68 OR G51"), "{name}");
+            assert_eq!(control.alarm.as_deref(), Some("3 WRONG STATE, SEE HEADER"), "{name} {code}");
             assert!(control.path.is_empty() && control.writes.is_empty(), "{name}");
         }
         // A stylus that is not where the job says.
@@ -228,6 +235,69 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
     assert!(seen > 60, "{seen}");
 }
 
+/// The height of the stylus is not known before the first descent is done: a control that leaves the length out lifted downwards there.
+#[test]
+fn a_contact_in_the_first_descent_stops_where_it_is() {
+    let mut seen = 0;
+    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty()) {
+        if stated_start(&plan).is_some() {
+            continue;
+        }
+        let first = plan.moves[0].to;
+        for (included, above) in [(true, 60.0), (false, 60.0), (false, 1.0)] {
+            let mut control = control(&job, &plan);
+            control.length_included = included;
+            control.at[2] = first[2] + 200.0;
+            let contact = [first[0], first[1], first[2] + above];
+            control.contacts.insert(0, contact);
+            control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let alarm = if control.haas { "M78" } else { "1 CONTACT IN MOVE #149" };
+            assert_eq!((control.alarm.as_deref(), control.at), (Some(alarm), contact), "{name} {included} {above}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
+/// Sums of lengths and heights are rounded, by the control to its own steps too: what ended at the height of its beginning may be run again.
+#[test]
+fn a_program_that_ended_may_be_run_again() {
+    let job = touchpath::job::default_job("double-wall-internal-corner").unwrap();
+    let job = with(&with(&job, "control.post", Value::Text("fanuc".to_owned())), "control.workOffset", Value::Null);
+    let plan = crate::common::planned(&job);
+    let height = plan.moves[0].to[2];
+    for k in 0..200 {
+        let mut control = control(&job, &plan);
+        control.length = 100.0 + f64::from(k) * 0.137;
+        control.at = [15.0, 15.0, height - 1e-4];
+        control.run(&plan.program.text).unwrap();
+        assert_eq!(control.alarm, None, "{}", control.length);
+    }
+}
+
+/// The manual of a Haas asks for G31 below 2500 mm/min, 100 inch/min.
+#[test]
+fn a_haas_probes_below_the_limit_of_its_manual() {
+    let job = |units: &str, approach: Value| {
+        let job = touchpath::job::default_job("hole").unwrap();
+        let job = touchpath::job::convert_units(&job, units).unwrap();
+        with(&with(&job, "control.post", Value::Text("haas".to_owned())), "feeds.approach", approach)
+    };
+    for (units, limit) in [("mm", 2500.0), ("inch", 100.0)] {
+        let rapid = crate::common::planned(&job(units, Value::Null));
+        let feeds = rapid.program.text.lines().filter(|line| line.starts_with("G31"));
+        let feeds: Vec<f64> = feeds
+            .flat_map(|line| line.split(' ').find_map(|word| word.strip_prefix('F')))
+            .map(|feed| feed.parse().unwrap())
+            .collect();
+        assert!(feeds.len() > 5 && feeds.iter().all(|feed| *feed < limit), "{feeds:?}");
+        let too_fast = |plan: &Plan| plan.findings.iter().any(|f| f.code == "probing-too-fast");
+        assert!(!too_fast(&rapid));
+        assert!(too_fast(&crate::common::planned(&job(units, number(limit)))));
+        assert!(!too_fast(&crate::common::planned(&job(units, number(limit - 1.0)))));
+    }
+}
+
 /// A program becomes the job again, though all of its header is in capitals.
 #[test]
 fn a_program_is_read_back_as_its_job() {
@@ -261,6 +331,15 @@ fn what_these_controls_cannot_do_is_refused() {
     assert_eq!(found(&[]), [""; 0]);
     assert_eq!(found(&[("plane", Value::Text("G18".to_owned()))]), ["plane-unsupported"]);
     assert_eq!(found(&[("overtravel", number(0.1))]), ["search-too-short"]);
+    let near = |clearance: f64| {
+        let job = touchpath::job::default_job("surface").unwrap();
+        let job = with(&job, "control.post", Value::Text("fanuc".to_owned()));
+        let findings = touchpath::job::check(&with(&job, "cycle.clearance", number(clearance)));
+        findings.into_iter().any(|f| f.level == touchpath::form::Level::Error && f.code == "touch-too-short")
+    };
+    assert_eq!((near(3.03), near(3.19), near(3.21)), (true, true, false));
+    let far = |x: f64| found(&[("cycle.origin", Value::List(vec![number(x), number(0.0), number(0.0)]))]);
+    assert_eq!((far(-9900.0).as_slice(), far(-10_000.0).as_slice()), (&[][..], &["too-many-digits".to_owned()][..]));
     assert_eq!(found(&[("control.protection", Value::Text("none".to_owned()))]), ["protection-unsupported"]);
     assert_eq!(found(&[("control.form", Value::Text("cycle".to_owned()))]), ["form-unsupported"]);
     assert_eq!(found(&[("control.workOffset", number(7.0))]), ["work-offset-unsupported"]);

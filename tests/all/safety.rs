@@ -90,7 +90,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("probe-free-again", "sinumerik unwatched", "IF $A_PROBE[1]<>0 GOTOF TP_STUCK\n", ""),
     ("low-start-goes-up", "linuxcnc", "o4 if [#<_z> LT 30]", "o4 if [#<_z> LT -900]"),
     ("low-start-goes-up", "sinumerik", "IF $AA_IW[Z]>=30 GOTOF TP_ABOVE", "IF $AA_IW[Z]>=-900 GOTOF TP_ABOVE"),
-    ("low-start-goes-up", "fanuc", "IF [#5043-#100 LT 30.] GOTO 9005\n", ""),
+    ("low-start-goes-up", "fanuc", "IF [#5043-#100 LT 29.95] GOTO 9005\n", ""),
     ("positioning-watched", "linuxcnc", "G38.3 X32 Y0 Z10 F1000", "G1 X32 Y0 Z10 F1000"),
     ("positioning-watched", "sinumerik", "MEAS=1 G1 X32 F1000", "G1 X32 F1000"),
     ("positioning-watched", "fanuc", "IF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n", ""),

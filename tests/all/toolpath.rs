@@ -317,3 +317,34 @@ fn what_is_said_beside_a_motion_is_no_feed_no_mode_and_no_dialect() {
     let planes = read_program("G21\nG17\nG0 X0 Y0 Z0\nG2 X10 Y0 I5 J0\nG18\nG2 X20 Z0 I5 K0\n", None);
     assert_eq!((planes.plane.word(), planes.arcs[0][5], planes.arcs[1][5]), ("G17", 17.0, 18.0));
 }
+
+/// Probing moves of other makers were rapids, and a condition around an end hid all that stood below it.
+#[test]
+fn no_probing_move_is_lost() {
+    let probes = |text: &str| kinds(&read_program(text, None)).into_iter().filter(|kind| *kind == "probe").count();
+    for (text, wanted) in [
+        ("G21 G90\nG0 X0 Y0 Z9\nG38.6 Z-1 F100\nG38.9 X5\nG38.2 Y1\n", 3),
+        ("G21 G90\nG0 X0 Y0 Z9\nG31.1 Z-1. F100.\nG31.3 X5. F100.\nG31 P2 X7. F100.\nG0 Z9.\n", 3),
+        ("G21\no101 if [#5070 EQ 1]\nM2\no101 endif\nG38.2 X4 F150\nM2\nG38.2 X5\n", 1),
+        ("G21\no1 if [#1]\no2 if [#2]\no2 endif\nM30\no1 endif\nG38.2 X4 F150\nM2\n", 1),
+        ("G21\nIF [#1 EQ 2] GOTO 10\n(a comment)\nM30\nN10\nG31 X4. F100.\nM30\nN20\nG31 X5. F100.\n", 1),
+        ("G21\nN5 IF[#1EQ2]GOTO10\nN6 M30\nN10 G31 X4. F100.\nM30\n", 1),
+        ("G71\nMEAS = 1 G1 X20 F100\nMEAS=R1 G1 X25\nL1: MEAS=1 G1 X30\nOUT: MEAW=-1 G1 X60 SPOS=0\nG0 Z5\n", 4),
+        ("G71\nIF R1==0 GOTOF L1\nM30\nL1:\nMEAS=1 G1 X20 F100\nM30\n", 1),
+        ("G21\nN10 /G31 X5. F100.\nN20/G31 Y5. F100.\n", 2),
+        ("G21\nG31 X5. F100.\nDPRNT[MEAS=#5061[43]]\nDPRNT[CR=#5061[43]]\nG31 Y5. F100.\n", 2),
+    ] {
+        assert_eq!(probes(text), wanted, "{text}");
+    }
+    let ended = read_program("G21\nG0 X1\nM30\nN9 G0 X2\nX3\n", None);
+    assert_eq!(
+        (ended.len(), ended.findings[0].message.as_str()),
+        (1, "Lines below the end of the program, M2 or M30, are not followed: 2 times, the first in line 4")
+    );
+    // A radius that is computed makes no arc.
+    let computed = read_program("G71\nG0 X0 Y0\nG2 X20 Y0 CR=R5 F100\nSTOPRE\n", None);
+    assert_eq!((computed.dialect, computed.arcs.len()), ("sinumerik", 0));
+    assert!(said(&computed).contains(&"arc-unsolved"));
+    // What gives a variable a value is no word.
+    assert!(said(&read_program("G71\nTP_MOVE=5\nSTOPRE\nG0 X1\n", None)).contains(&"lines-skipped"));
+}

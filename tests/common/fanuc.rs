@@ -22,8 +22,10 @@ pub struct Control {
     pub early: Option<f64>,
     /// Whether ATAN gives 0 to 360 rather than -180 to 180 degrees, as parameter 6004 bit 0 says.
     pub full_circle: bool,
-    /// Modal codes: 4006 units, 4008 length, 4011 scale, 4016 rotation.
-    pub modal: [(i64, f64); 5],
+    /// Modal codes: 4006 units, 4008 length, 4011 scale, 4016 rotation, 4017 polar, 4022 mirror; 4111 is the number of the length.
+    pub modal: [(i64, f64); 7],
+    /// How many times M0 stopped it, to be started again.
+    pub stops: usize,
     /// Ends of all motions, and whether each was a G31.
     pub path: Vec<([f64; 3], bool)>,
     /// What stopped it: number and text, or the control's own alarm.
@@ -47,7 +49,16 @@ impl Control {
             blocked: None,
             early: None,
             full_circle: true,
-            modal: [(4006, if inch { 20.0 } else { 21.0 }), (4008, 43.0), (4011, 50.0), (4016, 69.0), (4022, 50.1)],
+            modal: [
+                (4006, if inch { 20.0 } else { 21.0 }),
+                (4008, 43.0),
+                (4011, 50.0),
+                (4016, 69.0),
+                (4017, 15.0),
+                (4022, 50.1),
+                (4111, 7.0),
+            ],
+            stops: 0,
             path: Vec::new(),
             alarm: None,
             writes: Vec::new(),
@@ -118,7 +129,7 @@ impl Control {
                 let value = self.value(value).map_err(|e| fail(&e))?;
                 if number == 3000 {
                     let text = full.split_once('(').map_or("", |(_, text)| text.trim_end_matches(')'));
-                    if text.len() > 31 {
+                    if text.len() > 26 {
                         return Err(fail("a message is longer than the control shows"));
                     }
                     self.alarm = Some(format!("{value} {text}"));
@@ -166,6 +177,7 @@ impl Control {
                     "G103" if self.haas => {}
                     "M78" if self.haas => free = true,
                     "M79" if self.haas => must = true,
+                    "M0" => self.stops += 1,
                     "M30" => return Ok(true),
                     _ if word.starts_with('P') && self.haas => {}
                     _ => return Err(format!("{word} is not known")),
@@ -214,11 +226,12 @@ impl Control {
         Ok(match number {
             5041..=5043 => self.at[(number - 5041) as usize] + self.bias((number - 5041) as usize),
             5083 if self.haas => self.length,
-            4111 if !self.haas => 7.0,
             // Wear and length of tool 7, of two kinds of memory.
             2007 if !self.haas => 0.25,
             2207 if !self.haas => self.length - 0.25,
-            4006..=4022 => self.modal.iter().find(|(code, _)| *code == number).map(|(_, value)| *value).ok_or("modal")?,
+            4006..=4022 | 4111 => {
+                self.modal.iter().find(|(code, _)| *code == number).map(|(_, value)| *value).ok_or("modal")?
+            }
             _ => *self.variables.get(&number).ok_or(format!("#{number} is empty"))?,
         })
     }

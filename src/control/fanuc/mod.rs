@@ -24,7 +24,7 @@ use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op};
 use crate::geom::{Plane, Vec3};
 use crate::num::{Digits, count, decimal, push_count};
-use crate::path::{Move, RAPID_RATE, Subject, Touch};
+use crate::path::{Move, Purpose, RAPID_RATE, Subject, Touch};
 use crate::text::{text, words};
 
 /// Fanuc 30i, 31i, 32i, 0i-F.
@@ -59,6 +59,11 @@ pub static HAAS: PostDef = PostDef {
             words!("M79 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
         ),
     ],
+    rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
+    check: |request, checker| {
+        check(request, checker);
+        check_haas_feeds(request, checker);
+    },
     emit: |request| emit(request, &WITH_ALARMS),
     read: Some(read::haas),
     ..BASE
@@ -80,7 +85,7 @@ const BASE: PostDef = PostDef {
     dialect: Some(&DIALECT),
     cannot: &[],
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
-    rate: feed_rate,
+    rate: |request, _, step| rate(request, step, PLAIN.rapid),
     serves,
     check,
     emit: |request| emit(request, &PLAIN),
@@ -106,6 +111,8 @@ static DIALECT: Dialect = Dialect {
 struct Flavour {
     /// The length of the active tool.
     length: &'static str,
+    /// What a rapid runs at where it is watched, mm/min.
+    rapid: f64,
     /// Behind a positioning move, in its block.
     free: &'static str,
     /// Behind a touch, in its block.
@@ -114,6 +121,8 @@ struct Flavour {
     halt: &'static str,
     /// The block that lets it read ahead again, at the end.
     free_again: Option<&'static str>,
+    /// Whether the end of the program may clear the common variables.
+    forgets: bool,
     /// What the program refuses to move in, in words.
     refuses: &'static str,
     /// States in which nothing moves, beside other units.
@@ -122,21 +131,35 @@ struct Flavour {
 
 static PLAIN: Flavour = Flavour {
     length: "#[2000+#4111]+#[2200+#4111]",
+    rapid: RAPID_RATE,
     free: "",
     touch: "",
     halt: "G53",
     free_again: None,
-    refuses: "Nothing moves in other units, without a tool length, under G43.4, a rotation, a tilted plane, a scale or a mirror",
-    states: &["#4008 EQ 49", "#4008 EQ 43.4", "#4016 EQ 68", "#4016 EQ 68.2", "#4011 EQ 51", "#4022 EQ 51.1"],
+    forgets: true,
+    refuses: "Nothing moves in other units, without G43 and an H from 1 to 200, in polar coordinates, under a rotation, a tilted plane, a scale or a mirror",
+    // The two tables of lengths have 200 places each.
+    states: &[
+        "#4008 NE 43",
+        "#4111 LT 1",
+        "#4111 GT 200",
+        "#4017 EQ 16",
+        "#4016 EQ 68",
+        "#4016 EQ 68.2",
+        "#4011 EQ 51",
+        "#4022 EQ 51.1",
+    ],
 };
 static WITH_ALARMS: Flavour = Flavour {
     length: "#5083",
+    rapid: 2400.0,
     free: " M78",
     touch: " M79",
     halt: "G103 P1",
     free_again: Some("G103"),
-    refuses: "Nothing moves in other units, without a tool length, under a rotation or a scale. A mirror is not asked: switch it off",
-    states: &["#4008 EQ 49", "#4016 EQ 68", "#4011 EQ 51"],
+    forgets: false,
+    refuses: "Nothing moves in other units, without G43, under a rotation or a scale. A mirror, G254 and G268 are not asked: switch them off",
+    states: &["#4008 NE 43", "#4016 EQ 68", "#4011 EQ 51"],
 };
 
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
@@ -145,8 +168,12 @@ const IN_POSITION: f64 = 0.05;
 /// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
 const SHORTEST_PROBE: f64 = 0.2;
 
-/// The least that a touch searches, mm: in less its contact and its end cannot be distinguished.
+/// The least that a touch searches, and that it begins before its contact, mm: in less its contact cannot be distinguished from its end, or
+/// from its beginning.
 const SHORTEST_SEARCH: f64 = 0.2;
+
+/// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, lest the probe be damaged.
+const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
 
 /// Variables: 100 is the length, those behind it hold results and what is needed on the way, 148 is a place aside, 149 the move.
 const FIRST: usize = 100;
@@ -187,15 +214,39 @@ fn push_variable(text: &mut String, n: usize) {
     push_count(text, FIRST + n);
 }
 
+/// The feed of a move, mm/min: all but the shortest are watched.
+fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
+    request.feeds.rate(step.feed).or_else(|| feed_rate(request, None, step).map(|_| rapid))
+}
+
+/// The fastest G31 of a Haas.
+fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
+    let feeds = request.path.moves.iter().filter_map(|step| match step.purpose {
+        Purpose::Touch(_) => Some(request.feeds.work),
+        Purpose::Position => request.feeds.rate(step.feed),
+        Purpose::Back(_) => None,
+    });
+    let fastest = feeds.fold(0.0, f64::max);
+    let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
+    if fastest >= limit {
+        let message = text!(
+            "G31 runs at up to {feed}/min here: the manual of the control asks for less than {limit}/min, lest the probe be damaged",
+            checker.length(fastest),
+            checker.length(limit)
+        );
+        checker.warning("probing-too-fast", "feeds", message);
+    }
+}
+
 fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
         "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
                       was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
-    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message =
-            text!("G31 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
+    let rapid = request.path.moves.iter().find(|m| request.feeds.rate(m.feed).is_none());
+    if let Some(rate) = rapid.filter(|_| request.protected).and_then(|m| (request.post.rate)(request, None, m)) {
+        let message = text!("G31 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(rate));
         checker.info("rapid-at-feed", "feeds", message);
     }
     if !request.protected && !request.path.moves.is_empty() {
@@ -227,6 +278,8 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.error("search-too-short", "overtravel", message);
     }
+    check_starts(request, checker);
+    check_digits(request, checker);
     let last = FIRST + request.registers().last;
     if last > LAST {
         let message = text!(
@@ -236,6 +289,47 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
             last
         );
         checker.error("too-many-registers", "control.post", message);
+    }
+}
+
+/// No place needs more digits than a number may have.
+fn check_digits(request: &Request<'_>, checker: &mut Checker) {
+    let decimals = if request.scale == 1.0 { DIALECT.decimals_mm } else { DIALECT.decimals_inch };
+    let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
+    let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
+    let places = request.path.moves.iter().map(|step| step.to).chain(touches);
+    let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
+    if farthest >= limit {
+        let message = text!(
+            "A place is {far} from the origin: places must be within {limit}, since a number has {digits} digits at most on some controls",
+            checker.length(farthest),
+            checker.length(limit),
+            DIGITS
+        );
+        checker.error("too-many-digits", "cycle", message);
+    }
+}
+
+/// Every touch begins far enough before its contact.
+fn check_starts(request: &Request<'_>, checker: &mut Checker) {
+    let mut from = request.path.start;
+    for step in &request.path.moves {
+        if let (Purpose::Touch(k), Some(from)) = (step.purpose, from) {
+            let touch = &request.path.touches[k];
+            let way = from.distance(touch.contact(request.setup.radius));
+            if way < SHORTEST_SEARCH {
+                let message = text!(
+                    "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, so that its contact differs from its \
+                     beginning",
+                    k + 1,
+                    checker.length(way),
+                    checker.length(SHORTEST_SEARCH)
+                );
+                checker.error("touch-too-short", "cycle", message);
+                return;
+            }
+        }
+        from = Some(step.to);
     }
 }
 
@@ -323,12 +417,17 @@ impl Skip<'_> {
 
     /// A watched move, and its check on the axes whose places are known.
     fn goes(&self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
-        let rate = feed_rate(self.request, None, step).unwrap_or(RAPID_RATE);
+        let rate = self.rate(step);
         self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
             let (off, near) = (Self::off(w, to, axes), Self::in_position(w));
             w.parts(&["IF [", &off, " GT ", &near, "] GOTO ", exit]);
         }
+    }
+
+    /// The feed of a move, mm/min.
+    fn rate(&self, step: &Move) -> f64 {
+        rate(self.request, step, self.flavour.rapid).unwrap_or(self.flavour.rapid)
     }
 
     fn label(&mut self) -> String {
@@ -405,15 +504,17 @@ impl Moves for Skip<'_> {
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
         w.line("#149=1");
-        // By the length alone a low stylus cannot be told from a control that leaves the length out: nothing moves then.
-        let height = Self::number(w, first.to.z);
+        // By the length alone a low stylus cannot be told from a control that leaves the length out: nothing moves then. Sums of lengths and
+        // heights are rounded, and a control reads its axes in its own steps.
+        let height = Self::number(w, first.to.z - IN_POSITION);
         w.line(&format!("IF [#5043-{} LT {height}] GOTO {ELSEWHERE}", variable(0)));
+        // The stylus is above all that the program knows of, and how high is not known yet: a contact does not lift.
         let across = w.plane_words(first.to);
-        self.goes(w, &across, first.to, first, &[0, 1], FREE);
+        self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
         w.makes_move();
         let down = w.tool_word(first.to);
-        self.goes(w, &down, first.to, first, &[], FREE);
-        self.settle(w, first.to.z, FREE);
+        self.goes(w, &down, first.to, first, &[], BLOCKED);
+        self.settle(w, first.to.z, BLOCKED);
     }
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
@@ -421,8 +522,7 @@ impl Moves for Skip<'_> {
         w.makes_move();
         each_piece(self.request, step, |from, to| {
             if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
-                let rate = feed_rate(self.request, from, step.step).unwrap_or(RAPID_RATE);
-                w.straight("G1", to, true, Some(rate));
+                w.straight("G1", to, true, Some(self.rate(step.step)));
                 return;
             }
             let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
@@ -458,8 +558,7 @@ impl Moves for Skip<'_> {
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
-        let rate = feed_rate(self.request, step.from, step.step).unwrap_or(RAPID_RATE);
-        w.straight("G1", step.step.to, true, Some(rate));
+        w.straight("G1", step.step.to, true, Some(self.rate(step.step)));
     }
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
@@ -505,6 +604,11 @@ impl Moves for Skip<'_> {
         if let Some(end) = self.flavour.free_again.filter(|_| self.moving()) {
             w.line(end);
         }
+        let measures = self.request.path.formula.results.iter().any(|result| result.variable.is_some());
+        if self.flavour.forgets && measures && self.request.work_offset.is_none() {
+            w.comment("Read the results now: M30 may clear #100 to #149");
+            w.line("M0");
+        }
         w.line("M30");
         if let Some(first) = self.request.path.moves.first() {
             self.exits(w, first);
@@ -518,7 +622,7 @@ impl Skip<'_> {
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
         let top = highest(self.request).z;
         let height = Self::number(w, top);
-        let lift = format!("G1 Z{} F{}", w.number(top), w.number(feed_rate(self.request, None, first).unwrap_or(RAPID_RATE)));
+        let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
         let mut exit = |label: &str, lifts: Option<&str>, alarm: &str| {
             w.line(&format!("N{label}"));
             if let Some(stop) = lifts {
@@ -532,7 +636,7 @@ impl Skip<'_> {
         exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
         exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
         exit(MISSED, Some("9012"), "2(NO CONTACT IN TOUCH #149)");
-        exit(STATE, None, "3(OTHER UNITS, G49, G68 OR G51)");
+        exit(STATE, None, "3(WRONG STATE, SEE HEADER)");
         let start =
             if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };
         exit(ELSEWHERE, None, start);

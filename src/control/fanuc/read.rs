@@ -38,6 +38,9 @@ fn system(name: &[u8]) -> Option<System> {
         4022 => Some(System::Fixed(50.1)),
         4016 => Some(System::Fixed(69.0)),
         4011 => Some(System::Fixed(50.0)),
+        4017 => Some(System::Fixed(15.0)),
+        // The number of the length, of those that the tables have.
+        4111 => Some(System::Fixed(7.0)),
         5221..=5339 => origin(5221, 1),
         14_001..=15_979 => origin(14_001, 7),
         _ => None,
@@ -51,7 +54,7 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
         (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
         (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
         (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
-        (b'G', 530 | 800) => Code::Nothing(""),
+        (b'G', 530 | 800) | (b'M', 0) => Code::Nothing(""),
         _ => return codes::common(letter, tenths),
     })
 }

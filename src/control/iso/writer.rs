@@ -148,7 +148,7 @@ impl<'a> Writer<'a> {
             self.number(request.setup.overtravel)
         ));
         self.comment(offset);
-        self.comment("Before the start: stylus in the spindle, its length active");
+        self.comment("Before the start: probe in the spindle and switched on, its length active");
         if let Some(start) = request.path.start {
             let text = stated_start(request, &self.place_words(start));
             self.comment(&format!("{text} No block moves it there"));

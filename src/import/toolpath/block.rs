@@ -42,6 +42,8 @@ pub(super) struct Block {
     pub machine: bool,
     /// Its feed, or the time of a dwell.
     pub feed: Option<f64>,
+    /// It ends the program.
+    pub ends: bool,
     /// Something in it is not a word.
     pub strange: bool,
 }
@@ -57,6 +59,7 @@ pub(super) const EMPTY: Block = Block {
     elsewhere: false,
     machine: false,
     feed: None,
+    ends: false,
     strange: false,
 };
 
@@ -65,7 +68,7 @@ impl Block {
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
         (self.radius, self.once, self.feed) = (None, None, None);
-        (self.elsewhere, self.machine, self.strange) = (false, false, false);
+        (self.elsewhere, self.machine, self.ends, self.strange) = (false, false, false, false);
     }
 }
 

@@ -1,7 +1,7 @@
 //! The moves of any program, as columns: a reader that follows words and nothing else. What has to be computed or jumped to is passed over, and
 //! said. Nothing is proven of what it reads: that is for the readers of `control`, which refuse what they do not understand.
 //!
-//! G0 to G3, probing as `G38.n`, `G31` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
+//! G0 to G3, probing as `G38.n`, `G31`, `G31.n` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
 
 mod block;
 mod moves;
@@ -104,6 +104,10 @@ fn guessed(text: &str) -> &'static str {
         if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
             || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
         {
+            continue;
+        }
+        // A variable by its number is of no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
+        if line.contains(&b'#') {
             continue;
         }
         // A comment may say anything.

@@ -96,7 +96,7 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
     let chord = dx.hypot(dy);
     // A little too short is rounding.
     let square = radius * radius - chord * chord / 4.0;
-    if chord < 1e-9 || square < -1e-3 * radius * radius {
+    if radius.is_nan() || chord < 1e-9 || square < -1e-3 * radius * radius {
         return None;
     }
     let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };

@@ -35,12 +35,17 @@ pub(super) struct Reader {
     pub offset: Option<i32>,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
     pub inside: bool,
+    /// How many conditions of O words are open.
+    pub conditions: usize,
+    /// Whether the block before may jump over this one.
+    pub leaps: bool,
     /// Behind the end of the program.
     pub ended: bool,
     /// Units of the path in a unit that the program has now.
     pub scale: f64,
     pub feed: f64,
     pub skipped: Count,
+    pub after_end: Count,
     pub computed: Count,
     pub from_unknown: Count,
     pub arcs_unsolved: Count,
@@ -68,10 +73,13 @@ impl Reader {
             plane: None,
             offset: None,
             inside: false,
+            conditions: 0,
+            leaps: false,
             ended: false,
             scale: 1.0,
             feed: f64::NAN,
             skipped: Count::default(),
+            after_end: Count::default(),
             computed: Count::default(),
             from_unknown: Count::default(),
             arcs_unsolved: Count::default(),
@@ -85,7 +93,7 @@ impl Reader {
         match line.first() {
             None | Some(b'%' | b';') => return,
             Some(b'(') if self.ended => return,
-            _ if self.ended => return count(&mut self.skipped, self.line),
+            _ if self.ended => return count(&mut self.after_end, self.line),
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(line),
             _ if self.inside => return,
@@ -100,6 +108,9 @@ impl Reader {
         while at > 0 && line.get(at).is_some_and(u8::is_ascii_digit) {
             at += 1;
         }
+        at = at.max(left_out(line));
+        let leaped = self.leaps;
+        self.leaps &= line[0] == b'(';
         while at < line.len() {
             match line[at] {
                 b' ' | b'\t' => at += 1,
@@ -122,8 +133,11 @@ impl Reader {
             // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known.
             self.modes = before;
             self.forget(line);
+            self.leaps = jumps_perhaps(line);
             return count(&mut self.skipped, self.line);
         }
+        // An end that may be jumped over, or that stands in a condition, ends nothing here.
+        self.ended = block.ends && !leaped && self.conditions == 0;
         if block.elsewhere {
             return;
         }
@@ -148,6 +162,11 @@ impl Reader {
             self.inside = true;
         } else if named(b"endsub") {
             self.inside = false;
+        }
+        if named(b"if") {
+            self.conditions += 1;
+        } else if named(b"endif") {
+            self.conditions = self.conditions.saturating_sub(1);
         }
         if named(b"call") {
             self.place = [f64::NAN; 3];
@@ -181,9 +200,12 @@ impl Reader {
             b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => (Word::Computed, end_of_value(line, next + 1)),
             b'0'..=b'9' | b'.' | b'-' | b'+' => {
                 let (number, end) = number(line, next)?;
-                // `R1=5` gives a variable a value.
-                if line.get(end) == Some(&b'=') {
-                    return None;
+                match line.get(end) {
+                    // `R1=5` gives a variable a value.
+                    Some(b'=') => return None,
+                    // A label: `L1: G1 X5`.
+                    Some(b':') if self.sinumerik => return Some(end + 1),
+                    _ => {}
                 }
                 (Word::Number(number), end)
             }
@@ -222,29 +244,42 @@ impl Reader {
                 self.place = [f64::NAN; 3];
                 count(&mut self.skipped, self.line);
             }
-            (b'M', Word::Number(2.0 | 30.0)) => self.ended = true,
+            (b'M', Word::Number(2.0 | 30.0)) => block.ends = true,
             _ => {}
         }
         Some(end)
     }
 
-    /// A word of more letters: `MEAS=1`, `CR=5`, and none else.
+    /// A word of more letters: `MEAS=1`, `CR = 5`, `SPOS=0`, a label, and none else.
     fn name(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
-        let rest = &line[at..];
-        let begins = |word: &[u8]| rest.len() > word.len() && rest[..word.len()].eq_ignore_ascii_case(word);
         if !self.sinumerik {
             return None;
         }
-        if begins(b"MEAS=") || begins(b"MEAW=") {
+        let past = |mut at: usize, such: fn(&u8) -> bool| {
+            while line.get(at).is_some_and(such) {
+                at += 1;
+            }
+            at
+        };
+        let blank: fn(&u8) -> bool = |b| matches!(b, b' ' | b'\t');
+        let end = past(at, |b| b.is_ascii_alphanumeric() || *b == b'_');
+        let name = &line[at..end];
+        match line.get(past(end, blank)) {
+            Some(b':') if line.get(end) == Some(&b':') => return Some(end + 1),
+            Some(b'=') => {}
+            _ => return None,
+        }
+        let value = past(past(end, blank) + 1, blank);
+        let stop = end_of_value(line, value);
+        let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
+        if is(b"MEAS") || is(b"MEAW") {
             block.once = Some(Motion::Probe);
-            return Some(number(line, at + 5)?.1);
+        } else if is(b"CR") {
+            block.radius = Some(number(line, value).filter(|(_, end)| *end == stop).map_or(f64::NAN, |(radius, _)| radius));
+        } else if !(is(b"SPOS") || is(b"SPOSA")) {
+            return None;
         }
-        if begins(b"CR=") {
-            let (radius, end) = number(line, at + 3)?;
-            block.radius = Some(radius);
-            return Some(end);
-        }
-        None
+        (stop > value).then_some(stop)
     }
 
     fn code(&mut self, tenths: i32, block: &mut Block) {
@@ -253,8 +288,9 @@ impl Reader {
             10 => self.modes.motion = Motion::Straight,
             20 => self.modes.motion = Motion::Clockwise,
             30 => self.modes.motion = Motion::Counter,
-            310 if !self.sinumerik => block.once = Some(Motion::Probe),
-            382..=385 => self.modes.motion = Motion::Probe,
+            // With its number of a signal, too: G31.1.
+            310..=319 if !self.sinumerik => block.once = Some(Motion::Probe),
+            382..=389 => self.modes.motion = Motion::Probe,
             170 => self.turn(Plane::G17),
             180 => self.turn(Plane::G18),
             190 => self.turn(Plane::G19),
@@ -317,6 +353,7 @@ impl Reader {
             "lines-skipped",
             text!("Lines that jump, call, compute or run a cycle of the control's own are not followed"),
         );
+        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2 or M30, are not followed"));
         say(
             self.computed,
             "places-computed",
@@ -350,4 +387,20 @@ pub(super) fn count(count: &mut Count, line: usize) {
         count.first = line;
     }
     count.times += 1;
+}
+
+/// Where a block begins that has a number and may be left out: `N10 /G31 X5`.
+fn left_out(line: &[u8]) -> usize {
+    let [b'N' | b'n', rest @ ..] = line else { return 0 };
+    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+    let blanks = rest[digits..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    if digits > 0 && rest.get(digits + blanks) == Some(&b'/') { 2 + digits + blanks } else { 0 }
+}
+
+/// Whether a line is a jump under a condition, such as `IF [#1 EQ 2] GOTO 10`.
+fn jumps_perhaps(line: &[u8]) -> bool {
+    let line = line.to_ascii_uppercase();
+    let code = line.strip_prefix(b"N").map_or(&line[..], |rest| rest.trim_ascii_start());
+    let code = &code[code.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count()..];
+    code.starts_with(b"IF") && memchr::memmem::find(code, b"GOTO").is_some()
 }
