@@ -402,5 +402,5 @@ fn jumps_perhaps(line: &[u8]) -> bool {
     let line = line.to_ascii_uppercase();
     let code = line.strip_prefix(b"N").map_or(&line[..], |rest| rest.trim_ascii_start());
     let code = &code[code.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count()..];
-    code.starts_with(b"IF") && memchr::memmem::find(code, b"GOTO").is_some()
+    code.starts_with(b"IF") && code.windows(4).any(|word| word == b"GOTO")
 }
