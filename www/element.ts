@@ -96,7 +96,7 @@ export class TouchPath extends Base {
 
   connectedCallback(): void {
     // What was set before this class was known hides the class's own properties.
-    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "storage"] as const) {
+    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "storage", "name"] as const) {
       if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
       delete (this as Record<string, unknown>)[name];
@@ -244,6 +244,7 @@ export class TouchPath extends Base {
 
   /** The form around the element is put back: so is the job that was there first. */
   formResetCallback(): void {
+    this.store?.outside.forget();
     if (this.store) this.put("job", this.first);
   }
 
@@ -254,6 +255,7 @@ export class TouchPath extends Base {
   /** The browser puts back what a form held before the page was left. */
   formStateRestoreCallback(state: unknown): void {
     if (typeof state !== "string") return;
+    this.store?.outside.forget();
     if (this.store) this.put("job", state);
     else this.restored = state;
   }

@@ -87,8 +87,10 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   return structuredClone(whole);
 }
 
+/** `undefined` is "not there": the base stands in. */
 function over(base: unknown, given: unknown): Draft {
-  return { ...(base as Draft), ...(isObject(given) ? given : {}) };
+  const said = isObject(given) ? Object.entries(given).filter(([, value]) => value !== undefined) : [];
+  return { ...(base as Draft), ...Object.fromEntries(said) };
 }
 
 /** Whether two jobs say the same, in whatever order. */

@@ -20,8 +20,9 @@ const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
 
 /** `1-1/2` is one and a half on a drawing and a half as a sum: it is not guessed. */
 const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+/;
-/** `1,000` is a thousand to some, where the decimal sign is a point. */
+/** `1,000` is a thousand to some, where the decimal sign is a point; `1.000` where it is a comma. */
 const THOUSANDS = /^[+-]?\d{1,3}(,000)+(?!\d)/;
+const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 
 /** Longer texts are no sums. */
 const LONGEST = 200;
@@ -31,7 +32,8 @@ const LONGEST = 200;
  * text, and the check will say so. `comma`: the language writes decimals with one.
  */
 export function readNumber(text: string, unit: Unit = "none", units: Units = "mm", comma = false): number | string {
-  if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || (!comma && THOUSANDS.test(text.trim()))) return text;
+  const thousands = comma ? THOUSANDS_BY_POINT : THOUSANDS;
+  if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || thousands.test(text.trim())) return text;
   let rest = text.trim().replaceAll("−", "-");
   let given: Units | null = null;
   for (const [pattern, of] of SUFFIXES[unit]) {

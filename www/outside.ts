@@ -21,6 +21,11 @@ export class Outside {
     this.sentJobs = [...this.sentJobs.slice(-49), { json, at: performance.now() }];
   }
 
+  /** What comes now is no answer to a job that was sent: a form is put back. */
+  forget(): void {
+    this.sentJobs = [];
+  }
+
   /** Takes a job, a cycle, a control or units. What cannot be taken changes nothing: why, as a finding. */
   input(input: Input, value: unknown): Finding | null {
     const { store } = this;
@@ -65,6 +70,8 @@ export class Outside {
         return refused("not-json", w("Nothing was changed: the job is not JSON"));
       }
     }
+    // What has no JSON, as a BigInt or an object inside itself, no form could send: it throws.
+    JSON.stringify(job);
     const problem = store.unusable(job);
     if (problem) return refused("unusable", w("Nothing was changed: the job cannot be used: {problem}"), problem);
     const whole = complete(job as Draft, store.catalog);
@@ -73,7 +80,7 @@ export class Outside {
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
     if (late || alike(whole, store.draft)) return null;
     store.replace(whole);
-    this.sentJobs = [];
+    this.forget();
     return null;
   }
 }

@@ -150,6 +150,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("unknown-value", "A word is none of those that are allowed."),
     ("unreadable", "A value cannot be read at all, as a revoked proxy in JavaScript."),
     ("unsafe-program", "A program moves unwatched, or lacks a check."),
+    ("unusable", "The form cannot show a job: the message says which part of it."),
     ("unusual", "A number is allowed, but unusual."),
     ("vector-not-in-plane", "A target vector must lie in the working plane."),
     ("vector-not-unit", "A target vector must have the length 1."),

@@ -202,7 +202,7 @@ impl Reader {
         if found == 0 {
             let message = text!(
                 "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
-                           cycle 1411, nor one that this project wrote for SINUMERIK"
+                           cycle 1411, nor one that was written here"
             );
             checker.error("nothing-to-import", "", message);
             return Err(JobError { findings: checker.findings() });

@@ -33,6 +33,7 @@ impl Planned {
             magnify,
         };
         let mut scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
+        scene.unit = Some(job.scale);
         // A feature of the same kind can be of a cycle that has no such field.
         let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
         scene.dimensions.retain(|dimension| has(dimension.field));

@@ -75,9 +75,9 @@ impl Camera {
         Camera { scale: room(0).min(room(1)), middle, size }
     }
 
-    /// A round length for the scale bar, mm.
-    pub fn bar(&self) -> f64 {
-        let most = 110.0 / self.scale;
+    /// A round length for the scale bar, in units of so many millimetres.
+    pub fn bar(&self, unit: f64) -> f64 {
+        let most = 110.0 / self.scale / unit;
         let power = 10f64.powf(most.log10().floor());
         [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
     }
@@ -86,7 +86,8 @@ impl Camera {
     pub fn clear_corners(&mut self, scene: &Scene) {
         let [width, height] = self.size;
         let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
-        let bar = [width - 2.0 * BAR_CORNER - self.bar() * self.scale, height - BAR_REACH];
+        let unit = scene.unit.unwrap_or(1.0);
+        let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
         let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
         for (_, [.., start, end]) in self.dimensions(scene, None) {
             let [[x, y], half] = room_of_name([start, end]);

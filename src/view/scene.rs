@@ -158,8 +158,8 @@ pub struct Scene {
     pub ends: Vec<Spot>,
     /// What else must be in sight: arcs beyond their ends.
     pub beyond: Vec<Spot>,
-    /// Whether a unit of the scene is known to be a millimetre: else no scale is drawn.
-    pub metric: bool,
+    /// Millimetres in a unit of the job or program, whose scale is drawn; none where a program does not say its units.
+    pub unit: Option<f64>,
     /// Radius of the ball, mm.
     pub radius: f64,
     /// The work origin.
@@ -279,7 +279,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         touches: touches.collect(),
         ends: path.moves.iter().map(|m| spot(m.to)).collect(),
         beyond: Vec::new(),
-        metric: true,
+        unit: Some(1.0),
         radius: setup.radius,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
@@ -394,7 +394,7 @@ pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
         touches: Vec::new(),
         ends,
         beyond,
-        metric: moves.scale.is_some(),
+        unit: moves.scale,
         radius: 0.0,
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
@@ -586,11 +586,11 @@ mod tests {
         let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
         let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
         let top = program(&moves, Projection::Top);
-        assert!(top.metric && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
+        assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
         let front = program(&moves, Projection::Front);
         assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
         assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
-        assert!(!program(&Moves { scale: None, ..moves }, Projection::Top).metric);
+        assert!(!program(&Moves { scale: None, ..moves }, Projection::Top).unit.is_some());
     }
 
     #[test]

@@ -14,7 +14,7 @@ let folder;
 let Store;
 /** @type {(text: string) => any} */
 let read;
-/** @type {(text: string, unit?: string, units?: string) => number | string} */
+/** @type {(text: string, unit?: string, units?: string, comma?: boolean) => number | string} */
 let readNumber;
 
 before(async () => {
@@ -178,6 +178,20 @@ test("a unit behind a number is that unit, in a field that has one", () => {
     ["mm", "length", "mm", "mm"],
   ];
   for (const [text, unit, units, value] of cases) assert.equal(readNumber(text, unit, units), value, text);
+  // A thousand to some is one to others: it is asked, in either language.
+  for (const [text, comma] of /** @type {const} */ ([
+    ["1,000", false],
+    ["12.000", true],
+    ["-1.000.000", true],
+  ]))
+    assert.equal(readNumber(text, "length", "mm", comma), text);
+  for (const [text, comma, value] of /** @type {const} */ ([
+    ["1.000", false, 1],
+    ["12,000", true, 12],
+    ["0.000", true, 0],
+    ["12.5", true, 12.5],
+  ]))
+    assert.equal(readNumber(text, "length", "mm", comma), value, text);
 });
 
 test("any run of steps taken back is the state before it, and taken again the state after it", () => {

@@ -604,3 +604,85 @@ test("the language that is set last is shown, however late the words of the one 
   });
   assert.equal(german, wordsOf("de").Checks);
 });
+
+test("what a page puts in as undefined is not there: the default stands in, and units convert", async () => {
+  await open("<touch-path></touch-path>");
+  const state = await on((element) => {
+    element.job = {
+      format: 1,
+      units: undefined,
+      stylus: { diameter: 3 },
+      cycle: { type: "hole", diameter: 32, depth: undefined },
+    };
+    const whole = structuredClone(element.job);
+    element.units = "inch";
+    return {
+      units: whole.units,
+      keys: Object.values(whole.cycle).includes(undefined),
+      diameter: element.job.cycle.diameter,
+    };
+  });
+  assert.deepEqual(state, { units: "mm", keys: false, diameter: 1.259843 });
+});
+
+test("a job that no form can send was taken, and its form sent the one before: it is refused", async () => {
+  await open("<form><touch-path name=j cycle=hole></touch-path></form>", LISTEN);
+  await heard();
+  const state = await on((element) => {
+    const turning = { format: 1, cycle: { type: "hole" } };
+    Object.assign(turning, { self: turning });
+    for (const job of [
+      { format: 1, cycle: { type: "hole", diameter: 10n } },
+      { format: 1, note: 10n, cycle: { type: "hole" } },
+      turning,
+    ])
+      element.job = job;
+    return [element.job.cycle.diameter, element.plan !== null, element.form.checkValidity()];
+  });
+  assert.deepEqual(state, [40, true, true]);
+  const events = await heard();
+  assert.deepEqual(
+    events.map(([name, { refused, findings }]) => [name, refused, findings[0].code]),
+    Array(3).fill(["finding", true, "unreadable"]),
+  );
+});
+
+test("a form that was put back within a second of its first job kept the last one", async () => {
+  await open("<form><touch-path name=j cycle=hole></touch-path></form>");
+  for (const value of ["45", "40", "50"]) await field("cycle.diameter").fill(value);
+  const held = await on((element) => {
+    element.form.reset();
+    return [element.job.cycle.diameter, JSON.parse(String(new FormData(element.form).get("j"))).cycle.diameter];
+  });
+  assert.deepEqual(held, [40, 40]);
+});
+
+test("a name that is set before the element is known is its name", async () => {
+  await open(
+    "<form></form>",
+    `addEventListener("DOMContentLoaded", () => {
+      const element = document.createElement("touch-path");
+      element.name = "probing";
+      document.querySelector("form").append(element);
+    });`,
+  );
+  const sent = await on((element) => [...new FormData(element.form).keys()]);
+  assert.deepEqual(sent, ["probing"]);
+});
+
+test("a job of thousands of touches held up the page: few of them are listed", async () => {
+  await open("<touch-path cycle=hole></touch-path>");
+  const rows = await on(async (element) => {
+    const touches = Array.from({ length: 5000 }, () => ({ point: [1, 2, 3], vector: [1, 0, 0] }));
+    element.job = { format: 1, cycle: { type: "hole", touches } };
+    const app = element.shadowRoot.querySelector("tp-app");
+    await app.updateComplete;
+    await element.shadowRoot.querySelector("tp-form").updateComplete;
+    return [
+      element.shadowRoot.querySelectorAll(".picks li").length,
+      element.findings[0].code,
+      element.job.cycle.touches.length,
+    ];
+  });
+  assert.deepEqual(rows, [50, "too-many-touches", 5000]);
+});

@@ -1,7 +1,7 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, open, page, problems, SIZES, setUp, textOf } from "./common.mjs";
+import { field, open, page, problems, SIZES, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -137,4 +137,90 @@ test("the licences of what the page is made of were missing", async () => {
   const text = await response.text();
   assert.match(text, /lit-html[\s\S]*BSD[\s\S]*Redistribution and use in source and binary forms/);
   for (const name of ["serde", "wasm-bindgen", "glam"]) assert.match(text, new RegExp(`^## ${name} - `, "m"));
+});
+
+for (const [width, height] of /** @type {const} */ ([
+  [390, 844],
+  [844, 390],
+  [1440, 900],
+]))
+  test(`the page scrolled away under its form: ${width} by ${height}`, async () => {
+    await open({ viewport: { width, height } });
+    await page.evaluate(() =>
+      /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-form")).unfold(),
+    );
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.set("part.rotation", 5));
+    await page.getByRole("button", { name: "Go to it" }).click();
+    await page.mouse.move(width / 2, 20);
+    await page.mouse.wheel(0, 400);
+    await page.waitForTimeout(100);
+    const [scrolled, over] = await page.evaluate(() => [
+      scrollY,
+      (document.scrollingElement?.scrollHeight ?? 0) - innerHeight,
+    ]);
+    assert.deepEqual([scrolled, over], [0, 0]);
+    const frame = await page.evaluate(
+      () => document.querySelector("touch-path")?.shadowRoot?.querySelector(".frame")?.scrollTop,
+    );
+    assert.equal(frame, 0);
+  });
+
+test("a tap on a dimension left the focus on the picture: it is in the field", async () => {
+  await open({ viewport: { width: 1024, height: 768 }, hasTouch: true });
+  const spot = await page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+    const box = root.querySelector("tp-picture canvas")?.getBoundingClientRect();
+    for (let y = 4; box && y < box.height; y += 4)
+      for (let x = 4; x < box.width; x += 4) {
+        const field = picture.drawing.use((/** @type {any} */ view) =>
+          view.handleAt(x, y) ? undefined : view.dimensionAt(x, y),
+        );
+        if (field) return { field, x: box.left + x, y: box.top + y };
+      }
+    return null;
+  });
+  assert.ok(spot);
+  await page.touchscreen.tap(spot.x, spot.y);
+  await page.waitForTimeout(200);
+  assert.equal(
+    await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id),
+    `f-${spot.field}`,
+  );
+});
+
+test("on a phone on its side the form had no room beside the keyboard", async () => {
+  await open({ viewport: { width: 844, height: 200 } });
+  await field("cycle.feedDistance").focus();
+  const box = await field("cycle.feedDistance").boundingBox();
+  const form = await page.locator("tp-form").boundingBox();
+  assert.ok(form && form.height > 60, `${form?.height}`);
+  assert.ok(box && box.y >= form.y - 1 && box.y + box.height <= form.y + form.height + 1);
+});
+
+test("what had the focus and is gone leaves it to what is near, not to the start of the page", async () => {
+  const at = () =>
+    page.evaluate(() => {
+      const { activeElement } = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+      return activeElement?.getAttribute("aria-label") ?? activeElement?.textContent?.trim() ?? null;
+    });
+  const settled = (/** @type {string} */ name) => settles(async () => (await at()) === name);
+  const more = page.getByRole("button", { name: "More" });
+  for (const item of ["Keys", "Presets", "Reset"]) {
+    await more.focus();
+    await page.keyboard.press("Enter");
+    await page.locator("#menu").getByRole("button", { name: item, exact: true }).press("Enter");
+    await page.locator("dialog[open]").waitFor();
+    await page.keyboard.press("Escape");
+    await settled("More");
+  }
+  await more.press("Enter");
+  await page.locator("#menu").getByRole("button", { name: "Tool lengths" }).press("Enter");
+  await settled("Cycles");
+  await page.keyboard.press("Enter");
+  await settled("More");
+  await field("cycle.width1").fill("81");
+  await page.getByRole("button", { name: "Undo" }).press("Enter");
+  await page.waitForTimeout(600);
+  assert.notEqual(await at(), null);
 });

@@ -71,7 +71,7 @@ export interface Api {
   /** Everything a form needs: cycles, their fields, the controls. */
   catalog(): Catalog;
   /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
-  defaultJob(type: Cycle["type"]): Required<Job>;
+  defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> };
   /** Everything that is wrong, unusual or worth knowing. Never throws. */
   check(job: unknown): Finding[];
   /** The whole plan. Throws `JobError` if any finding is an error. */
@@ -87,7 +87,7 @@ export interface Api {
   evaluate(job: Job, measured: Measured): ResultRow[];
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
-  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program for SINUMERIK that was written here, or a Klartext program with cycle 1411. Throws `JobError` where no job can be made of it. */
+  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. A program of moves that says no job has its moves in `trace`, and `job` is `null`. Throws `JobError` where no job can be made of it. */
   importJob(text: string): Imported;
   /**
    * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to 20 million characters. What jumps, calls or computes is passed over, and said in

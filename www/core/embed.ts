@@ -106,6 +106,7 @@ function unfit(state: Record<string, unknown>): string | null {
     return `panels are some of ${PANELS.join(" ")}`;
   if (readonly !== undefined && typeof readonly !== "boolean") return "readonly is true or false";
   if (job === null) return "the job is an object, or its JSON";
+  for (const input of ["cycle", "post", "units"]) if (state[input] === null) return `${input} is a word`;
   return null;
 }
 

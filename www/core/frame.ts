@@ -1,6 +1,6 @@
 // A portal's side of a frame with embed.html: a few functions instead of messages.
 import { type Answer, type FrameState, type FrameView, type Hello, PROTOCOL, type Request } from "./protocol.js";
-import type { Finding } from "./types.js";
+import type { Finding, Job, Plan } from "./types.js";
 
 export type * from "./protocol.js";
 
@@ -24,6 +24,14 @@ interface Options {
   patience?: number;
 }
 
+/** The events of a frame, by name. */
+export interface FrameEvents {
+  "job-change": CustomEvent<{ job: Job }>;
+  "plan-change": CustomEvent<{ plan: Plan }>;
+  "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
+  finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+}
+
 interface Waiting {
   done(view?: FrameView): void;
   fail(why: FrameError): void;
@@ -42,6 +50,25 @@ export class Frame extends EventTarget {
   ) {
     super();
     port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
+  }
+
+  override addEventListener<K extends keyof FrameEvents>(
+    type: K,
+    listener: ((event: FrameEvents[K]) => void) | null,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject | null,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    // biome-ignore lint/suspicious/noExplicitAny: the overloads say which event it is.
+    listener: any,
+    options?: boolean | AddEventListenerOptions,
+  ): void {
+    super.addEventListener(type, listener, options);
   }
 
   /** Sets the job, the control, what is shown. Fails with the reasons where any of it cannot be used; that part changed nothing. */

@@ -100,8 +100,9 @@ export class App extends LitElement {
   private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  /** What is said above the job. */
+  /** What is said above the job, and how many times the job had been replaced then. */
   private told: Said | null;
+  private toldAt = 0;
   /** The language that was chosen here. */
   private chosen = keptLanguage();
   /** Takes a newer version of the page, where there is one. */
@@ -190,6 +191,9 @@ export class App extends LitElement {
     this.addEventListener("dragover", intake.welcome);
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
+    this.addEventListener("click", this.refocus);
+    this.addEventListener("keydown", this.refocus);
+    this.store.addEventListener("change", this.forget);
     this.around.host.addEventListener("update-ready", this.offer);
     system.addEventListener("change", this.recolour);
     if (!this.around.links) return;
@@ -207,6 +211,9 @@ export class App extends LitElement {
     this.removeEventListener("dragover", intake.welcome);
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
+    this.removeEventListener("click", this.refocus);
+    this.removeEventListener("keydown", this.refocus);
+    this.store.removeEventListener("change", this.forget);
     this.around.host.removeEventListener("update-ready", this.offer);
     system.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
@@ -285,9 +292,12 @@ export class App extends LitElement {
   /** What is rarely used. */
   private menu(): TemplateResult {
     const { readonly } = this.store;
-    const item = (what: string, name: string, offered = true) =>
-      offered ? html`<button type="button" @click=${() => this.choose(what)}>${name}</button>` : nothing;
+    const item = (what: string, name: string, offered = true, only = "") =>
+      offered
+        ? html`<button type="button" class=${only || nothing} @click=${() => this.choose(what)}>${name}</button>`
+        : nothing;
     return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")}>
+      ${item("redo", this.t("Redo"), !readonly, "on-phone")} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
       ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
       ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
       ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
@@ -304,7 +314,7 @@ export class App extends LitElement {
       ${close}
     </dialog>
     <dialog id="keys" aria-labelledby="keys-title">
-      <h2 id="keys-title">${this.t("Keys")}</h2>
+      <h2 id="keys-title" tabindex="-1" autofocus>${this.t("Keys")}</h2>
       <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${this.t(keys)}</dt><dd>${this.t(what)}</dd>`)}</dl>
       ${close}
     </dialog>
@@ -373,6 +383,35 @@ export class App extends LitElement {
     if (!inside) this.store.focus(null);
   };
 
+  /** What is said of one job is not said of another. */
+  private readonly forget = (): void => {
+    if (this.told !== null && this.toldAt !== this.store.documents) this.tell(null);
+  };
+
+  /** What had the focus may be gone after what it did: then the focus is where the user goes on, not at the start of the page. */
+  private readonly refocus = (event: Event): void => {
+    const root = this.getRootNode() as ShadowRoot;
+    const at = root.activeElement;
+    if (!at || (event instanceof KeyboardEvent && event.key !== "Escape")) return;
+    const group = at.closest(".group, dialog");
+    const lost = () => {
+      const now = root.activeElement;
+      const there = now?.checkVisibility() && !now.matches(":disabled");
+      if (there || !this.isConnected || ![document.body, root.host].includes(document.activeElement as HTMLElement))
+        return;
+      const places = [
+        ...(group?.querySelectorAll<HTMLElement>("input, select, button") ?? []),
+        ...[".back button", "tp-bar [popovertarget]"].flatMap((place) => [
+          ...this.querySelectorAll<HTMLElement>(place),
+        ]),
+      ];
+      places.find((place) => place.checkVisibility() && !place.matches(":disabled"))?.focus({ preventScroll: true });
+    };
+    // Some of it is only gone when it is drawn, or loaded.
+    requestAnimationFrame(() => requestAnimationFrame(lost));
+    setTimeout(lost, 400);
+  };
+
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {
     await this.use("cycles");
@@ -387,6 +426,8 @@ export class App extends LitElement {
 
   private async use(tool: Tool): Promise<void> {
     if (await this.loads(tool)) {
+      // What is said of an opened program belongs to its picture.
+      if (this.tool === "viewer" && tool !== "viewer") this.tell(null);
       this.tool = tool;
       this.requestUpdate();
     }
@@ -416,6 +457,7 @@ export class App extends LitElement {
     const { store } = this;
     const open = (id: string) => this.renderRoot.querySelector<HTMLDialogElement>(`#${id}`)?.showModal();
     const actions: Record<string, () => unknown> = {
+      redo: () => store.redo(),
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
       open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => this.paste(!this.pasting),
@@ -563,6 +605,7 @@ export class App extends LitElement {
 
   private tell(said: Said | null): void {
     this.told = said;
+    this.toldAt = this.store.documents;
     this.requestUpdate();
   }
 }

@@ -100,7 +100,13 @@ class ChecksPart extends Part {
 
   private finding(f: Finding): TemplateResult {
     return html`<li class=${f.level}><span class="level">${this.t(NAMES[f.level])}</span> ${this.message(f)}
-      ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.store.fieldAt(f.path)?.label ?? f.path}</a>` : nothing}</li>`;
+      ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.named(f.path)}</a>` : nothing}</li>`;
+  }
+
+  /** What a path is called: a field by its label, a section by its heading. */
+  private named(path: string): string {
+    const group = this.store.catalog.sections.find((section) => section.path === path)?.fields[0]?.group;
+    return this.store.fieldAt(path)?.label ?? (group ? this.t(group) : path);
   }
 
   private row(row: Row): TemplateResult {

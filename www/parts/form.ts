@@ -27,6 +27,8 @@ const TOUCH: FieldEntry = {
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
+/** As many touches are listed; no cycle takes as many. */
+const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 /** Groups of the cycle that are folded at first, as those around it are. */
 const FOLDED = /^(Postprocessor|After probing)/;
@@ -211,7 +213,8 @@ class FormPart extends FieldPart {
             : html`<button type="button" ?disabled=${this.store.stale} @click=${take}>${this.t("Pick touches one by one")}</button>`
         }
         ${this.problems("cycle.touches")}
-        <ol class="picks">${(picks ?? []).map((_, k) => {
+        ${picks && picks.length > MOST_ROWS ? html`<p class="help">${this.t("Only the first {count} are listed", MOST_ROWS)}</p>` : nothing}
+        <ol class="picks">${(picks ?? []).slice(0, MOST_ROWS).map((_, k) => {
           const at = `cycle.touches[${k}]`;
           const row = (field: FieldEntry, key: string) =>
             html`<div class="point" role="group" aria-label=${this.t("{label} of touch {touch}", field.label, k + 1)}>${[

@@ -164,7 +164,7 @@ export class Intake {
     }
     const notes = reading.findings.filter((f) => f.level !== "error");
     this.page.showJob();
-    this.page.tell(notes.map((f) => this.store.say(f.said)).join(" "));
+    this.page.tell(notes.map((f) => this.store.say(f.said)).join(". "));
     return true;
   }
 }

@@ -62,7 +62,7 @@ class PicturePart extends DrawnPart {
       ${this.tools(this.t("Picture"))}
       <div class=${stale && !this.live ? "canvas stale" : "canvas"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
-          @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave}
+          @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave} @click=${this.clicked}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         <canvas class="over" aria-hidden="true"></canvas>
@@ -287,6 +287,7 @@ class PicturePart extends DrawnPart {
     this.canvas().setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, at);
     this.dragged = false;
+    this.tapped = null;
     this.store.settle();
     if (this.pointers.size > 1) {
       this.release();
@@ -447,10 +448,20 @@ class PicturePart extends DrawnPart {
     if (axis) this.turn(axis as (typeof VIEWS)[number]);
     else if (at && !this.dragged && !this.grip) {
       const field = this.drawing?.use((view) => view.dimensionAt(at.x, at.y));
-      if (field) this.dispatchEvent(new CustomEvent("go", { detail: field, bubbles: true }));
+      if (field) this.tapped = field;
       else this.store.pin(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
     }
     this.release();
+  }
+
+  /** The field of the dimension that is tapped. */
+  private tapped: string | null = null;
+
+  /** To the field of a dimension: only now, since the browser moves the focus to the canvas by itself, after a touch as the last. */
+  private clicked(): void {
+    const field = this.tapped;
+    this.tapped = null;
+    if (field) this.dispatchEvent(new CustomEvent("go", { detail: field, bubbles: true }));
   }
 
   private leave(event: PointerEvent): void {

@@ -228,8 +228,8 @@ impl Painter {
             self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
         }
         self.axes(scene, camera, marks.origin);
-        if scene.metric {
-            self.scale_bar(camera);
+        if let Some(unit) = scene.unit {
+            self.scale_bar(camera, unit);
         }
     }
 
@@ -479,15 +479,16 @@ impl Painter {
         }
     }
 
-    /// A bar of a round length, so that sizes can be judged.
-    fn scale_bar(&self, camera: &Camera) {
-        let length = camera.bar();
+    /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
+    fn scale_bar(&self, camera: &Camera, unit: f64) {
+        let length = camera.bar(unit);
         let right = camera.size[0] - BAR_CORNER;
-        let left = right - length * camera.scale;
+        let left = right - length * unit * camera.scale;
         let y = camera.size[1] - BAR_CORNER;
         for (a, b) in [([left, y], [right, y]), ([left, y - 4.0], [left, y + 4.0]), ([right, y - 4.0], [right, y + 4.0])] {
             self.segment(a, b, &self.theme.text, 1.0, &[]);
         }
-        self.label(&format!("{} mm", crate::num::decimal(length, 4)), [(left + right) / 2.0, y - 10.0]);
+        let name = if unit == 1.0 { "mm" } else { "inch" };
+        self.label(&format!("{} {name}", crate::num::decimal(length, 6)), [(left + right) / 2.0, y - 10.0]);
     }
 }

@@ -121,7 +121,7 @@ function imported(source: string, text: string): Outcome {
     source,
     output: { name, ending: ".json", text: `${JSON.stringify(job, null, 2)}\n` },
     findings,
-    failed: false,
+    failed: findings.some((f) => f.level === "error"),
   };
 }
 

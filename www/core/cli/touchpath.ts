@@ -242,7 +242,8 @@ async function handOut(
           await write(to, `${JSON.stringify({ source, findings })}\n`);
       } else
         for (const finding of findings)
-          if (task.command === "check" || finding.level !== "info") await write(to, said(source, finding));
+          if (task.command === "check" || finding.level !== "info" || (outcome.failed && !output))
+            await write(to, said(source, finding));
     }
   }
   return failed;
