@@ -590,7 +590,7 @@ mod tests {
         let front = program(&moves, Projection::Front);
         assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
         assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
-        assert!(!program(&Moves { scale: None, ..moves }, Projection::Top).unit.is_some());
+        assert!(program(&Moves { scale: None, ..moves }, Projection::Top).unit.is_none());
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use touchpath::job;
 use touchpath::path::Path;
+use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::scene::{Projection, Scene};
 
@@ -295,5 +296,25 @@ fn nothing_of_an_svg_is_cut_off() {
             seen += 1;
         }
         assert!(seen > 50, "{cycle}: {seen}");
+    }
+}
+
+/// The bar is a round number of the job's own units, and at most 110 pixels long.
+#[test]
+fn the_scale_has_the_units_of_the_job() {
+    let mut seen = 0;
+    for (name, job) in jobs() {
+        let Some(planned) = job::planned(&job) else { continue };
+        let scene = planned.picture(Projection::Top, 1.0).scene;
+        let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
+        assert_eq!(scene.unit, Some(if inch { 25.4 } else { 1.0 }), "{name}");
+        seen += usize::from(inch);
+    }
+    assert!(seen > 0);
+    for (scale, unit, length) in
+        [(1.0, 1.0, 100.0), (1.0, 25.4, 2.0), (0.5, 1.0, 200.0), (110.0, 25.4, 0.02), (2.0, 1.0, 50.0)]
+    {
+        let camera = Camera { scale, middle: [0.0; 2], size: [300.0, 150.0] };
+        assert!((camera.bar(unit) - length).abs() < 1e-12, "{scale} {unit}: {}", camera.bar(unit));
     }
 }
