@@ -15,7 +15,7 @@ import {
   say,
   type Words,
 } from "./core/browser.js";
-import { stem } from "./core/names.js";
+import { programStem, stem } from "./core/names.js";
 import { History } from "./history.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
@@ -423,7 +423,7 @@ export class Store extends Phrases {
 
   /** The name of the program's file. */
   fileName(extension: string): string {
-    return `${stem(this.draft.name)}.${extension}`;
+    return `${programStem(this.draft.name, this.stale ? "" : this.plan.program.text)}.${extension}`;
   }
 
   /** The name of any other file of this job: the cycle is in it. */

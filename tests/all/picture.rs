@@ -311,8 +311,7 @@ fn the_scale_has_the_units_of_the_job() {
         seen += usize::from(inch);
     }
     assert!(seen > 0);
-    for (scale, unit, length) in
-        [(1.0, 1.0, 100.0), (1.0, 25.4, 2.0), (0.5, 1.0, 200.0), (110.0, 25.4, 0.02), (2.0, 1.0, 50.0)]
+    for (scale, unit, length) in [(1.0, 1.0, 100.0), (1.0, 25.4, 2.0), (0.5, 1.0, 200.0), (110.0, 25.4, 0.02), (2.0, 1.0, 50.0)]
     {
         let camera = Camera { scale, middle: [0.0; 2], size: [300.0, 150.0] };
         assert!((camera.bar(unit) - length).abs() < 1e-12, "{scale} {unit}: {}", camera.bar(unit));

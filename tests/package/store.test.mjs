@@ -238,3 +238,19 @@ test("any run of steps taken back is the state before it, and taken again the st
   }
   assert.ok(!store.canRedo);
 });
+
+test("a HEIDENHAIN program and its file had two names: the control wants them the same", () => {
+  const store = new Store();
+  store.choose("probing-two-circles");
+  for (const name of ["Größe Ø 12", "夹具", "PART-7", "a b", ""]) {
+    store.set("name", name);
+    store.put("control.post", "heidenhain");
+    const inside = /^0 BEGIN PGM (\S+) MM/.exec(store.plan.program.text)?.[1];
+    assert.equal(store.fileName("h"), `${inside}.h`, name);
+    store.put("control.post", "linuxcnc");
+    assert.match(store.fileName("ngc"), /^[A-Za-z0-9_-]+\.ngc$/, name);
+  }
+  store.set("name", "CON");
+  store.put("control.post", "heidenhain");
+  assert.equal(store.fileName("h"), "CON_.h", "a name that Windows keeps");
+});

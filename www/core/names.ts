@@ -18,3 +18,9 @@ export function stem(name: unknown): string {
   if (plain === "") return "PROBE";
   return DEVICES.test(plain) ? `${plain}_` : plain;
 }
+
+/** The stem of a program's file: the program's own name where it says one (HEIDENHAIN wants them the same), or else the job's. */
+export function programStem(name: unknown, text: string): string {
+  const own = /^0 BEGIN PGM ([A-Za-z0-9_-]+) /.exec(text)?.[1];
+  return own && !DEVICES.test(own) ? own : stem(name);
+}

@@ -172,7 +172,7 @@ const SHORTEST_PROBE: f64 = 0.2;
 /// from its beginning.
 const SHORTEST_SEARCH: f64 = 0.2;
 
-/// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, lest the probe be damaged.
+/// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, since more may damage the probe.
 const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
 
 /// Variables: 100 is the length, those behind it hold results and what is needed on the way, 148 is a place aside, 149 the move.
@@ -230,7 +230,7 @@ fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
     if fastest >= limit {
         let message = text!(
-            "G31 runs at up to {feed}/min here: the manual of the control asks for less than {limit}/min, lest the probe be damaged",
+            "G31 runs at up to {feed}/min here: the manual of the control asks for less than {limit}/min, since more may damage the probe",
             checker.length(fastest),
             checker.length(limit)
         );

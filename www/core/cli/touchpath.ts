@@ -6,7 +6,7 @@ import { availableParallelism } from "node:os";
 import { basename, extname, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
-import { stem } from "../names.js";
+import { programStem } from "../names.js";
 import { catalog, type Finding, jobSchema, version } from "../node.js";
 import { linesOf } from "./lines.js";
 import { performAll } from "./pool.js";
@@ -194,7 +194,7 @@ class Folder {
   ) {}
 
   async put({ name, ending, text }: NonNullable<Outcome["output"]>): Promise<void> {
-    const plain = stem(name);
+    const plain = programStem(name, text);
     let file = `${plain}${ending}`;
     for (let n = 2; this.taken.has(file.toLowerCase()); n++) file = `${plain}-${n}${ending}`;
     this.taken.add(file.toLowerCase());
