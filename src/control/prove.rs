@@ -186,13 +186,9 @@ impl Expected {
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let digit = request.post.half_digit(request.scale);
         let mut expected = Expected { scale: request.scale, digit, size, touches: Vec::new() };
-        let mut at = path.start.unwrap_or(Vec3::NAN);
-        for step in &path.moves {
-            if let Purpose::Touch(k) = step.purpose {
-                let end = expected.place(search_end(step, &path.touches[k]));
-                expected.touches.push((k, (expected.place(at), end)));
-            }
-            at = step.to;
+        for (k, from, step) in path.searches() {
+            let end = expected.place(search_end(step, &path.touches[k]));
+            expected.touches.push((k, (expected.place(from.unwrap_or(Vec3::NAN)), end)));
         }
         expected
     }

@@ -222,20 +222,25 @@ pub struct Repeat {
 }
 
 impl Path {
+    /// The moves that touch, in order: which touch, where the move begins (none where that is not known), and the move.
+    pub fn searches(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
+        let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));
+        self.moves.iter().zip(begins).filter_map(|(step, from)| match step.purpose {
+            Purpose::Touch(k) => Some((k, from, step)),
+            Purpose::Position | Purpose::Back(_) => None,
+        })
+    }
+
     /// What is wrong with each touch: it must be in the path once, begin at a distance from its contact, and run along its inverted
     /// target vector.
     pub fn touch_faults(&self, radius: f64) -> Vec<(usize, TouchFault)> {
         let mut ways: Vec<Option<Vec3>> = vec![None; self.touches.len()];
         let mut faults = Vec::new();
-        let mut at = self.start;
-        for step in &self.moves {
-            if let Purpose::Touch(k) = step.purpose {
-                match (ways.get_mut(k), at) {
-                    (Some(way @ None), Some(from)) => *way = Some(self.touches[k].contact(radius) - from),
-                    _ => faults.push((k, TouchFault::Missing)),
-                }
+        for (k, from, _) in self.searches() {
+            match (ways.get_mut(k), from) {
+                (Some(way @ None), Some(from)) => *way = Some(self.touches[k].contact(radius) - from),
+                _ => faults.push((k, TouchFault::Missing)),
             }
-            at = Some(step.to);
         }
         for (k, way) in ways.into_iter().enumerate() {
             let Some(way) = way else {

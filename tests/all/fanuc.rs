@@ -197,14 +197,16 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
     }
 }
 
+/// The plans that move, and do not say where the stylus is before.
+fn from_anywhere() -> impl Iterator<Item = (String, Value, Plan)> {
+    plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty() && stated_start(plan).is_none())
+}
+
 /// A stylus below the first place does not move; from above it keeps its height in the plane, and then goes down.
 #[test]
 fn the_way_to_the_first_place_is_across_and_down_or_none() {
     let mut seen = 0;
-    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty()) {
-        if stated_start(&plan).is_some() {
-            continue;
-        }
+    for (name, job, plan) in from_anywhere() {
         let first = plan.moves[0].to;
         for (above, included, length) in [
             (55.0, true, 121.5),
@@ -239,10 +241,7 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
 #[test]
 fn a_contact_in_the_first_descent_stops_where_it_is() {
     let mut seen = 0;
-    for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan) && !plan.moves.is_empty()) {
-        if stated_start(&plan).is_some() {
-            continue;
-        }
+    for (name, job, plan) in from_anywhere() {
         let first = plan.moves[0].to;
         for (included, above) in [(true, 60.0), (false, 60.0), (false, 1.0)] {
             let mut control = control(&job, &plan);

@@ -312,24 +312,17 @@ fn check_digits(request: &Request<'_>, checker: &mut Checker) {
 
 /// Every touch begins far enough before its contact.
 fn check_starts(request: &Request<'_>, checker: &mut Checker) {
-    let mut from = request.path.start;
-    for step in &request.path.moves {
-        if let (Purpose::Touch(k), Some(from)) = (step.purpose, from) {
-            let touch = &request.path.touches[k];
-            let way = from.distance(touch.contact(request.setup.radius));
-            if way < SHORTEST_SEARCH {
-                let message = text!(
-                    "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, so that its contact differs from its \
-                     beginning",
-                    k + 1,
-                    checker.length(way),
-                    checker.length(SHORTEST_SEARCH)
-                );
-                checker.error("touch-too-short", "cycle", message);
-                return;
-            }
-        }
-        from = Some(step.to);
+    let radius = request.setup.radius;
+    let mut ways =
+        request.path.searches().filter_map(|(k, from, _)| Some((k, from?.distance(request.path.touches[k].contact(radius)))));
+    if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_SEARCH) {
+        let message = text!(
+            "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, so that its contact differs from its beginning",
+            k + 1,
+            checker.length(way),
+            checker.length(SHORTEST_SEARCH)
+        );
+        checker.error("touch-too-short", "cycle", message);
     }
 }
 

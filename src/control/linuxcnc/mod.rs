@@ -89,23 +89,16 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 /// A touch too short for a probe move.
 fn check_short(request: &Request<'_>, checker: &mut Checker) {
     let path = request.path;
-    let mut at = path.start;
-    for step in &path.moves {
-        if let (Purpose::Touch(k), Some(from)) = (step.purpose, at) {
-            let way = from.distance(step.to) + path.touches[k].search;
-            if way < SHORTEST_PROBE {
-                let message = text!(
-                    "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} are needed. Use a larger clearance or \
-                     overtravel",
-                    k + 1,
-                    checker.length(way),
-                    checker.length(SHORTEST_PROBE)
-                );
-                checker.error("probe-move-too-short", "overtravel", message);
-                return;
-            }
-        }
-        at = Some(step.to);
+    let mut ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to) + path.touches[k].search)));
+    if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_PROBE) {
+        let message = text!(
+            "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} are needed. Use a larger clearance or \
+             overtravel",
+            k + 1,
+            checker.length(way),
+            checker.length(SHORTEST_PROBE)
+        );
+        checker.error("probe-move-too-short", "overtravel", message);
     }
 }
 
