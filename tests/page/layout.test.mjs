@@ -147,7 +147,7 @@ for (const [width, height] of /** @type {const} */ ([
   test(`the page scrolled away under its form: ${width} by ${height}`, async () => {
     await open({ viewport: { width, height } });
     await page.evaluate(() =>
-      /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-form")).unfold(),
+      /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot.querySelector("tp-form").unfold(),
     );
     await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.set("part.rotation", 5));
     await page.getByRole("button", { name: "Go to it" }).click();
@@ -201,7 +201,7 @@ test("on a phone on its side the form had no room beside the keyboard", async ()
 test("what had the focus and is gone leaves it to what is near, not to the start of the page", async () => {
   const at = () =>
     page.evaluate(() => {
-      const { activeElement } = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+      const activeElement = document.querySelector("touch-path")?.shadowRoot?.activeElement;
       return activeElement?.getAttribute("aria-label") ?? activeElement?.textContent?.trim() ?? null;
     });
   const settled = (/** @type {string} */ name) => settles(async () => (await at()) === name);
