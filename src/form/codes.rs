@@ -5,7 +5,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("align-needs-confirm", "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121)."),
     ("angle-rounded", "An angle has more decimals than the control's parameter takes; the program has it rounded."),
     ("approach-beyond-wall", "A clearance is so large that the place in front of a touch lies behind the opposite wall."),
-    ("arc-unsolved", "An arc of a program has no centre that is known, or begins nowhere known: it is drawn straight."),
+    (
+        "arc-unsolved",
+        "A spline, or an arc of a program whose centre or begin is not known or whose end is not on its circle: it is drawn straight.",
+    ),
     ("ball-too-wide", "The ball does not fit between the walls, or into the hole."),
     ("ball-unknown", "A dump says ball centres but not the ball's diameter: the default is taken."),
     ("circle-in-circle", "1411: one circle lies wholly inside the other. Often a diameter in other units."),
@@ -36,7 +39,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("lines-differ", "The blocks of a program are those of its job, and lines between them were changed."),
     (
         "lines-skipped",
-        "Lines of a program that jump, call, compute or run a cycle were not followed: its other moves are shown.",
+        "Lines of a program that jump, call, compute, run a cycle or are not understood, or its axes other than X, Y and Z, were not followed: its other moves are shown.",
     ),
     ("low-crossing", "The ball crosses below the top side of a pocket: an island would be hit."),
     ("low-start", "The source knows no top side, and the path begins and ends only a little above the touches."),

@@ -278,7 +278,30 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ("G54\nX20\nG55\nX30", 3, known(30.0, 10.0, 10.0), &["places-transformed"]),
         ("G54\nX20\nG54\nX30", 3, known(30.0, 10.0, 10.0), &[]),
         // A cycle leaves the ball at its retract plane, wherever that is.
-        ("G81 X20 Y20 Z-5 R2 F100\nX30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        ("G81 X20 Y20 Z-5 R2 F100\nX25 Y5\nX27 Z-8\nG80\nG0 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        ("G81 X20 Y20 Z-5 R2 F100\nX25\nG1 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        // A tool's length, and planes that are turned.
+        ("G43.1 Z-1.5\nX2", 2, known(2.0, 10.0, 10.0), &[]),
+        ("G68.2 X0 Y0 Z0 I0 J90 K0\nX2", 2, known(2.0, 10.0, 10.0), &["places-transformed"]),
+        // Moves before any selection were in G54.
+        ("G55\nX30", 2, known(30.0, 10.0, 10.0), &["places-transformed"]),
+        ("G54.1 P1\nX30\nG54.1 P2\nX31", 3, known(31.0, 10.0, 10.0), &["places-transformed"]),
+        ("G10 L2 P2 X100\nX30", 2, known(30.0, 10.0, 10.0), &["places-transformed"]),
+        ("G10 L1 P2 Z100\nX30", 2, known(30.0, 10.0, 10.0), &[]),
+        // A dwell beside a motion; a dwell alone, whose X is its time.
+        ("G4 P0.001 G0 X20", 2, known(20.0, 10.0, 10.0), &[]),
+        ("G4 X2.", 1, known(10.0, 10.0, 10.0), &[]),
+        // A spline, and a tap that comes back.
+        ("G5 X20 Y20 I1 J1 P1 Q1", 2, known(20.0, 20.0, 10.0), &["arc-unsolved"]),
+        ("G33.1 Z-5 K1\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
+        // The modes before an odd word count.
+        ("G91\nG90 G1 X50 ,R2 F100\nX60 Y30", 2, known(60.0, 30.0, 10.0), &["lines-skipped"]),
+        // Blanks mean nothing in O words.
+        ("o100 if[#1 EQ 1]\nM2\no100 endif\nG0 X5", 2, known(5.0, 10.0, 10.0), &["lines-skipped"]),
+        ("o100sub\nG0 X5\no100endsub", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        ("o<x>if[1 EQ 1]\nM2\no<x>endif\nG0 X5", 2, known(5.0, 10.0, 10.0), &["lines-skipped"]),
+        // Axes that are not drawn.
+        ("G0 X20 A90", 2, known(20.0, 10.0, 10.0), &["lines-skipped"]),
         // To the reference point, all axes or those that are named.
         ("G28\nX1", 2, known(1.0, f64::NAN, f64::NAN), &["machine-places"]),
         ("G91 G28 Z0\nG90 X1", 3, known(1.0, 10.0, f64::NAN), &["machine-places"]),
@@ -316,6 +339,30 @@ fn what_is_said_beside_a_motion_is_no_feed_no_mode_and_no_dialect() {
     assert_eq!((comment.dialect, kinds(&comment)), ("iso", vec!["rapid", "probe"]), "a comment may say anything");
     let planes = read_program("G21\nG17\nG0 X0 Y0 Z0\nG2 X10 Y0 I5 J0\nG18\nG2 X20 Z0 I5 K0\n", None);
     assert_eq!((planes.plane.word(), planes.arcs[0][5], planes.arcs[1][5]), ("G17", 17.0, 18.0));
+}
+
+#[test]
+fn a_feed_is_by_the_minute_or_not_known() {
+    let path = read_program("G21\nG1 X1 F100\nX2 F#1\nG93 X3 F20\nG94 X4 F50\nG33 Z-5 K1\n", None);
+    assert_eq!(path.feed[..1], [100.0]);
+    assert!(path.feed[1].is_nan() && path.feed[2].is_nan(), "{:?}", path.feed);
+    assert_eq!((path.feed[3], kinds(&path)[4]), (50.0, "feed"));
+}
+
+/// What real programs begin with, and what a SINUMERIK alone has not.
+#[test]
+fn a_dialect_is_that_of_its_words() {
+    let sinumerik = "N10 G71 G90 G17\nN20 T=\"MILL\" D1\nN40 G0 X10 Y0 Z5\nN50 CYCLE977(1101,10001,,1,32)\nN60 G0 Z20\n";
+    let path = read_program(sinumerik, None);
+    assert_eq!((path.dialect, path.metric, path.len()), ("sinumerik", Some(true), 2));
+    assert!(path.end(1).x.is_nan(), "a cycle leaves the ball somewhere");
+    for text in ["%_N_A_MPF\nG0 X1\n", "N5 R1=5\n", "n5 meas=1 g1 x5\n", "N5 MSG(\"x\")\n", "N1 IF $AC_MEA[1]==0 GOTOF E\n"] {
+        assert_eq!(read_program(text, None).dialect, "sinumerik", "{text}");
+    }
+    assert_eq!(kinds(&read_program("G71\nn5 meas=1 g1 x5\n", None)), ["probe"]);
+    for text in ["$Alarm/Send=3\nG21\n", "$P\nG21\n", "N5 G65 P9810 R1\n", "N5 (MSG)\n", "T1 M6\n", "#<meas>=1\n"] {
+        assert_eq!(read_program(text, None).dialect, "iso", "{text}");
+    }
 }
 
 /// Probing moves of other makers were rapids, and a condition around an end hid all that stood below it.

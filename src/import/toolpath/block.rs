@@ -10,6 +10,8 @@ pub(super) enum Motion {
     Clockwise,
     Counter,
     Probe,
+    /// A spline: straight here.
+    Curve,
 }
 
 /// A value of a word.
@@ -36,8 +38,21 @@ pub(super) struct Block {
     pub radius: Option<f64>,
     /// A motion for this block alone.
     pub once: Option<Motion>,
+    /// It names one of the motions that stay: G0 to G3, G38.n.
+    pub motion: bool,
     /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
     pub elsewhere: bool,
+    /// It waits. Its axis words are its time, unless it names a motion, too.
+    pub dwells: bool,
+    /// It writes settings, G10: which by L.
+    pub writes: bool,
+    /// The work offset that it selects, as ten times its code.
+    pub offset: Option<i32>,
+    /// L and P.
+    pub l: Option<f64>,
+    pub p: Option<f64>,
+    /// It moves axes other than X, Y and Z.
+    pub others: bool,
     /// Its places are of the machine: where that is in the work system is not known.
     pub machine: bool,
     /// Its feed, or the time of a dwell.
@@ -56,7 +71,14 @@ pub(super) const EMPTY: Block = Block {
     centered: 0,
     radius: None,
     once: None,
+    motion: false,
     elsewhere: false,
+    dwells: false,
+    writes: false,
+    offset: None,
+    l: None,
+    p: None,
+    others: false,
     machine: false,
     feed: None,
     ends: false,
@@ -67,8 +89,9 @@ impl Block {
     /// Takes all words out. Places and centres stay: nothing says that they are given.
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
-        (self.radius, self.once, self.feed) = (None, None, None);
-        (self.elsewhere, self.machine, self.ends, self.strange) = (false, false, false, false);
+        (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
+        (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
+        (self.machine, self.others, self.ends, self.strange) = (false, false, false, false);
     }
 }
 
@@ -104,4 +127,10 @@ pub(super) fn end_of_value(line: &[u8], at: usize) -> usize {
         }
     }
     line.len()
+}
+
+/// A line without the number of its block.
+pub(super) fn numbered(line: &[u8]) -> &[u8] {
+    let [b'N' | b'n', rest @ ..] = line else { return line };
+    &rest[rest.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count()..]
 }

@@ -11,7 +11,7 @@ use crate::control::iso::lines::{next_line, trimmed};
 use crate::form::Finding;
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
-use block::EMPTY;
+use block::{EMPTY, numbered};
 use reader::Reader;
 
 /// The longest program that is read, in bytes.
@@ -91,6 +91,16 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     reader.finish()
 }
 
+/// What stands in programs of a SINUMERIK alone.
+const SINUMERIK: [&str; 13] =
+    ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "DEF ", "CR=", "T=\"", "SPOS="];
+
+/// Whether a line gives an R parameter a value: `R1=5`.
+fn parameter(code: &str) -> bool {
+    let value = code.strip_prefix('R').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    value.is_some_and(|value| value.len() + 1 < code.len() && value.starts_with('='))
+}
+
 /// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone.
 fn guessed(text: &str) -> &'static str {
     let mut rest = text;
@@ -99,8 +109,14 @@ fn guessed(text: &str) -> &'static str {
             break;
         }
         let line = trimmed(next_line(&mut rest)).as_bytes();
-        // Most lines begin with a G, a number or an axis, and assign nothing.
-        let begins = line.first().is_some_and(|b| matches!(b, b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
+        // What an archive begins with.
+        if line.starts_with(b"%_N_") || line.starts_with(b";$PATH=") {
+            return DIALECTS[1];
+        }
+        let line = numbered(line);
+        // Most lines begin with a G or an axis, and assign nothing.
+        let begins =
+            line.first().is_some_and(|b| matches!(b.to_ascii_uppercase(), b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
         if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
             || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
         {
@@ -111,9 +127,13 @@ fn guessed(text: &str) -> &'static str {
             continue;
         }
         // A comment may say anything.
-        let code = String::from_utf8_lossy(line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default());
-        let calls = line.starts_with(b"MSG(") || line.starts_with(b"CYCLE");
-        if calls || ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A", "$P", "DEF ", "CR="].iter().any(|word| code.contains(word)) {
+        let code = line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default();
+        let code = String::from_utf8_lossy(code).to_ascii_uppercase();
+        let called = line.get(code.len()) == Some(&b'(');
+        if called && (code == "MSG" || code.starts_with("CYCLE"))
+            || SINUMERIK.iter().any(|word| code.contains(word))
+            || parameter(&code)
+        {
             return DIALECTS[1];
         }
     }

@@ -43,14 +43,17 @@ impl Reader {
                 None => count(&mut self.arcs_unsolved, self.line),
             }
         }
+        if motion == Motion::Curve {
+            count(&mut self.arcs_unsolved, self.line);
+        }
         self.place.into_iter().for_each(|x| self.path.to.push(x));
         let kind = match motion {
             Motion::Rapid => RAPID,
-            Motion::Straight | Motion::Clockwise | Motion::Counter => FEED,
+            Motion::Straight | Motion::Clockwise | Motion::Counter | Motion::Curve => FEED,
             Motion::Probe => PROBE,
         };
         self.path.kind.push(kind);
-        self.path.feed.push(if kind == RAPID { f64::NAN } else { self.feed });
+        self.path.feed.push(if kind == RAPID || self.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
     }
 

@@ -2,7 +2,7 @@
 
 use crate::form::Checker;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Block, Motion, Word, end_of, end_of_value, number};
+use crate::import::toolpath::block::{Block, Motion, Word, end_of, end_of_value, number, numbered};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 use crate::text::{Text, text};
 
@@ -17,6 +17,8 @@ pub(super) struct Count {
 #[derive(Clone, Copy)]
 pub(super) struct Modes {
     pub motion: Motion,
+    /// A cycle runs at every place, from G81 until G80 or a motion.
+    pub cycle: bool,
     pub absolute: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
@@ -44,6 +46,8 @@ pub(super) struct Reader {
     /// Units of the path in a unit that the program has now.
     pub scale: f64,
     pub feed: f64,
+    /// Feeds are not by the minute: G93, G95.
+    pub by_other: bool,
     pub skipped: Count,
     pub after_end: Count,
     pub computed: Count,
@@ -51,6 +55,7 @@ pub(super) struct Reader {
     pub arcs_unsolved: Count,
     pub machine: Count,
     pub transformed: Count,
+    pub others: Count,
 }
 
 impl Reader {
@@ -69,7 +74,7 @@ impl Reader {
             line: 0,
             sinumerik: dialect == DIALECTS[1],
             place: [f64::NAN; 3],
-            modes: Modes { motion: Motion::Rapid, absolute: true, centers_absolute: false, plane: None },
+            modes: Modes { motion: Motion::Rapid, cycle: false, absolute: true, centers_absolute: false, plane: None },
             plane: None,
             offset: None,
             inside: false,
@@ -78,6 +83,7 @@ impl Reader {
             ended: false,
             scale: 1.0,
             feed: f64::NAN,
+            by_other: false,
             skipped: Count::default(),
             after_end: Count::default(),
             computed: Count::default(),
@@ -85,6 +91,7 @@ impl Reader {
             arcs_unsolved: Count::default(),
             machine: Count::default(),
             transformed: Count::default(),
+            others: Count::default(),
         }
     }
 
@@ -130,18 +137,32 @@ impl Reader {
             }
         }
         if block.strange {
-            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known.
-            self.modes = before;
+            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. The modes before an
+            // odd word count, unless the line jumps.
+            if jumps(line) {
+                self.modes = before;
+            }
+            self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
             self.forget(line);
             self.leaps = jumps_perhaps(line);
             return count(&mut self.skipped, self.line);
         }
         // An end that may be jumped over, or that stands in a condition, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
-        if block.elsewhere {
+        if block.offset.is_some() | block.writes {
+            self.shift(block);
+        }
+        if block.elsewhere || block.dwells && !block.motion {
             return;
         }
+        if block.others {
+            count(&mut self.others, self.line);
+        }
         self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
+        if self.modes.cycle && block.once.is_none() && block.given != 0 {
+            self.place = [f64::NAN; 3];
+            return count(&mut self.skipped, self.line);
+        }
         // Without a place, a centre makes a whole circle back to where it begins.
         if block.given | block.centered != 0 {
             self.moves(block);
@@ -151,27 +172,46 @@ impl Reader {
         }
     }
 
-    /// `o<name> sub`, `o1 if`, `O1000`.
+    /// What moves the system that places are in: another work offset, or one that is written.
+    fn shift(&mut self, block: &Block) {
+        if let Some(code) = block.offset {
+            // G54.1 P2, G154 P2: one of many.
+            let offset = if matches!(code, 541 | 1540) { code + 10_000 * block.p.unwrap_or(0.0) as i32 } else { code };
+            // Moves before any selection were in G54.
+            let first = if self.path.is_empty() { offset } else { 540 };
+            if *self.offset.get_or_insert(first) != offset {
+                count(&mut self.transformed, self.line);
+            }
+        }
+        let written = block.writes && matches!(block.l, Some(2.0 | 20.0));
+        if written && block.given != 0 && !self.path.is_empty() {
+            count(&mut self.transformed, self.line);
+        }
+    }
+
+    /// `o<name> sub`, `o1 if`, `o100if[…]`, `O1000`: blanks mean nothing.
     fn o_word(&mut self, line: &[u8]) {
-        let code = line.split(|b| matches!(b, b'(' | b';')).next().unwrap_or_default();
-        let named = |word: &[u8]| {
-            let mut words = code.split(|b| matches!(b, b' ' | b'\t')).filter(|part| !part.is_empty());
-            words.any(|part| part.eq_ignore_ascii_case(word))
+        let code = line.split(|b| matches!(b, b'(' | b';')).next().unwrap_or_default()[1..].trim_ascii();
+        let label = match code.first() {
+            Some(b'<') => end_of(code, 0, b'>'),
+            Some(b'#' | b'[') => end_of_value(code, 0),
+            _ => code.iter().take_while(|b| b.is_ascii_digit() || b.is_ascii_whitespace()).count(),
         };
-        if named(b"sub") {
+        let rest = code[label..].trim_ascii_start();
+        let word = &rest[..rest.iter().take_while(|b| b.is_ascii_alphabetic()).count()];
+        let is = |keyword: &[u8]| word.eq_ignore_ascii_case(keyword);
+        if is(b"sub") {
             self.inside = true;
-        } else if named(b"endsub") {
+        } else if is(b"endsub") {
             self.inside = false;
-        }
-        if named(b"if") {
+        } else if is(b"if") {
             self.conditions += 1;
-        } else if named(b"endif") {
+        } else if is(b"endif") {
             self.conditions = self.conditions.saturating_sub(1);
-        }
-        if named(b"call") {
+        } else if is(b"call") {
             self.place = [f64::NAN; 3];
         }
-        let alone = code.len() > 1 && code[1..].iter().all(|b| b.is_ascii_digit() || b.is_ascii_whitespace());
+        let alone = label > 0 && rest.is_empty();
         if !alone {
             count(&mut self.skipped, self.line);
         }
@@ -179,6 +219,9 @@ impl Reader {
 
     /// The axes that a line names which is not followed are somewhere else afterwards.
     fn forget(&mut self, line: &[u8]) {
+        if self.sinumerik && runs_cycle(line) {
+            self.place = [f64::NAN; 3];
+        }
         for (at, b) in line.iter().enumerate() {
             let axis = b.to_ascii_uppercase().wrapping_sub(b'X');
             let begins = at == 0 || !(line[at - 1].is_ascii_alphabetic() || b"_[,".contains(&line[at - 1]));
@@ -235,7 +278,7 @@ impl Reader {
                 // A centre that is computed makes no arc.
                 block.center[usize::from(axis)] = if let Word::Number(x) = word { x } else { f64::NAN };
             }
-            (b'F', Word::Number(x)) => block.feed = Some(x),
+            (b'F', word) => block.feed = Some(if let Word::Number(x) = word { x } else { f64::NAN }),
             (b'R', Word::Number(x)) => block.radius = Some(x),
             (b'G', Word::Number(x)) => self.code((x * 10.0 + 0.5) as i32, block),
             (b'G', Word::Computed) => return None,
@@ -245,6 +288,14 @@ impl Reader {
                 count(&mut self.skipped, self.line);
             }
             (b'M', Word::Number(2.0 | 30.0)) => block.ends = true,
+            // A subprogram: L100 P2.
+            (b'L', _) if self.sinumerik => {
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
+            (b'L', Word::Number(x)) => block.l = Some(x),
+            (b'P', Word::Number(x)) => block.p = Some(x),
+            (b'A'..=b'C' | b'U'..=b'W', _) => block.others = true,
             _ => {}
         }
         Some(end)
@@ -284,13 +335,17 @@ impl Reader {
 
     fn code(&mut self, tenths: i32, block: &mut Block) {
         match tenths {
-            0 => self.modes.motion = Motion::Rapid,
-            10 => self.modes.motion = Motion::Straight,
-            20 => self.modes.motion = Motion::Clockwise,
-            30 => self.modes.motion = Motion::Counter,
+            0 => self.go(Motion::Rapid, block),
+            10 => self.go(Motion::Straight, block),
+            20 => self.go(Motion::Clockwise, block),
+            30 => self.go(Motion::Counter, block),
             // With its number of a signal, too: G31.1.
             310..=319 if !self.sinumerik => block.once = Some(Motion::Probe),
-            382..=389 => self.modes.motion = Motion::Probe,
+            382..=389 => self.go(Motion::Probe, block),
+            // A thread is cut straight.
+            320 | 330 if !self.sinumerik => self.go(Motion::Straight, block),
+            330 | 340 | 350 | 3310 | 3320 if self.sinumerik => self.go(Motion::Straight, block),
+            50..=52 | 62 if !self.sinumerik => block.once = Some(Motion::Curve),
             170 => self.turn(Plane::G17),
             180 => self.turn(Plane::G18),
             190 => self.turn(Plane::G19),
@@ -300,25 +355,48 @@ impl Reader {
             910 => self.modes.absolute = false,
             901 => self.modes.centers_absolute = true,
             911 => self.modes.centers_absolute = false,
-            // Dwells, tables, zones and what the control measures by itself are no places to go to.
-            40 | 100 | 220 | 230 | 370 => block.elsewhere = true,
+            40 => block.dwells = true,
+            930 | 950 => self.by_other = true,
+            940 => self.by_other = false,
+            100 => (block.elsewhere, block.writes) = (true, true),
+            // Tables, zones and what the control measures by itself are no places to go to, nor are a tool's lengths and the end of a scale.
+            220 | 230 | 370 => block.elsewhere = true,
+            431 | 432 | 500 | 501 if !self.sinumerik => block.elsewhere = true,
+            250 | 260 | 1100 | 1110 | 1120 if self.sinumerik => block.elsewhere = true,
             // Nor are shifts, turns, mirrors, scales and polar places; but what comes after them is another place than it says.
-            160 | 510 | 511 | 520 | 680 | 920..=923 if !self.sinumerik => {
+            160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 if !self.sinumerik => {
                 block.elsewhere = true;
                 count(&mut self.transformed, self.line);
             }
+            121 | 1120 if !self.sinumerik => count(&mut self.transformed, self.line),
+            580 | 590 if self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.transformed, self.line);
+            }
+            // A cycle runs here and at every later place; where it leaves the tool is not known.
+            730 | 740 | 760 | 810..=890 if !self.sinumerik => self.modes.cycle = true,
+            800 => self.modes.cycle = false,
+            // A rigid tap comes back to where it began.
+            331 if !self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.skipped, self.line);
+            }
             // A macro that is called, or a cycle of the control's own, moves by itself: where to is not known.
-            650 | 660 | 661 | 730 | 740 | 760 | 810..=890 if !self.sinumerik => {
+            120 | 130 | 650 | 660 | 661 | 750 | 1500 if !self.sinumerik => {
                 block.elsewhere = true;
                 self.place = [f64::NAN; 3];
                 count(&mut self.skipped, self.line);
             }
             // One work offset is what all is seen in; another one lies elsewhere.
-            540..=599 if *self.offset.get_or_insert(tenths) != tenths => count(&mut self.transformed, self.line),
+            540..=599 | 1540 | 5050..=5990 => block.offset = Some(tenths),
             280 | 300 | 530 | 1530 => block.machine = true,
             740 | 750 if self.sinumerik => block.machine = true,
             _ => {}
         }
+    }
+
+    fn go(&mut self, motion: Motion, block: &mut Block) {
+        (self.modes.motion, self.modes.cycle, block.motion) = (motion, false, true);
     }
 
     fn turn(&mut self, plane: Plane) {
@@ -351,7 +429,7 @@ impl Reader {
         say(
             self.skipped,
             "lines-skipped",
-            text!("Lines that jump, call, compute or run a cycle of the control's own are not followed"),
+            text!("Lines that jump, call, compute, run a cycle of the control's own or are not understood are not followed"),
         );
         say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2 or M30, are not followed"));
         say(
@@ -372,7 +450,12 @@ impl Reader {
             "start-unknown",
             text!("Incremental moves begin at a place that is not known: they are counted from 0"),
         );
-        say(self.arcs_unsolved, "arc-unsolved", text!("Arcs whose centre or begin is not known are straight here"));
+        say(
+            self.arcs_unsolved,
+            "arc-unsolved",
+            text!("Splines, and arcs whose centre or begin is not known or whose end is not on the circle, are straight here"),
+        );
+        say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
         if self.path.metric.is_none() && !self.path.is_empty() {
             checker.info("no-units", "", text!("The program does not say its units"));
         }
@@ -397,10 +480,18 @@ fn left_out(line: &[u8]) -> usize {
     if digits > 0 && rest.get(digits + blanks) == Some(&b'/') { 2 + digits + blanks } else { 0 }
 }
 
+fn jumps(line: &[u8]) -> bool {
+    line.to_ascii_uppercase().windows(4).any(|word| word == b"GOTO")
+}
+
 /// Whether a line is a jump under a condition, such as `IF [#1 EQ 2] GOTO 10`.
 fn jumps_perhaps(line: &[u8]) -> bool {
-    let line = line.to_ascii_uppercase();
-    let code = line.strip_prefix(b"N").map_or(&line[..], |rest| rest.trim_ascii_start());
-    let code = &code[code.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count()..];
-    code.starts_with(b"IF") && code.windows(4).any(|word| word == b"GOTO")
+    jumps(line) && numbered(line).to_ascii_uppercase().starts_with(b"IF")
+}
+
+/// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.
+fn runs_cycle(line: &[u8]) -> bool {
+    let code = numbered(line).to_ascii_uppercase();
+    let names: [&[u8]; 5] = [b"CYCLE", b"POCKET", b"HOLES", b"SLOT", b"LONGHOLE"];
+    names.iter().any(|name| code.starts_with(name)) && !code.starts_with(b"CYCLE832")
 }
