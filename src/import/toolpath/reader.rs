@@ -176,7 +176,8 @@ impl Reader {
     fn shift(&mut self, block: &Block) {
         if let Some(code) = block.offset {
             // G54.1 P2, G154 P2: one of many.
-            let offset = if matches!(code, 541 | 1540) { code + 10_000 * block.p.unwrap_or(0.0) as i32 } else { code };
+            let offset =
+                if matches!(code, 541 | 1540) { code.saturating_add((10_000.0 * block.p.unwrap_or(0.0)) as i32) } else { code };
             // Moves before any selection were in G54.
             let first = if self.path.is_empty() { offset } else { 540 };
             if *self.offset.get_or_insert(first) != offset {
@@ -321,12 +322,14 @@ impl Reader {
             _ => return None,
         }
         let value = past(past(end, blank) + 1, blank);
-        let stop = end_of_value(line, value);
+        // A number ends where the next word begins: MEAS=1G1X5.
+        let stated = number(line, value);
+        let stop = stated.map_or_else(|| end_of_value(line, value), |(_, end)| end);
         let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
         if is(b"MEAS") || is(b"MEAW") {
             block.once = Some(Motion::Probe);
         } else if is(b"CR") {
-            block.radius = Some(number(line, value).filter(|(_, end)| *end == stop).map_or(f64::NAN, |(radius, _)| radius));
+            block.radius = Some(stated.map_or(f64::NAN, |(radius, _)| radius));
         } else if !(is(b"SPOS") || is(b"SPOSA")) {
             return None;
         }
