@@ -12,8 +12,12 @@ fn plans() -> Vec<(String, Value, Plan)> {
         let job = with(job, "control", Value::Map(vec![("post".to_owned(), Value::Text(post.to_owned()))]));
         with(&job, "control.workOffset", if offset > 0.0 { number(offset) } else { Value::Null })
     };
-    crate::common::jobs()
-        .into_iter()
+    let mut jobs = crate::common::jobs();
+    let (_, seed) = jobs.iter().find(|(name, _)| name == "circles-seed").unwrap();
+    // Its work offset is selected, and nothing of it is written.
+    let measures_only = with(&with(seed, "cycle.transferPosition", number(0.0)), "cycle.confirmRotation", number(0.0));
+    jobs.push(("circles-measured-only".to_owned(), measures_only));
+    jobs.into_iter()
         .flat_map(|(name, job)| {
             [("fanuc", 3.0), ("fanuc", 0.0), ("haas", 9.0), ("haas", 0.0)].map(|(post, offset)| {
                 let job = put(&job, post, offset);
@@ -59,7 +63,7 @@ fn clean(plan: &Plan) -> bool {
 
 #[test]
 fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
-    let (mut compared, mut deviating, mut written) = (0, 0, 0);
+    let (mut compared, mut deviating, mut written, mut waited_selected) = (0, 0, 0, 0);
     for (name, job, plan) in plans().into_iter().filter(|(.., plan)| clean(plan)) {
         for (included, full_circle) in [(true, true), (false, false), (true, false)] {
             let mut control = control(&job, &plan);
@@ -68,8 +72,9 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}\n{}", plan.program.text));
             assert_eq!(control.alarm, None, "{name}\n{}", plan.program.text);
             // M30 may clear what was measured: the program waits before it where nothing else keeps the results.
-            let waits = !control.haas && control.writes.is_empty() && name.ends_with(" 0") && !plan.touches.is_empty();
+            let waits = !control.haas && control.writes.is_empty() && !plan.touches.is_empty();
             assert_eq!(control.stops, usize::from(waits), "{name}");
+            waited_selected += usize::from(waits && !name.ends_with(" 0"));
             let header: Vec<&str> = plan.program.text.lines().filter_map(|l| l.strip_prefix("(RESULTS: ")).collect();
             assert_eq!(header.is_empty(), plan.touches.is_empty(), "{name}");
             for entry in header.iter().flat_map(|line| line.trim_end_matches(')').split(", ")) {
@@ -108,7 +113,10 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
             }
         }
     }
-    assert!(compared > 300 && deviating > 20 && written > 8, "{compared} {deviating} {written}");
+    assert!(
+        compared > 300 && deviating > 20 && written > 8 && waited_selected > 0,
+        "{compared} {deviating} {written} {waited_selected}"
+    );
 }
 
 /// Whatever move is stopped by a contact: the alarm comes, #149 says the move, nothing is written, and the ball goes nowhere but up, and never
@@ -178,7 +186,7 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
         let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
         let common =
             [(4006, if inch { 21.0 } else { 20.0 }), (4008, 49.0), (4008, 44.0), (4008, 43.4), (4011, 51.0), (4016, 68.0)];
-        let fanuc = [(4016, 68.2), (4017, 16.0), (4022, 51.1), (4111, 0.0), (4111, 201.0)];
+        let fanuc = [(4016, 68.2), (4016, 68.3), (4016, 68.4), (4017, 16.0), (4022, 51.1), (4111, 0.0), (4111, 201.0)];
         let haas = plan.program.post == "haas";
         for (code, value) in common.into_iter().chain(fanuc.into_iter().filter(|_| !haas)) {
             let mut control = control(&job, &plan);
@@ -215,14 +223,18 @@ fn the_way_to_the_first_place_is_across_and_down_or_none() {
             (-1.0, true, 121.5),
             (-40.0, true, -155.0),
             (40.0, false, 121.5),
+            (156.0, true, -155.0),
+            (-40.0, false, -155.0),
+            (1.0, false, -155.0),
         ] {
             let mut control = control(&job, &plan);
             (control.length_included, control.length) = (included, length);
             control.at[2] = first[2] + above;
             let start = control.at;
             control.run(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
-            // Where the control leaves the length out, it has to stand that much higher.
-            if above < if included { 0.0 } else { length } {
+            // It has to stand high enough for a control that has the length in its places, and for one that leaves it out.
+            let needed = if included { -length } else { length };
+            if above < f64::max(needed, 0.0) {
                 assert_eq!((control.alarm.as_deref(), control.path.len()), (Some("4 STYLUS TOO LOW TO START"), 0), "{name}");
                 continue;
             }

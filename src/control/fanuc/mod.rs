@@ -3,7 +3,7 @@
 //! Sources, as far as anything of this has one: posts for G31 inspection on Mazak, Fanuc and Haas, and what the Renishaw macros do. G31 moves
 //! until the skip signal, or to its end; #5061… hold the ball centre at the skip, or the end where there was none. So every probing move is
 //! followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a Haas M78 and M79 in the
-//! block of G31 raise the alarm in the control itself; the comparison stands behind them, too.
+//! block of G31 raise the alarm in the control itself; the comparison follows, too.
 //! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
 //! tool table, and the first move whose end it knows in Z shows which of the two it is. A macro statement is evaluated while the motion
 //! before it still runs: a block stands between the two.
@@ -146,6 +146,8 @@ static PLAIN: Flavour = Flavour {
         "#4017 EQ 16",
         "#4016 EQ 68",
         "#4016 EQ 68.2",
+        "#4016 EQ 68.3",
+        "#4016 EQ 68.4",
         "#4011 EQ 51",
         "#4022 EQ 51.1",
     ],
@@ -497,11 +499,14 @@ impl Moves for Skip<'_> {
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
         w.line("#149=1");
-        // By the length alone a low stylus cannot be told from a control that leaves the length out: nothing moves then. Sums of lengths and
-        // heights are rounded, and a control reads its axes in its own steps.
+        // Whether #5043 has the length in it is not known yet: the stylus must stand high enough either way, the first for a length above
+        // zero, the second for one below, as tables with machine heights have. Sums of lengths and heights are rounded, and a control reads
+        // its axes in its own steps.
         let height = Self::number(w, first.to.z - IN_POSITION);
         w.line(&format!("IF [#5043-{} LT {height}] GOTO {ELSEWHERE}", variable(0)));
-        // The stylus is above all that the program knows of, and how high is not known yet: a contact does not lift.
+        w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
+        // The stylus is above all that the program knows of, but not by how much: a contact does not lift, since a lift to a stated height
+        // could go down.
         let across = w.plane_words(first.to);
         self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
         w.makes_move();
@@ -597,8 +602,10 @@ impl Moves for Skip<'_> {
         if let Some(end) = self.flavour.free_again.filter(|_| self.moving()) {
             w.line(end);
         }
-        let measures = self.request.path.formula.results.iter().any(|result| result.variable.is_some());
-        if self.flavour.forgets && measures && self.request.work_offset.is_none() {
+        let formula = &self.request.path.formula;
+        let measures = formula.results.iter().any(|result| result.variable.is_some());
+        let writes = self.request.work_offset.is_some() && formula.datum.as_ref().is_some_and(Datum::writes);
+        if self.flavour.forgets && measures && !writes {
             w.comment("Read the results now: M30 may clear #100 to #149");
             w.line("M0");
         }
