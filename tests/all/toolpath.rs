@@ -378,6 +378,8 @@ fn no_probing_move_is_lost() {
         ("G21\nN5 IF[#1EQ2]GOTO10\nN6 M30\nN10 G31 X4. F100.\nM30\n", 1),
         ("G71\nMEAS = 1 G1 X20 F100\nMEAS=R1 G1 X25\nL1: MEAS=1 G1 X30\nOUT: MEAW=-1 G1 X60 SPOS=0\nG0 Z5\n", 4),
         ("G71\nG1 X0 Y0 F100\nMEAS=1G1X5F50\nG1 MEAS=1X6\nSPOS=0G1X5MEAS=1\n", 3),
+        ("G71\nIF R1==0\nM30\nENDIF\nMEAS=1 G1 X20 F100\nM30\nMEAS=1 G1 X25\n", 1),
+        ("G71\nN5 if (R1==0)\nN6 M30\nN7 endif\nMEAS=1 G1 X20 F100\n", 1),
         ("G71\nIF R1==0 GOTOF L1\nM30\nL1:\nMEAS=1 G1 X20 F100\nM30\n", 1),
         ("G21\nN10 /G31 X5. F100.\nN20/G31 Y5. F100.\n", 2),
         ("G21\nG31 X5. F100.\nDPRNT[MEAS=#5061[43]]\nDPRNT[CR=#5061[43]]\nG31 Y5. F100.\n", 2),
@@ -395,6 +397,9 @@ fn no_probing_move_is_lost() {
     assert!(said(&computed).contains(&"arc-unsolved"));
     let close = read_program("G71\nG0 X0 Y0\nG2X10Y0CR=5F200\nSTOPRE\n", None);
     assert_eq!((close.arcs.len(), close.feed[1]), (1, 200.0));
+    let assigned = read_program("G71\nG1 X=5Y=-3Z1 F=200G90\nX=5+R1 Y7\n", None);
+    assert_eq!((assigned.end(0).to_array(), assigned.feed[0]), ([5.0, -3.0, 1.0], 200.0));
+    assert!(assigned.end(1).x.is_nan() && assigned.end(1).y == 7.0);
     // A number of an offset that no control has.
     assert_eq!(said(&read_program("G21\nG54.1 P1\nG0 X1\nG54.1 P999999999999\nX2\n", None)), ["places-transformed"]);
     // What gives a variable a value is no word.

@@ -92,8 +92,9 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
 }
 
 /// What stands in programs of a SINUMERIK alone.
-const SINUMERIK: [&str; 13] =
-    ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "DEF ", "CR=", "T=\"", "SPOS="];
+const SINUMERIK: [&str; 16] = [
+    "X=", "Y=", "Z=", "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "DEF ", "CR=", "T=\"", "SPOS=",
+];
 
 /// Whether a line gives an R parameter a value: `R1=5`.
 fn parameter(code: &str) -> bool {

@@ -145,6 +145,9 @@ impl Reader {
             self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
             self.forget(line);
             self.leaps = jumps_perhaps(line);
+            if self.sinumerik {
+                self.condition(line);
+            }
             return count(&mut self.skipped, self.line);
         }
         // An end that may be jumped over, or that stands in a condition, ends nothing here.
@@ -218,6 +221,21 @@ impl Reader {
         }
     }
 
+    /// `IF R1>5` opens a condition, `ENDIF` closes it; `IF R1>5 GOTOF END` does neither.
+    fn condition(&mut self, line: &[u8]) {
+        let code = numbered(line);
+        let is = |word: &[u8]| {
+            code.len() >= word.len()
+                && code[..word.len()].eq_ignore_ascii_case(word)
+                && !code.get(word.len()).is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_')
+        };
+        if is(b"IF") && !jumps(line) {
+            self.conditions += 1;
+        } else if is(b"ENDIF") {
+            self.conditions = self.conditions.saturating_sub(1);
+        }
+    }
+
     /// The axes that a line names which is not followed are somewhere else afterwards.
     fn forget(&mut self, line: &[u8]) {
         if self.sinumerik && runs_cycle(line) {
@@ -255,10 +273,11 @@ impl Reader {
             }
             b'#' | b'[' => (Word::Computed, end_of_value(line, next)),
             b'=' if self.sinumerik => {
+                // A number ends where the next word begins: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
                 let end = end_of_value(line, next + 1);
-                let plain = line.get(next + 1).is_some_and(|b| b.is_ascii_digit() || b".-+".contains(b));
-                match number(line, next + 1).filter(|(_, stop)| plain && *stop == end) {
-                    Some((number, _)) => (Word::Number(number), end),
+                let whole = |stop: usize| stop == end || line[stop].is_ascii_alphabetic();
+                match number(line, next + 1).filter(|(_, stop)| whole(*stop)) {
+                    Some((number, stop)) => (Word::Number(number), stop),
                     None => (Word::Computed, end),
                 }
             }
