@@ -31,12 +31,14 @@ function declarations(/** @type {string} */ text) {
 /** The functions of the package, in their order. */
 function functions() {
   const api = declarations(read("api.d.ts")).find(({ name }) => name === "Api")?.code ?? "";
-  const members = [...api.matchAll(/(\/\*\*(?:(?!\*\/)[\s\S])*\*\/)\s*(\w+)(\([\s\S]*?;)$/gm)];
+  // One line, or as many as there are to the brace that stands as far in as the name. A name may have type parameters.
+  const member = String.raw`^ {4}(\w+)((?:<[^\n]*>)?\((?:[^\n]*;|[^\n]*\{\n[\s\S]*?^ {4}\}[^\n]*;))$`;
+  const members = [...api.matchAll(new RegExp(String.raw`(\/\*\*(?:(?!\*\/)[\s\S])*\*\/)\n${member}`, "gm"))];
   return members
-    .map(
-      ([, comment = "", name, signature]) =>
-        `### ${name}\n\n\`\`\`ts\n${name}${signature}\n\`\`\`\n\n${plain(comment)}\n`,
-    )
+    .map(([, comment = "", name, signature = ""]) => {
+      const code = `${name}${signature}`.replaceAll(/^ {4}( *)/gm, (_, more) => " ".repeat(more.length / 2));
+      return `### ${name}\n\n\`\`\`ts\n${code}\n\`\`\`\n\n${plain(comment)}\n`;
+    })
     .join("\n");
 }
 

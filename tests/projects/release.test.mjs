@@ -13,6 +13,15 @@ test("the reference is what the package says of itself", () => {
   execFileSync("node", ["scripts/reference.mjs", "check"], { cwd: at(), stdio: "inherit" });
 });
 
+test("a function with type parameters was missing in the reference", async () => {
+  const page = readFileSync(at("docs", "reference.md"), "utf8");
+  // The functions of a loaded module; the rest of what is exported loads it, or says what it gives.
+  const { Instance: _, JobError: __, dress: ___, say: ____, ...functions } = await import(at("dist", "node.js"));
+  const names = Object.keys(functions);
+  assert.ok(names.includes("defaultJob") && names.length > 15, names.join());
+  for (const name of names) assert.match(page, new RegExp(`^### ${name}\n\n\`{3}ts\n${name}[<(]`, "m"), name);
+});
+
 test("a release is refused where a version or the changelog does not fit, and the workflow asks before it publishes", () => {
   const release = (/** @type {string} */ tag) =>
     spawnSync("node", ["scripts/release.mjs", tag], { cwd: at(), encoding: "utf8" });
