@@ -45,6 +45,7 @@ interface Moment {
   typed: [string, string][];
   points: Points;
   left: [string, Left][];
+  document: number;
 }
 
 const LOOK_ONLY: Said = [w("Nothing was changed: this job can only be looked at")];
@@ -69,8 +70,9 @@ export class Store extends Phrases {
   saved: string | null = null;
   /** Counts the forms that were computed: another number is another form, also where it has errors. */
   revision = 0;
-  /** How many times the job was replaced: by another document, the defaults, or another cycle. */
-  documents = 0;
+  /** The number of the document that the job is: another one, the defaults and another cycle have another number, also when they are taken back. */
+  document = 0;
+  private documents = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */
   stale = false;
   /** The job that `plan` is of. */
@@ -245,7 +247,7 @@ export class Store extends Phrases {
           form: (fresh.control as Draft).form,
           workOffset: this.catalog.posts.find((p) => p.id === home)?.workOffsets ? control.workOffset : null,
         };
-    this.documents++;
+    this.document = ++this.documents;
     this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
     this.points = back?.points ?? noPoints();
     (this.draft.part as Draft).sizes = {};
@@ -271,8 +273,8 @@ export class Store extends Phrases {
   /** Takes a whole job, one that fits the form. */
   load(job: Draft, measured = ""): void {
     if (this.refuses) return;
-    this.documents++;
     this.mark(null);
+    this.document = ++this.documents;
     this.draft = complete(job, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
@@ -499,8 +501,8 @@ export class Store extends Phrases {
   }
 
   private moment(): Moment {
-    const { typed, points, left } = this;
-    return { draft: structuredClone(this.draft), typed: [...typed], points: { ...points }, left: [...left] };
+    const { typed, points, left, document } = this;
+    return { draft: structuredClone(this.draft), typed: [...typed], points: { ...points }, left: [...left], document };
   }
 
   /** Before a change: what it is of decides whether it can be taken back by itself. */
@@ -515,6 +517,7 @@ export class Store extends Phrases {
     this.typed = new Map(moment.typed);
     this.points = moment.points;
     this.left = new Map(moment.left);
+    this.document = moment.document;
     this.pinned = null;
     this.highlight = null;
     this.changed();

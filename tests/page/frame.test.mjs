@@ -354,6 +354,10 @@ test("a link holds the whole job, and no server hears of it", async () => {
   await tab.goto(link);
   await ready(tab);
   await tab.locator(".note", { hasText: "job of the link" }).waitFor();
+  // What is said of a job is not said of the one before it.
+  await tab.getByRole("button", { name: "Undo" }).click();
+  await tab.locator(".note").waitFor({ state: "detached", timeout: 3000 });
+  await tab.getByRole("button", { name: "Redo" }).click();
   assert.equal(await field("cycle.width1", tab).inputValue(), "66.5");
   assert.equal(
     await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text),

@@ -223,4 +223,28 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   await page.getByRole("button", { name: "Undo" }).press("Enter");
   await page.waitForTimeout(600);
   assert.notEqual(await at(), null);
+  // What is there still, and was left by the user, does not get the focus back.
+  await field("cycle.width1").fill("82");
+  const button = page.getByRole("button", { name: "Undo" });
+  await button.click();
+  await page.mouse.click(2, 2);
+  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot)?.activeElement?.blur());
+  await page.waitForTimeout(600);
+  assert.equal(await at(), null);
+});
+
+test("Redo in the menu of a phone could always be chosen", async () => {
+  await open({ viewport: { width: 390, height: 844 } });
+  const more = page.getByRole("button", { name: "More" });
+  const redo = page.locator("#menu").getByRole("button", { name: "Redo" });
+  await more.click();
+  assert.ok((await redo.isVisible()) && (await redo.isDisabled()));
+  await page.keyboard.press("Escape");
+  const before = await field("cycle.width1").inputValue();
+  await field("cycle.width1").fill("81");
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await field("cycle.width1").inputValue(), before);
+  await more.click();
+  await redo.click();
+  assert.equal(await field("cycle.width1").inputValue(), "81");
 });

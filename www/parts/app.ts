@@ -100,9 +100,11 @@ export class App extends LitElement {
   private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  /** What is said above the job, and how many times the job had been replaced then. */
+  /** What is said above the job, and the document that the job was then. */
   private told: Said | null;
   private toldAt = 0;
+  /** Looks whether the focus was lost. */
+  private refocusing = 0;
   /** The language that was chosen here. */
   private chosen = keptLanguage();
   /** Takes a newer version of the page, where there is one. */
@@ -191,8 +193,10 @@ export class App extends LitElement {
     this.addEventListener("dragover", intake.welcome);
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
-    this.addEventListener("click", this.refocus);
-    this.addEventListener("keydown", this.refocus);
+    // Before what is clicked does anything: it may be gone afterwards.
+    this.addEventListener("click", this.refocus, true);
+    this.addEventListener("keydown", this.refocus, true);
+    this.addEventListener("pointerdown", this.refocus, true);
     this.store.addEventListener("change", this.forget);
     this.around.host.addEventListener("update-ready", this.offer);
     system.addEventListener("change", this.recolour);
@@ -211,8 +215,9 @@ export class App extends LitElement {
     this.removeEventListener("dragover", intake.welcome);
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
-    this.removeEventListener("click", this.refocus);
-    this.removeEventListener("keydown", this.refocus);
+    this.removeEventListener("click", this.refocus, true);
+    this.removeEventListener("keydown", this.refocus, true);
+    this.removeEventListener("pointerdown", this.refocus, true);
     this.store.removeEventListener("change", this.forget);
     this.around.host.removeEventListener("update-ready", this.offer);
     system.removeEventListener("change", this.recolour);
@@ -292,12 +297,13 @@ export class App extends LitElement {
   /** What is rarely used. */
   private menu(): TemplateResult {
     const { readonly } = this.store;
-    const item = (what: string, name: string, offered = true, only = "") =>
+    const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
       offered
-        ? html`<button type="button" class=${only || nothing} @click=${() => this.choose(what)}>${name}</button>`
+        ? html`<button type="button" class=${only || nothing} ?disabled=${disabled} @click=${() => this.choose(what)}>${name}</button>`
         : nothing;
-    return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")}>
-      ${item("redo", this.t("Redo"), !readonly, "on-phone")} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
+    // Whether there is something to redo is looked at whenever it opens.
+    return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")} @beforetoggle=${() => this.requestUpdate()}>
+      ${item("redo", this.t("Redo"), !readonly, "on-phone", !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
       ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
       ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
       ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
@@ -385,31 +391,39 @@ export class App extends LitElement {
 
   /** What is said of one job is not said of another. */
   private readonly forget = (): void => {
-    if (this.told !== null && this.toldAt !== this.store.documents) this.tell(null);
+    if (this.told !== null && this.toldAt !== this.store.document) this.tell(null);
   };
 
   /** What had the focus may be gone after what it did: then the focus is where the user goes on, not at the start of the page. */
   private readonly refocus = (event: Event): void => {
+    clearTimeout(this.refocusing);
     const root = this.getRootNode() as ShadowRoot;
     const at = root.activeElement;
-    if (!at || (event instanceof KeyboardEvent && event.key !== "Escape")) return;
+    const acts = event.type === "click" || (event instanceof KeyboardEvent && event.key === "Escape");
+    if (!at || !acts) return;
     const group = at.closest(".group, dialog");
+    const there = (place: Element) => place.isConnected && place.checkVisibility() && !place.matches(":disabled");
     const lost = () => {
       const now = root.activeElement;
-      const there = now?.checkVisibility() && !now.matches(":disabled");
-      if (there || !this.isConnected || ![document.body, root.host].includes(document.activeElement as HTMLElement))
-        return;
+      const outside = ![document.body, root.host].includes(document.activeElement as HTMLElement);
+      if (there(at) || (now && there(now)) || outside || !this.isConnected) return;
       const places = [
         ...(group?.querySelectorAll<HTMLElement>("input, select, button") ?? []),
         ...[".back button", "tp-bar [popovertarget]"].flatMap((place) => [
           ...this.querySelectorAll<HTMLElement>(place),
         ]),
       ];
-      places.find((place) => place.checkVisibility() && !place.matches(":disabled"))?.focus({ preventScroll: true });
+      places.find(there)?.focus({ preventScroll: true });
     };
-    // Some of it is only gone when it is drawn, or loaded.
-    requestAnimationFrame(() => requestAnimationFrame(lost));
-    setTimeout(lost, 400);
+    // Some of it is only gone when it is drawn, or loaded. What the user does next decides for itself.
+    const look = ([ms, ...later]: number[]) => {
+      if (ms === undefined) return;
+      this.refocusing = window.setTimeout(() => {
+        lost();
+        look(later);
+      }, ms);
+    };
+    look([40, 360]);
   };
 
   /** To the field of a path, or to the nearest one around it. */
@@ -605,7 +619,7 @@ export class App extends LitElement {
 
   private tell(said: Said | null): void {
     this.told = said;
-    this.toldAt = this.store.documents;
+    this.toldAt = this.store.document;
     this.requestUpdate();
   }
 }

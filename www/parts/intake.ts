@@ -52,14 +52,14 @@ export class Intake {
 
   /** A file too large for a job is not even read. */
   async file(file: File): Promise<void> {
-    const { signal, documents } = this.begin();
+    const { signal, document } = this.begin();
     if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
       if (signal.aborted) return;
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
-      else await this.text(text, documents);
+      else await this.text(text, document);
     }
   }
 
@@ -113,8 +113,8 @@ export class Intake {
     }
   };
 
-  /** Takes a text, begun when the store had taken so many jobs; false where nothing could be made of it. */
-  async text(text: string, documents = this.store.documents): Promise<boolean> {
+  /** Takes a text, begun when the job was this document; false where nothing could be made of it. */
+  async text(text: string, document = this.store.document): Promise<boolean> {
     const { signal } = this.begin();
     try {
       if (text.length > this.store.longest) {
@@ -123,7 +123,7 @@ export class Intake {
       }
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
-      if (documents === this.store.documents) return this.take(text, reading);
+      if (document === this.store.document) return this.take(text, reading);
       this.page.tell(this.store.t("Nothing was changed: the job was replaced while this text was read"));
       return false;
     } catch {
@@ -133,10 +133,10 @@ export class Intake {
   }
 
   /** Begins with another text. */
-  private begin(): { signal: AbortSignal; documents: number } {
+  private begin(): { signal: AbortSignal; document: number } {
     this.last.abort();
     this.last = new AbortController();
-    return { signal: this.last.signal, documents: this.store.documents };
+    return { signal: this.last.signal, document: this.store.document };
   }
 
   /** Reads a text: a long one beside the page, where that can be. */
