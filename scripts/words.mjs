@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
 const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "utf8"));
 
-/** A double-quoted text behind `t(` or `w(`. */
+/** A double-quoted text after `t(` or `w(`. */
 const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
 
 /** Where the page's sources are. */

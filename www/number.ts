@@ -4,7 +4,7 @@ import type { FieldEntry } from "./core/browser.js";
 type Unit = FieldEntry["unit"];
 type Units = "mm" | "inch";
 
-/** A unit behind the number, and the millimetres (or degrees) in one of it. */
+/** A unit after the number, and the millimetres (or degrees) in one of it. */
 const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   length: [
     [/\s*mm$/i, "mm"],

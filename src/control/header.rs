@@ -18,7 +18,7 @@ pub const HASH: &str = "Blocks below: ";
 pub const NO_HASH: &str = "0000000000000000";
 
 /// The comments: in a full header all of the job but its name and the virtual part, in a short one the version alone; then the hash.
-/// `width` is the most characters of one; where only capitals can be written, a small letter of a text is a capital behind a plus.
+/// `width` is the most characters of one; where only capitals can be written, a small letter of a text is a capital after a plus.
 pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String> {
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = match (request.header, request.job) {
@@ -47,7 +47,7 @@ pub fn seal(text: &mut String) {
     }
 }
 
-/// What stands behind a beginning, in small letters or capitals.
+/// What stands after a beginning, in small letters or capitals.
 fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
     let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
     same.then(|| &text[beginning.len()..])

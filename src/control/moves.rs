@@ -32,7 +32,7 @@ pub trait Moves {
     /// A touch, and what a miss leads to.
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
 
-    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put behind the empty texts of `kept`. False
+    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put into the empty texts of `kept`. False
     /// where it keeps none.
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool;
 
@@ -48,7 +48,7 @@ pub trait Moves {
     /// The one write of a work offset.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum);
 
-    /// The end, and the exits behind it.
+    /// The end, and the exits after it.
     fn end(&mut self, w: &mut Writer<'_>);
 }
 
@@ -63,7 +63,7 @@ pub struct Kept {
     pub group: (&'static str, &'static str),
     /// What stands around a value of more than one term.
     pub whole: (&'static str, &'static str),
-    /// A comment behind the block.
+    /// A comment after the block.
     pub comment: String,
 }
 

@@ -199,7 +199,7 @@ impl Expected {
 
     /// Equal but for the last digit.
     fn near(&self, a: Place, b: Place) -> bool {
-        // A number of a million has no more digits than that behind the point.
+        // A number of a million has no more digits than that after the point.
         (0..3).all(|axis| (a[axis] - b[axis]).abs() <= self.digit + 1e-12 * b[axis].abs())
     }
 

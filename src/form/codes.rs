@@ -7,7 +7,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("approach-beyond-wall", "A clearance is so large that the place in front of a touch lies behind the opposite wall."),
     (
         "arc-unsolved",
-        "A spline, or an arc of a program whose centre or begin is not known or whose end is not on its circle: it is drawn straight.",
+        "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",
     ),
     ("ball-too-wide", "The ball does not fit between the walls, or into the hole."),
     ("ball-unknown", "A dump says ball centres but not the ball's diameter: the default is taken."),
@@ -104,7 +104,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("positioning-not-watched", "A contact in a positioning move goes unnoticed."),
     ("predefined", "A value is the control's own (GLOBAL DEF): the form's number stands in for the picture."),
     ("probe-move-too-short", "LinuxCNC refuses probe moves this short."),
-    ("probing-too-fast", "A probing move is as fast as the maker of the control asks not to be, or faster."),
+    ("probing-too-fast", "A probing move is not below the feed limit in a manual of the control's maker."),
     ("program-differs", "A program is not the one that the job in its header makes."),
     ("protection-unsupported", "The control takes programs only whose positioning is watched."),
     ("rapid-at-feed", "A rapid runs at a feed, because it is watched or goes down."),

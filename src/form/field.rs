@@ -294,7 +294,7 @@ impl Field {
 /// A type that a field's checked value has.
 pub trait Checked: Sized {
     /// Takes the value of `field` out of `section`, reporting what is wrong with it. Where nothing usable is there, the
-    /// default stands in, so that reading can go on; the report already says that no plan will be made.
+    /// default stands in, so that reading can continue; the report already says that no plan will be made.
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self;
 
     /// The value as a plain one.

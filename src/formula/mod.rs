@@ -90,7 +90,7 @@ pub struct ResultDef {
 /// The whole computation.
 #[derive(Clone, Debug, Default)]
 pub struct Formula {
-    /// What the expressions are made of, each node behind those it is made of.
+    /// What the expressions are made of, each node after those it is made of.
     nodes: Vec<Node>,
     /// In order; each refers to earlier ones only.
     pub assignments: Vec<Assignment>,

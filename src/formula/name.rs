@@ -23,7 +23,7 @@ impl Name {
         Name { number: Some(number as u32), ..Name::from(stem) }
     }
 
-    /// The same with something behind it: `c1_det`.
+    /// The same with something after it: `c1_det`.
     pub fn and(self, rest: &'static str) -> Self {
         Name { rest, ..self }
     }
@@ -33,7 +33,7 @@ impl Name {
         Name { index: Some(index as u32), ..self }
     }
 
-    /// Writes it behind a text.
+    /// Writes it at the end of a text.
     pub fn push_to(self, text: &mut String) {
         text.push_str(self.stem);
         for (number, rest) in [(self.number, self.rest), (self.index, "")] {

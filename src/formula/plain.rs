@@ -3,7 +3,7 @@
 use crate::formula::node::{Samples, Variable};
 use crate::formula::{CirclePart, Draft, Formula, Name, Node, NodeId, Value};
 
-/// Writes the assignments of a formula, behind those of the circles that they need. Where each of them stands now.
+/// Writes the assignments of a formula, after those of the circles that they need. Where each of them stands now.
 pub(super) fn write(formula: &Formula, draft: &Draft) -> Vec<Variable> {
     let mut plain = Plain { formula, draft, values: Vec::with_capacity(formula.assignments.len()), circles: Vec::new() };
     for assignment in &formula.assignments {

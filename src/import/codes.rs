@@ -1,6 +1,6 @@
 //! Finds CmdPrm codes and their values in a text, whatever stands around them.
 //!
-//! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds behind it in the same line, or the `value` of its
+//! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds after it in the same line, or the `value` of its
 //! JSON object.
 
 use crate::form::Value;
@@ -80,7 +80,7 @@ fn typographic(text: &str) -> String {
     text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ")
 }
 
-/// The next code of a text and what stands behind its bracket.
+/// The next code of a text and what stands after its bracket.
 fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     for (at, _) in text.match_indices('[') {
         let before = text[..at].trim_end().as_bytes();
@@ -99,7 +99,7 @@ fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     None
 }
 
-/// The value of what stands behind a code: in a table row the first cell that is a number as a whole; else what stands after an equals
+/// The value of what stands after a code: in a table row the first cell that is a number as a whole; else what stands after an equals
 /// sign or a colon; else the first number. Typographic minus signs are minus signs.
 fn value(text: &str) -> Option<f64> {
     let text = typographic(text);

@@ -165,7 +165,7 @@ fn spelled(def: &CycleDef, path: &str) -> String {
     words.collect::<Vec<_>>().join(".")
 }
 
-/// A value as the field spells it: the word of a choice, a cycle's type, true, false, null; a capital behind a plus is a small letter.
+/// A value as the field spells it: the word of a choice, a cycle's type, true, false, null; a capital after a plus is a small letter.
 fn word(def: &CycleDef, path: &str, text: &str) -> String {
     if text.bytes().any(|b| b.is_ascii_lowercase()) {
         return text.to_owned();

@@ -18,7 +18,7 @@ pub fn decimal(value: f64, places: usize) -> String {
     text
 }
 
-/// The same, written behind a text.
+/// The same, written at the end of a text.
 pub fn push_decimal(text: &mut String, value: f64, places: usize) {
     text.push_str(&Digits::of(value, places));
 }
@@ -53,7 +53,7 @@ impl Digits {
         }
     }
 
-    /// A number with a point behind it where it has none.
+    /// A number with a point after it where it has none.
     pub fn pointed(self) -> Self {
         if self.contains('.') {
             return self;
@@ -125,7 +125,7 @@ impl std::fmt::Display for Digits {
     }
 }
 
-/// A whole number behind a text; nearly all of them are small.
+/// A whole number at the end of a text; nearly all of them are small.
 pub fn push_count(text: &mut String, number: usize) {
     match number {
         0..10 => text.push((b'0' + number as u8) as char),
@@ -184,7 +184,7 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
         }
     }
     text.push_str(if value < 0.0 { "-" } else { "" });
-    // All its digits: what is below one as those behind the point.
+    // All its digits: what is below one as those after the point.
     let places = if usual { 60 } else { 340 * usize::from(size < 1.0) };
     let digits = scaled(size, places).digits();
     // Where the first digit stands.

@@ -83,7 +83,7 @@ pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
     }
 }
 
-/// The digits behind an E, within what matters.
+/// The digits after an E, within what matters.
 fn exponent(text: &[u8]) -> Option<i64> {
     let (negative, digits) = match text {
         [b'-', rest @ ..] => (true, rest),
@@ -122,7 +122,7 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     let parts = if exponent < 0 { (64 + exponent.unsigned_abs() as usize * 107 / 32) / 32 + 1 } else { 0 };
     whole.shift(parts);
     let left = (exponent..0).fold(false, |left, _| whole.divide(10) > 0 || left);
-    // The highest bit stands for 2 to this power; a number has 53 bits from there, and none below the 1074th behind the point.
+    // The highest bit stands for 2 to this power; a number has 53 bits from there, and none below the 1074th after the point.
     let power = whole.bits() - 1 - parts as i64 * 32;
     let lowest = (power - 52).max(-1074);
     let low = lowest + parts as i64 * 32;
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// What stands behind the digits is left; the digits are read as the library reads them.
+    /// What stands after the digits is left; the digits are read as the library reads them.
     #[test]
     fn digits_at_the_beginning_of_a_text() {
         for (text, length) in [

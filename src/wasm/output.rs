@@ -68,7 +68,7 @@ impl Packed {
         }
     }
 
-    /// How many values it has, its template, then each of them: a text as this one, what is the same in every language behind a −1.
+    /// How many values it has, its template, then each of them: a text as this one, what is the same in every language after a −1.
     fn said(&mut self, text: &Text) {
         self.count(text.values().len());
         self.text(text.template());

@@ -156,7 +156,7 @@ fn what_the_job_asks_for_is_said_and_not_refused() {
     assert!(!watched.lines.is_empty() && watched.lines.iter().all(|line| lines[*line].starts_with('G')), "{watched:?}");
 }
 
-/// The numbers of a program, each changed by a little, one at a time: the proof sees it. Blocks behind the header only.
+/// The numbers of a program, each changed by a little, one at a time: the proof sees it. Blocks after the header only.
 #[test]
 fn a_program_with_another_digit_is_not_proven() {
     let mut tried = 0;
@@ -205,7 +205,7 @@ fn other_digits(line: &str, decimals_seen: usize) -> Vec<String> {
         }
         let before = code[..at].trim_end_matches(|c: char| c.is_ascii_digit() || c == '.').chars().next_back().unwrap_or(' ');
         let of_value = matches!(before, 'X' | 'Y' | 'Z' | 'F' | '+' | '-' | '*' | '/' | '[' | '(');
-        // Behind that a change is less than what rounded constants do: those of a Fanuc have eight digits.
+        // Beyond that a change is less than what rounded constants do: those of a Fanuc have eight digits.
         let decimals = code[..at].rsplit('.').next().map_or(0, str::len);
         let fine = code[..at].contains('.')
             && decimals > decimals_seen

@@ -225,7 +225,7 @@ fn a_probe_that_does_not_come_free_ends_the_program_before_the_next_probing_move
         for protection in ["checked", "none"] {
             let job = with(&job, "control.protection", Value::Text(protection.to_owned()));
             let Ok(plan) = touchpath::job::plan(&job) else { continue };
-            // The places of a real part: a program that goes on would find its next wall.
+            // The places of a real part: a program that continues would find its next wall.
             if plan.triggers.contains(&None) {
                 continue;
             }

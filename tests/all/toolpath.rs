@@ -127,7 +127,7 @@ T1 M5 S100
     assert!(moves > 2500 && arcs > 800, "{moves} {arcs}");
 }
 
-/// The moves of every program that is made here stand in the lines that the plan says, probing moves told apart.
+/// The moves of every program that is made here stand in the lines that the plan says, probing moves as such.
 #[test]
 fn programs_of_plans_are_their_plans() {
     let mut seen = 0;
@@ -308,7 +308,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
         // A line that is not followed, with places in it.
         ("Z-#5\nX2", 3, known(2.0, 10.0, f64::NAN), &["places-computed"]),
         ("Z[#5+1] IF\nX2", 2, known(2.0, 10.0, f64::NAN), &["lines-skipped"]),
-        // What stands in a subroutine runs where it is called; what stands behind the end does not run.
+        // What stands in a subroutine runs where it is called; what stands after the end does not run.
         ("o<s> sub\nG1 Z-50\no<s> endsub\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
         ("M30\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
         // Blocks that may be left out, and main blocks.

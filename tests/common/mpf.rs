@@ -511,7 +511,7 @@ impl Program {
                     let purpose = match (motion.measuring, self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
-                        // Behind a touch it leads back; else it is a positioning move that is not watched.
+                        // After a touch it leads back; else it is a positioning move that is not watched.
                         (false, _) if self.unwatched && steps.last().is_none_or(|s| s.purpose != Purpose::Touch) => {
                             Purpose::Position
                         }

@@ -161,7 +161,7 @@ test("numbers as they are typed: what is worked out is right, what can be read i
   for (const [text, value] of cases) assert.equal(readNumber(text), value, text.slice(0, 20));
 });
 
-test("a unit behind a number is that unit, in a field that has one", () => {
+test("a unit after a number is that unit, in a field that has one", () => {
   /** @type {[string, string, string, number | string][]} */
   const cases = [
     ["80 mm", "length", "mm", 80],

@@ -33,7 +33,7 @@ for (const language of languages()) {
       assert.ok(words.trim() !== "", text);
       assert.deepEqual(found(NAMES, words), found(NAMES, text), text);
       assert.deepEqual(found(CODES, words), found(CODES, text), text);
-      // A text that is put behind another one begins alike.
+      // A text that is put after another one begins alike.
       assert.equal(/^ /.test(words), /^ /.test(text), text);
       assert.doesNotMatch(words, /[<>\n]/, text);
       if (words !== text) translated++;
@@ -138,7 +138,7 @@ test("what is said is the message, and the message in another language", async (
   const answer = lentoaxWords({ toolType: 500 });
   said(answer.sentence, answer.said);
   assert.ok(count > 10_000, `${count} texts were compared`);
-  // The help of a field, in small letters behind its label, is said by the page itself.
+  // The help of a field, in small letters after its label, is said by the page itself.
   assert.deepEqual([...english], []);
   const [finding] = check({ ...defaultJob("hole"), overtravel: 5000.5 });
   assert.equal(finding?.message, "Overtravel must be from 0.01 to 1000 mm");

@@ -228,7 +228,9 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   const button = page.getByRole("button", { name: "Undo" });
   await button.click();
   await page.mouse.click(2, 2);
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot)?.activeElement?.blur());
+  await page.evaluate(() =>
+    /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot)?.activeElement?.blur(),
+  );
   await page.waitForTimeout(600);
   assert.equal(await at(), null);
 });

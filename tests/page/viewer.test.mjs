@@ -39,7 +39,7 @@ const painted = async () => {
   });
 };
 
-test("a program of another hand was refused: its moves are drawn, probing told apart, and the job stays", async () => {
+test("a program of another hand was refused: its moves are drawn, probing in its own style, and the job stays", async () => {
   const before = await program();
   await openText(FOREIGN, "foreign.ngc");
   const viewer = page.locator("tp-viewer");

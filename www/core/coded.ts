@@ -1,7 +1,7 @@
 // Whatever a caller hands over, as numbers and one text: the other half of src/wasm/input.rs. The walk never throws and always ends: cycles,
 // getters that throw, lists of any length. It runs here and not in the module, since every look at a value from there costs a call.
 
-/** A value in one piece. Tags and counts as in src/wasm/input.rs; all texts one behind the other, each with a line feed behind it. */
+/** A value in one piece. Tags and counts as in src/wasm/input.rs; all texts one after the other, each with a line feed after it. */
 export interface Coded {
   codes: Float64Array;
   text: string;

@@ -13,7 +13,7 @@ export type Said = [template: string, ...values: (string | Said)[]];
 export type Words = Readonly<Record<string, string>>;
 
 const NAME = /\{([A-Za-z0-9_]+)\}/g;
-/** A number, and a unit behind it. */
+/** A number, and a unit after it. */
 const NUMBER = /^([+-]?\d+)\.(\d+)( ?(?:mm|inch|°)(?:\/min)?)?$/;
 
 const QUOTES = "\"“”„«»「」‘’'";

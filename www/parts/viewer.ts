@@ -1,4 +1,4 @@
-// The moves of any program: drawn, and told apart. Nothing is checked here, and no job is made of it.
+// The moves of any program, drawn: each kind in its own style. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";

@@ -52,11 +52,11 @@ pub static HAAS: PostDef = PostDef {
     cannot: &[
         (
             safety::CONTACT_LIFTS,
-            words!("M78 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+            words!("M78 raises the alarm in the control itself, where the ball stands: nothing after it runs"),
         ),
         (
             safety::MISS_LIFTS,
-            words!("M79 raises the alarm in the control itself, where the ball stands: nothing behind it runs"),
+            words!("M79 raises the alarm in the control itself, where the ball stands: nothing after it runs"),
         ),
     ],
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
@@ -113,11 +113,11 @@ struct Flavour {
     length: &'static str,
     /// What a rapid runs at where it is watched, mm/min.
     rapid: f64,
-    /// Behind a positioning move, in its block.
+    /// After a positioning move, in its block.
     free: &'static str,
-    /// Behind a touch, in its block.
+    /// After a touch, in its block.
     touch: &'static str,
-    /// A block that keeps the control from evaluating what stands behind it before the motion in front of it is done.
+    /// A block that keeps the control from evaluating what stands after it until the motion before it is done.
     halt: &'static str,
     /// The block that lets it read ahead again, at the end.
     free_again: Option<&'static str>,
@@ -177,11 +177,11 @@ const SHORTEST_SEARCH: f64 = 0.2;
 /// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, since more may damage the probe.
 const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
 
-/// Variables: 100 is the length, those behind it hold results and what is needed on the way, 148 is a place aside, 149 the move.
+/// Variables: 100 is the length, those after it hold results and what is needed on the way, 148 is a place aside, 149 the move.
 const FIRST: usize = 100;
 const LAST: usize = 147;
 
-/// Labels. The exits stand behind the end.
+/// Labels. The exits stand after the end.
 const FREE: &str = "9001";
 const MISSED: &str = "9002";
 const BLOCKED: &str = "9003";
@@ -232,7 +232,7 @@ fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
     if fastest >= limit {
         let message = text!(
-            "G31 runs at up to {feed}/min here: the manual of the control asks for less than {limit}/min, since more may damage the probe",
+            "G31 runs at up to {feed}/min here: the manual of the Classic control asks for less than {limit}/min, since more may damage the probe",
             checker.length(fastest),
             checker.length(limit)
         );
@@ -618,7 +618,7 @@ impl Moves for Skip<'_> {
 }
 
 impl Skip<'_> {
-    /// What stands behind the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
+    /// What stands after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
         let top = highest(self.request).z;
         let height = Self::number(w, top);

@@ -139,7 +139,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     Ok(())
 }
 
-/// What stands behind the name of a variable: its value, or an alarm.
+/// What stands after the name of a variable: its value, or an alarm.
 fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;

@@ -35,7 +35,7 @@ pub static DEF: PostDef = PostDef {
     cannot: &[
         (safety::WATCHED, words!("grbl has no conditions: a program cannot ask whether a positioning move met something")),
         (safety::CONTACT_LIFTS, words!("grbl does not watch positioning moves: nothing follows a contact there")),
-        (safety::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing behind it runs")),
+        (safety::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing after it runs")),
         (
             safety::LOW_START,
             words!("grbl cannot ask where the stylus stands: it must be above the first place, as the header says"),

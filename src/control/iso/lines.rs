@@ -18,8 +18,7 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = line[at + 1..].trim_end();
-                let inner =
-                    inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands behind it"))?;
+                let inner = inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands after it"))?;
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return fault(text!("two comments are in one line, or one in another"));
                 }
@@ -46,7 +45,7 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
 /// What a control reads a line as: its number, its code, its comment.
 pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()> + 'f;
 
-/// So many lines that are not understood are listed: behind them a text is no program of this control, and is not read on.
+/// So many lines that are not understood are listed: after them a text is no program of this control, and is not read on.
 const MOST_TROUBLES: usize = 200;
 
 /// Reads line by line: `block` gets the code and the comment of each line. The lines that are not understood are listed.
@@ -61,7 +60,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         }
         let full = next_line(&mut rest);
         let trimmed = trimmed(full);
-        // A tape sign stands before a program and behind it: what stands behind another is not loaded.
+        // A tape sign stands before a program and after it: what stands after another is not loaded.
         if trimmed.starts_with('%') {
             if begun && rest.lines().any(|line| code(line.trim())) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });

@@ -95,7 +95,7 @@ struct Machine<'s, 't> {
     state: State,
     /// Whether the program is in millimetres, as the basic system of the control is taken to be: 1 or 0.
     metric: f64,
-    /// Whether the last motion was not watched, and the state behind it.
+    /// Whether the last motion was not watched, and the state after it.
     unwatched: (bool, State),
 }
 

@@ -140,7 +140,7 @@ impl<'t> Cursor<'t> {
         self.rest.iter().position(|b| !such(*b)).unwrap_or(self.rest.len())
     }
 
-    /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks behind them. Nearly
+    /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks after them. Nearly
     /// always there are no blanks.
     #[inline]
     pub(super) fn advance(&mut self, bytes: usize) {
@@ -336,7 +336,7 @@ impl<'t> Cursor<'t> {
         })
     }
 
-    /// The name of a function: letters with a bracket behind them.
+    /// The name of a function: letters with a bracket after them.
     fn function(&mut self, open: u8) -> Option<&'t [u8]> {
         let end = self.count(|b| b.is_ascii_alphanumeric());
         (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))

@@ -80,7 +80,7 @@ impl<'a> Writer<'a> {
         self.build(|text| parts.iter().for_each(|part| text.push_str(part)));
     }
 
-    /// One line, as it is written behind the program.
+    /// One line, as it is written at the end of the program.
     pub fn build(&mut self, write: impl FnOnce(&mut String)) {
         let begin = self.text.len();
         write(&mut self.text);
@@ -325,7 +325,7 @@ impl<'a> Writer<'a> {
 /// The words of the incremental centre of an arc.
 const CENTER: [&str; 3] = [" I", " J", " K"];
 
-/// The wanted axis words, each behind a space.
+/// The wanted axis words, each after a space.
 fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3]) -> String {
     let mut words = String::with_capacity(40);
     push_axis_words(&mut words, numbers, wanted);
@@ -362,7 +362,7 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     let mut rest = text;
     while rest.len() > width {
-        // The last space that leaves no more than a line; else the first one behind it.
+        // The last space that leaves no more than a line; else the first one after it.
         let space = rest.as_bytes()[..=width].iter().rposition(|b| *b == b' ').or_else(|| rest.find(' '));
         let (head, tail) = space.map_or((rest, ""), |at| (&rest[..at], &rest[at + 1..]));
         // A word longer than a line is cut: comments are ASCII.

@@ -42,7 +42,7 @@ pub static DEF: PostDef = PostDef {
     dialect: Some(&DIALECT),
     cannot: &[(
         safety::MISS_LIFTS,
-        words!("G38.2 itself stops the program with an error where the ball stands: nothing behind it runs"),
+        words!("G38.2 itself stops the program with an error where the ball stands: nothing after it runs"),
     )],
     name: crate::control::comment_text,
     rate,

@@ -343,7 +343,7 @@ fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
     must_be_free(w, exit);
 }
 
-/// The check behind it.
+/// The check after it.
 fn must_be_free(w: &mut Writer<'_>, exit: &str) {
     w.line("STOPRE");
     w.parts(&["IF $AC_MEA[1]<>0 GOTOF ", exit]);
@@ -389,7 +389,7 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     w.line(&(DEF.work_offset_word)(n));
 }
 
-/// The end, and the exits behind it. Whatever went wrong, the program itself has written nothing.
+/// The end, and the exits after it. Whatever went wrong, the program itself has written nothing.
 fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("M30");
     let tool = request.plane.axes()[2];

@@ -25,7 +25,7 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 }
 
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
-/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands behind its touches.
+/// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands after its touches.
 pub(super) fn table(
     form: &dyn Filled,
     properties: Option<&Properties>,

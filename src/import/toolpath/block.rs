@@ -103,12 +103,12 @@ pub(super) fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
     Some((if negative { -size } else { size }, first + length))
 }
 
-/// Behind the bracket that closes; the end of the line where none does.
+/// After the bracket that closes; the end of the line where none does.
 pub(super) fn end_of(line: &[u8], at: usize, close: u8) -> usize {
     line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
 }
 
-/// Behind a value that is not a plain number: brackets belong together.
+/// After a value that is not a plain number: brackets belong together.
 pub(super) fn end_of_value(line: &[u8], at: usize) -> usize {
     let mut depth = 0usize;
     for (n, b) in line.iter().enumerate().skip(at) {

@@ -20,7 +20,7 @@ impl Reader {
             } else if self.modes.absolute {
                 x
             } else if from[axis].is_nan() {
-                // The begin is not known: it is counted from 0.
+                // The start is not known: it is counted from 0.
                 count(&mut self.from_unknown, self.line);
                 x
             } else {

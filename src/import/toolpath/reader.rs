@@ -41,7 +41,7 @@ pub(super) struct Reader {
     pub conditions: usize,
     /// Whether the block before may jump over this one.
     pub leaps: bool,
-    /// Behind the end of the program.
+    /// After the end of the program.
     pub ended: bool,
     /// Units of the path in a unit that the program has now.
     pub scale: f64,
@@ -451,7 +451,9 @@ impl Reader {
         say(
             self.skipped,
             "lines-skipped",
-            text!("Lines that jump, call, compute, run a cycle of the control's own or are not understood are not followed"),
+            text!(
+                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
+            ),
         );
         say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2 or M30, are not followed"));
         say(
@@ -475,7 +477,7 @@ impl Reader {
         say(
             self.arcs_unsolved,
             "arc-unsolved",
-            text!("Splines, and arcs whose centre or begin is not known or whose end is not on the circle, are straight here"),
+            text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
         );
         say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
         if self.path.metric.is_none() && !self.path.is_empty() {

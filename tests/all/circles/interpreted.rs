@@ -26,7 +26,7 @@ fn linuxcnc_runs_the_cycle() {
     assert!(jobs.len() >= 4);
     let mut arcs = 0;
     for (name, job, plan) in jobs {
-        // Watched, every positioning move is a probe move too: the touches are told apart where it is not.
+        // Watched, every positioning move is a probe move too: the touches are found where it is not.
         let ran = interpret_from(&plan.program.text, &job).unwrap_or_else(|e| panic!("{name}: {e}"));
         compare_moves(&plan, |_| search(&job), &ran).unwrap_or_else(|e| panic!("{name}, watched: {e}"));
         let job = with(&job, "control.protection", text("none"));

@@ -18,7 +18,7 @@ fn codes(plan: &Plan) -> Vec<String> {
     plan.table.iter().map(|r| r.code.strip_prefix("CmdPrm.").unwrap().to_owned()).collect()
 }
 
-/// The rows of each page of the source, in its order: what stands before the touch points, how many touches, what stands behind.
+/// The rows of each page of the source, in its order: what stands before the touch points, how many touches, what stands after them.
 #[test]
 fn every_type_has_the_rows_of_its_page() {
     let pages: &[(&str, i32, &str, i32, &str)] = &[
@@ -65,7 +65,7 @@ fn every_type_has_the_rows_of_its_page() {
         assert_eq!(plan.table[0].value, touchpath::job::ParameterValue::Whole(*kind), "{key}");
         assert_eq!(plan.touches.len(), *touches as usize, "{key}");
     }
-    // The one Boolean, the fixed SubCode, the Integer behind a Flt, and a top clearance that is not checked.
+    // The one Boolean, the fixed SubCode, the Integer after a Flt, and a top clearance that is not checked.
     let text = |t: &str| export_table(&planned(&cycle(t)), "text").unwrap();
     assert_eq!(
         text(r#"{ "type": "probe-on-off", "on": false }"#),

@@ -95,7 +95,7 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
     }
 }
 
-/// The names at the ends of a `use`, and what they are called behind it.
+/// The names at the ends of a `use`, and what they are called after it.
 fn uses(tree: &UseTree, found: &mut Renamed) {
     match tree {
         UseTree::Path(inner) => uses(&inner.tree, found),
