@@ -165,6 +165,18 @@ for (const [width, height] of /** @type {const} */ ([
     assert.equal(frame, 0);
   });
 
+for (const locale of ["en-US", "de-DE", "ru-RU"])
+  test(`the last tab was cut off where the panels are narrow: ${locale}`, async () => {
+    for (const width of [1080, 1024, 720]) {
+      await open({ viewport: { width, height: 800 }, locale });
+      for (const tab of await page.getByRole("tab").all()) {
+        await tab.click();
+        const over = await page.locator(".tabs").evaluate((tabs) => tabs.scrollWidth - tabs.clientWidth);
+        assert.ok(over <= 0, `${width} ${await tab.textContent()} ${over}`);
+      }
+    }
+  });
+
 test("a tap on a dimension left the focus on the picture: it is in the field", async () => {
   await open({ viewport: { width: 1024, height: 768 }, hasTouch: true });
   const spot = await page.evaluate(() => {

@@ -255,7 +255,7 @@ export class App extends LitElement {
       ${
         this.tool === "cycles"
           ? nothing
-          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>${this.t("Cycles")}</button> ${this.tool === "sheet" ? nothing : this.t("back to the job")}</p>`
+          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>${this.t("Cycles")}</button> ${this.t("back to the job")}</p>`
       }
       </div>
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
@@ -287,7 +287,7 @@ export class App extends LitElement {
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
-      ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store} @closed=${() => this.use("cycles")}></tp-sheet>` : nothing}
+      ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" aria-label=${this.t("State of the job")}><tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings><slot name="footer"></slot></footer>
       ${this.dialogs()}
       </div>

@@ -15,9 +15,8 @@ class SheetPart extends Part {
 
   override render(): TemplateResult {
     const { withheld } = this.store;
-    const back = html`<button type="button" @click=${() => this.dispatchEvent(new CustomEvent("closed", { bubbles: true }))}>${this.t("Back to the job")}</button>`;
     if (withheld !== null) {
-      return html`<div class="tools">${back}</div><p class="problem error"><b>${this.t("No setup sheet while the form has an error:")}</b> ${withheld}</p>`;
+      return html`<p class="problem error"><b>${this.t("No setup sheet while the form has an error:")}</b> ${withheld}</p>`;
     }
     const { plan, units, catalog, shown: job, cycle } = this.store;
     const { program } = plan;
@@ -34,7 +33,6 @@ class SheetPart extends Part {
     return html`
       <div class="tools screen">
         <button type="button" class="primary" @click=${() => print()}>${this.t("Print")}</button>
-        ${back}
       </div>
       <article aria-label=${this.t("Setup sheet")}>
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
