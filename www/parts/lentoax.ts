@@ -1,13 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import {
-  type Finding,
-  JobError,
-  type Lentoax,
-  type LentoaxQuery,
-  lentoax,
-  lentoaxWords,
-  type Said,
-} from "../core/browser.js";
+import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
@@ -67,10 +59,15 @@ class LentoaxPart extends CanvasPart {
     }
     return html`
       <section class="ask" aria-label=${this.t("Question")}>${this.form(findings)}</section>
-      <section class="see" aria-label=${this.t("Picture")}><canvas role="img" aria-label=${this.store.say(words.said) || this.t("Axes and tool lengths")}></canvas></section>
-      <section class="answer" aria-label=${this.t("Answer")}>
-        ${answer ? this.answer(answer, words) : html`<div role="status">${findings.map((f) => html`<p class="problem error">${this.message(f)}</p>`)}</div>`}
+      <section class="see" aria-label=${this.t("Picture")}><canvas role="img" aria-label=${this.store.say(words.said) || this.t("Axes and tool lengths")}></canvas>
+        <div role="status">${
+          answer
+            ? html`<p><b>${this.t("Status {status}", answer.status)}</b>: ${this.store.say([words.meaning])}</p>
+              <p class="sentence">${this.store.say(words.said)}</p>`
+            : findings.map((f) => html`<p class="problem error">${this.message(f)}</p>`)
+        }</div>
       </section>
+      ${answer ? html`<section class="answer" aria-label=${this.t("Answer")}>${this.answer(answer, words)}</section>` : nothing}
     `;
   }
 
@@ -231,10 +228,7 @@ class LentoaxPart extends CanvasPart {
   private answer(answer: Lentoax, words: Words): TemplateResult {
     const names = { G17: ["X", "Y", "Z"], G18: ["Z", "X", "Y"], G19: ["Y", "Z", "X"] }[this.query.plane];
     const roles = [this.t("Abscissa"), this.t("Ordinate"), this.t("Applicate")];
-    const status: Said = [words.meaning];
     return html`
-      <p role="status"><b>${this.t("Status {status}", answer.status)}</b>: ${this.store.say(status)}</p>
-      <p class="sentence">${this.store.say(words.said)}</p>
       <table>
         <caption>${this.t("_AXIND and _MATRIX")}</caption>
         <thead><tr><th>${this.t("Axis")}</th><th class="n">_AXIND</th><th class="n">L1</th><th class="n">L2</th><th class="n">L3</th></tr></thead>

@@ -203,7 +203,8 @@ impl View {
         let Ok(query) = job::lentoax_query(&decoded(codes, text)) else { return false };
         let arrows = scene::lengths(&query);
         self.shown = None;
-        let camera = Camera::fit(self.camera.size, [[-1.35, -1.35], [1.35, 1.35]], MARGIN);
+        // The longest arrows end at 1.15; their names need a little room beyond.
+        let camera = Camera::fit(self.camera.size, [[-1.25, -1.25], [1.25, 1.25]], 22.0);
         self.painter.draw_arrows(&arrows, &camera);
         self.paint_lit();
         true
