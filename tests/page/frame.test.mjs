@@ -314,6 +314,8 @@ test("a control that does not take this cycle cannot be chosen, and says why", a
 });
 
 test("the bar reads as the job's sentence: what is written, under which name", async () => {
+  // Before, what was to be seen of it was "measures only, writes …".
+  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "measures only");
   await field("control.workOffset").selectOption("1");
   assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "writes G54 (1)");
   for (const [name, file] of /** @type {[string, string][]} */ ([

@@ -71,7 +71,8 @@ class BarPart extends FieldPart {
       value: i + 1,
       label: this.t("writes {offset}", `${word(i + 1)} (${i + 1})`),
     }));
-    return [{ value: null, label: this.t("measures only, writes no offset") }, ...numbers];
+    // Short, since what is cut off after "writes" would say the opposite.
+    return [{ value: null, label: this.t("measures only") }, ...numbers];
   }
 
   private ask(what: string): void {
