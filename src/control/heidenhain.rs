@@ -118,7 +118,10 @@ fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
         let place: Vec<String> = (0..3).map(|i| format!("{}{}", AXIS_NAMES[i], number(start[i]))).collect();
         lines.push(format!("{} The control moves from there by itself", stated_start(request, &place.join(" "))));
     }
-    lines.push("Reset cycles 8, 11 and 26 first; FUNCTION MODE MILL only".to_owned());
+    lines.push(
+        "Reset every coordinate transformation first, such as cycles 8, 11, 26 and TRANS MIRROR; FUNCTION MODE MILL only"
+            .to_owned(),
+    );
     lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
     lines.extend(header::lines(request, COMMENT_WIDTH, false));
     lines.iter().flat_map(|line| wrapped(line, COMMENT_WIDTH)).collect()

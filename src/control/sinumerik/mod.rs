@@ -9,7 +9,7 @@
 //! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
 //! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
 //!
-//! Recalled and not verified on a control: the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
+//! Recalled and not verified on a control: that MEAS ends a move at the contact, the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
 //! system, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
 
 mod cycle977;
@@ -81,7 +81,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
              would move the probe somewhere else",
         ),
         (Subject::TwoCircles, Form::Cycle) => Err("it has no cycle of its own for two circles"),
-        _ => Err("the arguments of its cycle for this feature are not proven by anything we have"),
+        _ => Err("of its measuring cycles only the one for a protected rectangle is printed: take plain moves"),
     }
 }
 

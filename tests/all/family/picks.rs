@@ -236,3 +236,23 @@ fn picked_touches_come_back_as_picked() {
     assert_eq!(second.moves, first.moves);
     assert_eq!(second.table, first.table);
 }
+
+/// The depth of the form was in the table without a word, where the touches on the walls lie deeper below the one on top.
+#[test]
+fn a_depth_that_the_picks_do_not_have_is_said() {
+    let corner =
+        [([0.0, 15.0, -25.0], [-1.0, 0.0, 0.0]), ([15.0, 0.0, -25.0], [0.0, -1.0, 0.0]), ([15.0, 15.0, 0.0], [0.0, 0.0, 1.0])];
+    let web =
+        [([-15.0, 0.0, -25.0], [-1.0, 0.0, 0.0]), ([15.0, 0.0, -25.0], [1.0, 0.0, 0.0]), ([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])];
+    for (kind, picks) in [("triple-wall-external-corner", corner), ("web-three-points", web)] {
+        for (depth, said) in [(10, true), (25, false)] {
+            let plan = planned(&picked(kind, &format!(r#""depth": {depth},"#), &picks));
+            let found = plan.findings.iter().find(|f| f.code == "picks-differ" && f.path == "cycle.depth");
+            assert_eq!(found.is_some(), said, "{kind} {depth} {:?}", plan.findings);
+            assert!(found.is_none_or(|f| f.message.starts_with("Depth is 10 mm in the form, and 25 mm between")), "{found:?}");
+            // The start is the top clearance above what is touched on top, whatever the form says.
+            let highest = plan.moves.iter().map(|step| step.to[2]).fold(f64::MIN, f64::max);
+            assert!(highest > 5.0 && plan.touches[0].point[2] == -25.0, "{kind} {highest}");
+        }
+    }
+}

@@ -173,11 +173,11 @@ impl Shape for Pairs {
         let level = if self.middle.is_some() { picks[2].point.dot(up) } else { picks[0].point.dot(up) + self.depth };
         origin += up * (level - origin.dot(up));
         let widths = picks[..self.walls()].chunks(2).map(|p| (p[0].point - p[1].point).dot(p[0].vector).abs());
-        Placement {
-            origin,
-            rotation: picks::heading(plane, outwards * self.directions()[0].0),
-            sizes: self.sides.iter().map(|s| s.width_key.0).zip(widths).collect(),
+        let mut sizes: Vec<_> = self.sides.iter().map(|s| s.width_key.0).zip(widths).collect();
+        if self.middle.is_some() {
+            sizes.push(("depth", (picks[2].point - picks[0].point).dot(up)));
         }
+        Placement { origin, rotation: picks::heading(plane, outwards * self.directions()[0].0), sizes }
     }
 
     fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {

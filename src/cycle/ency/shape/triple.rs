@@ -162,6 +162,7 @@ impl Shape for Triple {
                 let away = p - origin;
                 (away - up * away.dot(up)).length()
             };
+            sizes.push(("depth", (picks[2].point - picks[0].point).dot(up)));
             sizes.push(("distance1", in_plane(picks[0].point)));
             sizes.push(("distance2", in_plane(picks[1].point)));
             sizes.push(("topDistance1", -(picks[2].point - origin).dot(picks[0].vector)));

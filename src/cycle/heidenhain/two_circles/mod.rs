@@ -50,7 +50,12 @@ pub static DEF: CycleDef = CycleDef {
          k·Q1119/(Q423 - 1); a negative Q1119 runs clockwise.",
         "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
          stand-off radius at measuring height. Between the objects it goes over the clearance height with Q1125 of 1 or 2, else \
-         straight at measuring height to the second object's first touch, without going to its centre.",
+         straight at measuring height to the second object's first touch. The source's steps name its centre as a stop there: it is left out.",
+        "The source adds Q320 to SET_UP and the ball radius in every direction, and says of Q320 itself that it acts only where the tool axis \
+         is probed, which this cycle never does. It is taken to act.",
+        "Nothing is measured along the tool axis: Q952, Q955, Q982 and Q985 are the nominal heights, with the deviation 0.",
+        "Q964 is the measured angle less the nominal one, counter-clockwise positive. With Q1121 = 2 the table's offset is that with its sign turned.",
+        "The source prints +9999.9999 as the upper limit of Q1101 to Q1105: it is taken to be +99999.9999, as the lower one is -99999.9999.",
         "With Q1125 = -1 the ball never goes to the clearance height: it crosses at the height where the stylus stands straight to \
          before the first touch, goes down at the probing feed, and the cycle ends where its last touch began.",
         "DIST is the longest way of a touch, counted from where it begins.",
