@@ -46,7 +46,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("machine-places", "A program goes to places of the machine's own system: where that is in the work system is not known."),
     ("missing", "Something that a job needs is not there."),
     ("missing-code", "A dump lacks a code: the default is taken."),
-    ("missing-parameter", "A program lacks a parameter: the control's default is taken."),
+    ("missing-parameter", "A program lacks a parameter: the form's default is taken."),
     ("more-findings", "More was found than is listed."),
     ("name-changed", "The job's name has characters that a program must not have; there it stands changed."),
     ("newer-format", "The job is of a newer format than this version reads."),

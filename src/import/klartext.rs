@@ -320,7 +320,7 @@ fn values<'a>(block: &str, known: &'a [(u32, &'a str, f64)], cycle: &str, checke
         .map(|(number, key, default)| {
             let value = given.iter().rev().find(|(n, _)| n == number).map(|(_, value)| value.clone());
             if value.is_none() {
-                let message = text!("Q{number} is not given: the control's default is taken", number.to_string());
+                let message = text!("Q{number} is not given: the form's default is taken", number.to_string());
                 checker.warning("missing-parameter", format!("cycle.{key}"), message);
             }
             (*key, value.unwrap_or(Value::Number(*default)))
@@ -354,7 +354,7 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
             }
             _ => {
                 let message = text!(
-                    "Q{number} of cycle {cycle} is not a number: the control's default is taken",
+                    "Q{number} of cycle {cycle} is not a number: the form's default is taken",
                     number.to_string(),
                     cycle.to_owned()
                 );

@@ -88,6 +88,7 @@ fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {
         let [a, o, w] = axes(&job);
         machine.frame[0] = [7.0, -3.0, 2.0];
         machine.frame[1][w] = 25.0;
+        machine.frame[4] = [0.3, -0.2, 0.1];
         let before = machine.frame;
         machine.run(&program).unwrap_or_else(|e| panic!("{name}: {e}"));
         let places: Vec<_> = ["center", "corner"]
@@ -99,9 +100,9 @@ fn the_frame_is_written_once_and_is_right_under_a_turn_that_was_there() {
             .collect();
         let [(x, y)] = places.as_slice() else { continue };
         let (Some(mx), Some(my)) = (x.value, y.value) else { continue };
-        let place = |frame: &[[f64; 3]; 4], x: f64, y: f64| {
+        let place = |frame: &[[f64; 3]; 5], x: f64, y: f64| {
             let (sin, cos) = frame[1][w].to_radians().sin_cos();
-            [frame[0][a] + x * cos - y * sin, frame[0][o] + x * sin + y * cos]
+            [frame[0][a] + frame[4][a] + x * cos - y * sin, frame[0][o] + frame[4][o] + x * sin + y * cos]
         };
         if job.get("control").and_then(|c| c.get("workOffset")) == Some(&Value::Null) || machine.writes == 0 {
             assert_eq!(machine.frame, before, "{name}");
@@ -131,7 +132,7 @@ fn the_turn_of_two_circles_is_written_with_the_shift() {
     machine.run(&parsed(&plan)).unwrap();
     let value = |code: &str| plan.results.iter().find(|r| r.code == code).unwrap().value.unwrap();
     assert!((machine.frame[1][2] - 12.7).abs() < 1e-3, "{:?}", machine.frame);
-    let place = |frame: &[[f64; 3]; 4], p: [f64; 2]| {
+    let place = |frame: &[[f64; 3]; 5], p: [f64; 2]| {
         let (sin, cos) = frame[1][2].to_radians().sin_cos();
         [frame[0][0] + p[0] * cos - p[1] * sin, frame[0][1] + p[0] * sin + p[1] * cos]
     };
@@ -283,6 +284,21 @@ fn nothing_moves_where_the_control_is_not_as_it_must_be() {
         machine.run(&program).unwrap();
         assert!(machine.message.starts_with(message), "{message}: {}", machine.message);
         assert_eq!((machine.alarm, machine.writes, machine.path.len()), (Some(65000.0), 0, 0), "{message}");
+    }
+}
+
+/// The control's own cycle corrects the coarse part of the offset: what else moves the offset's zero would be in the result.
+#[test]
+fn the_cycle_is_not_called_where_the_offset_has_a_fine_part() {
+    let (_, job, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik-cycle").unwrap();
+    let program = parsed(&plan);
+    for (axis, refused) in [(0, true), (1, true), (2, false)] {
+        let mut machine = machine(&job, &plan);
+        machine.frame[4][axis] = -0.01;
+        machine.run(&program).unwrap();
+        assert_eq!(machine.alarm.is_some(), refused, "axis {axis}: {}", machine.message);
+        assert_eq!((machine.path.is_empty(), machine.writes), (refused, usize::from(!refused)), "axis {axis}");
+        assert_eq!(machine.message.starts_with("The work offset has a fine part"), refused, "axis {axis}: {}", machine.message);
     }
 }
 

@@ -10,14 +10,14 @@ use crate::common::mpf::{Program, Statement, Term};
 pub struct Machine {
     pub r: HashMap<usize, f64>,
     pub names: HashMap<String, f64>,
-    /// Shift, turn, mirror and scale of the one work offset, by axis.
-    pub frame: [[f64; 3]; 4],
+    /// Shift, turn, mirror, scale and fine shift of the one work offset, by axis.
+    pub frame: [[f64; 3]; 5],
     /// Where the ball is at the trigger of each touch; none goes on to the end.
     pub triggers: Vec<Option<[f64; 3]>>,
     /// The number of a positioning move in which something is touched.
     pub contact_in: Option<f64>,
     /// The same of the frames that may stand behind it: programmed, tool, workpiece.
-    pub behind: [[[f64; 3]; 4]; 3],
+    pub behind: [[[f64; 3]; 5]; 3],
     pub metric: bool,
     pub deflected: bool,
     /// The touch, counted from 1, from which on the probe stays deflected.
@@ -38,8 +38,8 @@ impl Machine {
         Machine {
             r: HashMap::new(),
             names: HashMap::new(),
-            frame: [[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3]],
-            behind: [[[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3]]; 3],
+            frame: [[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3], [0.0; 3]],
+            behind: [[[0.0; 3], [0.0; 3], [0.0; 3], [1.0; 3], [0.0; 3]]; 3],
             triggers,
             contact_in: None,
             metric: true,
@@ -204,7 +204,7 @@ fn axis_of(term: &Term) -> Result<usize, String> {
 }
 
 fn part_of(part: &str) -> Result<usize, String> {
-    ["TR", "RT", "MI", "SC"].iter().position(|p| *p == part).ok_or(format!("{part}?"))
+    ["TR", "RT", "MI", "SC", "FI"].iter().position(|p| *p == part).ok_or(format!("{part}?"))
 }
 
 fn component(parts: &[Term]) -> Result<(usize, usize), String> {

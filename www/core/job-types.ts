@@ -86,7 +86,7 @@ export interface InternalRectangleProtected {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -117,7 +117,7 @@ export interface DoubleWallInternalCorner {
   step2?: number;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -201,7 +201,7 @@ export interface Surface {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -232,7 +232,7 @@ export interface Hole {
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -267,7 +267,7 @@ export interface HoleProtected {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -302,7 +302,7 @@ export interface Boss {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -327,7 +327,7 @@ export interface InternalRectangle {
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -358,7 +358,7 @@ export interface ExternalRectangle {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -385,7 +385,7 @@ export interface Web {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -412,7 +412,7 @@ export interface WebThreePoints {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -435,7 +435,7 @@ export interface Groove {
   topClearance?: number | null;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -462,7 +462,7 @@ export interface GrooveProtected {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -499,7 +499,7 @@ export interface DoubleWallExternalCorner {
   feedDistance?: number;
   /** On: the points of the parameter table are ball-centre positions. Off: points on the surface. The moves are the same. Code CmdPrm.Flt[-66]. */
   compensateDimensions?: boolean;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -524,7 +524,7 @@ export interface TripleWallInternalCorner {
   clearance3?: number;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -559,7 +559,7 @@ export interface TripleWallExternalCorner {
   topDistance2?: number;
   /** How far above the start the cycle begins, and how far it is lifted at its end. Code CmdPrm.Flt[-50]. */
   feedDistance?: number;
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
@@ -578,7 +578,7 @@ export interface ProbeOnOff {
 /** NC action: ENCY/SprutCAM type 1. */
 export interface NcAction {
   type: "nc-action";
-  /** A free number for the postprocessor. Code CmdPrm.Int[-2]. */
+  /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
   custom?: CustomCode[] | null;

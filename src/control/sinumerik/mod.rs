@@ -273,11 +273,12 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     };
     w.line("TRANS");
     w.line(&(DEF.work_offset_word)(n));
-    if request.form != Form::Moves {
-        return;
+    let offset = format!("$P_UIFR[{n},");
+    if request.form == Form::Cycle {
+        w.comment("The cycle corrects the coarse part of the work offset: it must have no fine part");
+        return w.line(&any(&offset, &[a, o], &[("FI", 0)]));
     }
     w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
-    let offset = format!("$P_UIFR[{n},");
     w.line(&any(&offset, &[a, o], &[("RT", 0)]));
     w.line(&any(&offset, &all, &[("MI", 0)]));
     w.line(&any(&offset, &all, &[("SC", 1)]));
@@ -444,7 +445,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
         (Some(_), Form::Moves) => {
             "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
         }
-        _ => return,
+        (Some(_), Form::Cycle) => "The work offset has a fine part, which the cycle does not correct. Nothing has moved",
     };
     w.line("TP_FRAME:");
     w.line(&format!("MSG(\"{frame}\")"));

@@ -37,6 +37,7 @@ fn system(name: &[u8]) -> Option<System> {
             match parts.next()?.trim() {
                 "TR" => System::Offset(Part::Origin(number, axis)),
                 "RT" => System::Offset(Part::Turn(number, axis)),
+                "FI" => System::Fixed(0.0),
                 part => none_of(part)?,
             }
         }

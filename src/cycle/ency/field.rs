@@ -91,7 +91,7 @@ pub const fn compensate() -> Field {
 /// The free number for the postprocessor.
 pub const fn sub_code() -> Field {
     Field::count("subCode", "SubCode", 0, -1_000_000, 1_000_000)
-        .help("A free number for the postprocessor.")
+        .help("A free number for the postprocessor. -500 is that of Probe On/Off.")
         .code("CmdPrm.Int[-2]")
         .group("Postprocessor")
 }
@@ -163,7 +163,7 @@ form! {
     /// The custom properties that a cycle may carry for the postprocessor. What is not set is not in the table.
     pub struct Properties {
         /// 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52).
-        wcs_mode: Option<i32> = property("wcsMode", "Set WCS: mode", "CmdPrm.Int[-10]"),
+        wcs_mode: Option<i32> = property("wcsMode", "Set WCS: mode", "CmdPrm.Int[-10]").usual(0.0, 3.0),
         /// Number of the coordinate system, in the modes 1 and 2.
         wcs_number: Option<i32> = property("wcsNumber", "Set WCS: number", "CmdPrm.Int[-11]"),
         /// Whose offset is set.

@@ -14,6 +14,7 @@ pub const NORMAL_OF_SURFACE: &str =
 pub const FEEDS: &str =
     "Sideways returns use the long link feed and the last lift the return feed: the source names no feed there.";
 pub const LAST_LIFT: &str = "The last lift uses the return feed: the source names no feed there.";
+pub const ALONG: &str = "From touch to touch of a wall the long link feed is used, and for the last lift the return feed: the source names no feed there.";
 pub const WAY_BACK: &str = "Where the source names no feed, ways back use the long link feed.";
 pub const COMPENSATION: &str = "With *Compensate dimensions* on, the points from code -100 are ball-centre positions; the source only says \"toolpath \
                                 shift with tool compensation\". The points from code -200 never move.";

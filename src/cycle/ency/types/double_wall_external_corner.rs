@@ -36,7 +36,7 @@ pub static DEF: CycleDef = CycleDef {
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
-        words::LAST_LIFT,
+        words::ALONG,
         words::COMPENSATION,
         words::WALLS,
         "The distances from the corner to the first touches are ours: the source has the touch points only.",

@@ -44,8 +44,9 @@ pub static DEF: CycleDef = CycleDef {
         "Where the clearance height mode says so, back to the clearance height; the results are stored",
     ],
     readings: &[
-        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3 and the parameters of 1493 are recalled from \
-         the control's manuals and not seen in print; they are not verified on a control.",
+        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3, the parameters of 1493, and that Q1125 of 1 or 2 does \
+         not count for a semi-automatic object are recalled from the control's manuals and not seen in print; they are not verified on \
+         a control.",
         "Heights are of the ball centre. Touch points lie at Q325 + k·Q1119/Q423 for a full circle, else at Q325 + \
          k·Q1119/(Q423 - 1); a negative Q1119 runs clockwise.",
         "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
