@@ -54,30 +54,28 @@ pub fn read(text: &str) -> Option<f64> {
 
 /// The number that a text begins with, without sign and exponent, and how many bytes it has: digits, with at most one point anywhere. None where there
 /// are no digits, or the number is infinite.
-#[inline]
+#[inline(always)]
 pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
-    let (mut mantissa, mut digits, mut point) = (0u64, 0, usize::MAX);
-    let mut length = 0;
-    for b in text {
-        let digit = b.wrapping_sub(b'0');
-        if digit < 10 {
+    let mut mantissa = 0u64;
+    // The digits from a place on, and where they end. Too many of them are read again below.
+    let mut run = |from: usize| {
+        let mut at = from;
+        while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
             mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
-            digits += 1;
-        } else if *b == b'.' && point == usize::MAX {
-            point = digits;
-        } else {
-            break;
+            at += 1;
         }
-        length += 1;
-    }
-    let decimals = if point == usize::MAX { 0 } else { digits - point };
-    match digits {
+        at
+    };
+    let whole = run(0);
+    let length = if text.get(whole) == Some(&b'.') { run(whole + 1) } else { whole };
+    let decimals = (length - whole).saturating_sub(1);
+    match whole + decimals {
         0 => None,
         // Both are exact up to here, so their quotient is rounded once.
         1..=15 => {
             // From a signed number: processors convert these faster.
-            let whole = mantissa as i64 as f64;
-            Some((if decimals == 0 { whole } else { whole / super::POWERS[decimals] }, length))
+            let number = mantissa as i64 as f64;
+            Some((if decimals == 0 { number } else { number / super::POWERS[decimals] }, length))
         }
         _ => Some((read(std::str::from_utf8(&text[..length]).ok()?).filter(|x| x.is_finite())?, length)),
     }

@@ -4,6 +4,7 @@ use crate::form::Checker;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Motion, Word, end_of, end_of_value, number, numbered};
 use crate::import::toolpath::{DIALECTS, Toolpath};
+use crate::num::read_digits;
 use crate::text::{Text, text};
 
 /// Something that is said once, with how often and where first.
@@ -258,10 +259,13 @@ impl Reader {
         while matches!(line.get(next), Some(b' ' | b'\t')) {
             next += 1;
         }
-        let (word, end) = match line.get(next)? {
+        let first = *line.get(next)?;
+        let signed = usize::from(matches!(first, b'-' | b'+'));
+        let (word, end) = match first {
             b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => (Word::Computed, end_of_value(line, next + 1)),
             b'0'..=b'9' | b'.' | b'-' | b'+' => {
-                let (number, end) = number(line, next)?;
+                let (size, length) = read_digits(line.get(next + signed..)?)?;
+                let (number, end) = (if first == b'-' { -size } else { size }, next + signed + length);
                 match line.get(end) {
                     // `R1=5` gives a variable a value.
                     Some(b'=') => return None,
