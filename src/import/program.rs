@@ -10,7 +10,7 @@ use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Value, printable};
-use crate::import::{Imported, has_place, set};
+use crate::import::{Imported, has_place, read_program, set};
 use crate::job::{FORMAT, JobError, Plan, SECTIONS};
 use crate::text::{Text, text};
 
@@ -350,7 +350,10 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
             "",
             text!("The program says no job: its moves are read, and a job cannot be made of them"),
         );
-        return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings: checker.findings() }));
+        let mut findings = checker.findings();
+        // Both readers take places as they are written.
+        findings.extend(read_program(text, None).findings.into_iter().filter(|finding| finding.code == "places-transformed"));
+        return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;
     for trouble in troubles.iter().take(MOST_LISTED) {

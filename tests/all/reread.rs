@@ -189,3 +189,15 @@ fn blanks_between_words_are_passed_over_once() {
         assert_eq!(said, ["nothing-to-import"], "{blank:?}");
     }
 }
+
+/// A program that measures in two work offsets: places of the second are other places than they say.
+#[test]
+fn a_second_work_offset_was_followed_without_a_word() {
+    let program =
+        |offset: &str| format!("G21 G17 G90\nG54\nG0 X0 Y0 Z10\nG38.2 Z-10 F100\nG0 Z10\n{offset}\nG38.2 Z-10 F100\nM2\n");
+    for (offset, codes) in [("G54", vec!["no-job-in-program"]), ("G55", vec!["no-job-in-program", "places-transformed"])] {
+        let imported = touchpath::import::import(&program(offset)).unwrap();
+        assert_eq!(imported.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), codes, "{offset}");
+        assert_eq!(imported.trace.unwrap().moves.len(), 4, "{offset}");
+    }
+}
