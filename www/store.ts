@@ -404,6 +404,12 @@ export class Store extends Phrases {
   }
 
   /** The entry of a field by its path in the job; none for what is no field of the catalog. */
+  /** Whether nothing on the control computes results: neither the program nor a cycle of its own. */
+  get bare(): boolean {
+    const post = this.catalog.posts.find((p) => p.id === this.plan.program.post);
+    return post?.computes === false && this.get("control.form") !== "cycle";
+  }
+
   fieldAt(path: string): FieldEntry | undefined {
     const plain = path.replace(/\[\d\]$/, "");
     const keys = plain.split(".");

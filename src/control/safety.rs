@@ -172,7 +172,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: ONE_WRITE,
-        says: "One work offset is written, each of its values once",
+        says: "No more than one work offset is written, each of its values once",
         why: "A value written twice is corrected twice.",
         must: true,
         own_cycle: true,

@@ -132,9 +132,13 @@ impl Camera {
                 let name = room_of_name(line_at(*far));
                 names.iter().all(|other| (0..2).any(|i| (name[0][i] - other[0][i]).abs() >= name[1][i] + other[1][i]))
             };
-            // A name that would lie on another one stands further out.
+            let seen = |far: f64| {
+                let [middle, half] = room_of_name(line_at(far));
+                (0..2).all(|i| middle[i] >= half[i] && middle[i] + half[i] <= self.size[i])
+            };
+            // A name that would lie on another one stands further out, but not out of the picture.
             let mut places = successors(Some(far), |far| Some(far + 2.0 * NAME[1] + 4.0)).take(1 + 2 * names.len());
-            let line = line_at(places.find(clear).unwrap_or(far));
+            let line = line_at(places.find(|place| clear(place) && (seen(*place) || !seen(far))).unwrap_or(far));
             names.push(room_of_name(line));
             shown.push((d, [from, to, line[0], line[1]]));
         }

@@ -28,6 +28,7 @@ pub struct Legend<'a> {
 }
 
 /// Draws a scene.
+#[inline(never)]
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);
     // A number that the library writes by itself would bring all of its printing into the module.

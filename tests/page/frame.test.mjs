@@ -223,7 +223,7 @@ for (const [text, value, shown] of /** @type {[string, number | string, string][
   ["3.15 in", 80.01, "80.01"],
   ['2"', 50.8, "50.8"],
   ["1e2", 100, "100"],
-  ["80,5", 80.5, "80,5"],
+  ["80,5", 80.5, "80.5"],
   ["80/0", "80/0", "80/0"],
   ["80 kg", "80 kg", "80 kg"],
   ["1.234,5", "1.234,5", "1.234,5"],
@@ -232,7 +232,7 @@ for (const [text, value, shown] of /** @type {[string, number | string, string][
   ["1-1/2", "1-1/2", "1-1/2"],
   ["1-1/2 in", "1-1/2 in", "1-1/2 in"],
   ["1,000", "1,000", "1,000"],
-  ["12,345", 12.345, "12,345"],
+  ["12,345", 12.345, "12.345"],
   ["--5", "--5", "--5"],
   ["1.2.3", "1.2.3", "1.2.3"],
   ["5 5", "5 5", "5 5"],
@@ -317,7 +317,7 @@ test("the bar reads as the job's sentence: what is written, under which name", a
   // Before, what was to be seen of it was "measures only, writes …".
   assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "measures only");
   await field("control.workOffset").selectOption("1");
-  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "writes G54 (1)");
+  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "G54 is written (1)");
   for (const [name, file] of /** @type {[string, string][]} */ ([
     ["Größe Ø 12", "Grosse_O_12.ngc"],
     ["夹具", "PROBE.ngc"],
@@ -492,12 +492,70 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
   assert.equal(await textOf(sheet.locator(".hash code")), createHash("sha256").update(text).digest("hex"));
   assert.match(await textOf(sheet), /Width 1\s*80/);
   assert.equal(await sheet.locator("td.box").count(), 9, "five results and four touches");
-  await page.emulateMedia({ media: "print" });
-  assert.ok(await page.locator("header").isHidden());
-  for (const format of ["A4", "Letter"]) {
-    const pdf = (await page.pdf({ format, preferCSSPageSize: false })).toString("latin1");
-    assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+  const onePage = async () => {
+    await page.emulateMedia({ media: "print" });
+    assert.ok(await page.locator("header").isHidden());
+    for (const format of ["A4", "Letter"]) {
+      const pdf = (await page.pdf({ format, preferCSSPageSize: false })).toString("latin1");
+      assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
+    }
+    await page.emulateMedia({ media: "screen" });
+  };
+  await onePage();
+  // The longest: 1411, and two walls with 16 touches.
+  await field("cycle.type").selectOption("probing-two-circles");
+  await sheet.getByText("Measured diameter 2").waitFor();
+  await onePage();
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  await field("cycle.type").selectOption("double-wall-internal-corner");
+  await unfold();
+  await field("cycle.count1").fill("8");
+  await field("cycle.count2").fill("8");
+  await page.getByRole("button", { name: "Setup sheet" }).click();
+  assert.equal(await sheet.locator("td.box").count(), 20, "four results and sixteen touches");
+  await onePage();
+});
+
+test("the setup sheet says what must be so before the start, and promises no report of a control that computes nothing", async () => {
+  const sheet = page.locator("tp-sheet");
+  const { plan, defaultJob } = await import("touchpath");
+  for (const [post, reports] of /** @type {const} */ ([
+    ["grbl", false],
+    ["fanuc", true],
+    ["linuxcnc", true],
+  ])) {
+    await field("control.post").selectOption(post);
+    await page.getByRole("button", { name: "Setup sheet" }).click();
+    const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
+    const lines = plan({ ...job, control: { ...job.control, post } }).program.text.split("\n");
+    const said = await textOf(sheet.locator(".head"));
+    // From the units on, word by word, and nothing of the job's values.
+    const first = lines.findIndex((line) => /^\(units/i.test(line));
+    const end = lines.findIndex((line) => /^\(made by/i.test(line));
+    assert.ok(first > 0 && end > first + 3, post);
+    const wanted = lines.slice(first, end).map((line) => line.slice(1, -1));
+    assert.deepEqual(said.split("\n").slice(1), wanted, post);
+    assert.ok(wanted.some((line) => /probe in the spindle and switched on/i.test(line)));
+    assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
+    assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
+    await page.keyboard.press("Escape");
+    await sheet.waitFor({ state: "detached" });
+    await page.getByRole("tab", { name: "Results" }).click();
+    assert.equal(/control will have stored/.test(await textOf(page.locator("tp-results"))), reports, post);
   }
+});
+
+test("a note that a link was copied went on after the job was another one", async () => {
+  const note = page.locator(".note");
+  await page.getByRole("button", { name: "Share" }).click();
+  assert.match(await textOf(note), /A link to this job was copied/);
+  await field("cycle.width1").fill("81");
+  await note.waitFor({ state: "detached" });
+  // What is saved while the program is not seen is said all the same.
+  await page.setViewportSize({ width: 900, height: 800 });
+  await page.getByRole("tab", { name: "Results" }).click();
+  await saveButton().click();
+  assert.match(await textOf(note), /Saved PROBE\.ngc/);
 });
 
 test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {

@@ -1,5 +1,6 @@
 // The languages of the page: chosen by the browser or by hand, kept, complete, and without room for a wrong number or another program.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { wordsOf } from "../../scripts/words.mjs";
 import { context, field, open, openTab, page, problems, program, put, ready, setUp, textOf } from "./common.mjs";
@@ -163,6 +164,33 @@ test("in a language with a comma a field that is only looked at stays as it is, 
   // What a user wrote is quoted as it was written.
   await put("plane", "1.5");
   assert.match(await textOf(inside("tp-findings .verdict")), /"1\.5"/);
+});
+
+test("a number in the other way of writing shows what it was read as", async () => {
+  await openIn("de-AT");
+  const width = field("cycle.width1");
+  await width.fill("81.250");
+  assert.equal(await width.inputValue(), "81.250", "nothing moves under the fingers");
+  await width.blur();
+  assert.equal(await width.inputValue(), "81,25");
+  await openIn("en");
+  await field("cycle.width1").fill("81,250");
+  await field("cycle.width1").blur();
+  assert.equal(await field("cycle.width1").inputValue(), "81.25");
+});
+
+test("the picture that is saved has the names and numbers of the page's language", async () => {
+  await openIn("de-AT");
+  await field("cycle.width1").fill("80,5");
+  const words = wordsOf("de");
+  await page.locator("tp-bar [popovertarget=menu]").click();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#menu").getByRole("button", { name: words["Save the picture (SVG)"] }).click(),
+  ]);
+  const svg = readFileSync(await download.path(), "utf8");
+  assert.ok(svg.includes(`>${words["Width 1"]} 80,5<`), "a dimension");
+  assert.ok(svg.includes(`<title>PROBE: ${words["Internal rectangle, protected"]}</title>`), svg.slice(0, 400));
 });
 
 test("where nothing can be kept, a chosen language lasts as long as the page", async () => {

@@ -228,7 +228,7 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   }
   await more.press("Enter");
   await page.locator("#menu").getByRole("button", { name: "Tool lengths" }).press("Enter");
-  await settled("Cycles");
+  await settled("← Back to the job");
   await page.keyboard.press("Enter");
   await settled("More");
   await field("cycle.width1").fill("81");

@@ -307,7 +307,7 @@ test("a long program that says no job is read in a worker, too, and one whose wo
   const said = () => textOf(page.locator("tp-viewer p[role=status]"));
   await openText(text, "long.nc");
   await settles(async () => /^6001 moves/.test(await said()));
-  await page.getByRole("button", { name: "Cycles", exact: true }).click();
+  await page.getByRole("button", { name: "Back to the job" }).click();
   await context.route(/\/reader-[^/]+\.js$/, (route) => route.abort());
   await openText(`${text}G1 X0\n`.replace("M2\n", ""), "longer.nc");
   await settles(async () => /^6002 moves/.test(await said()));

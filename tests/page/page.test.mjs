@@ -318,7 +318,7 @@ test("all moves in words, as many as the plan has, each with its place", async (
 test("this job on every control: what each makes of it, and the way there", async () => {
   await page.getByRole("tab", { name: "Checks" }).click();
   await page.getByText("This job on every control").click();
-  const rows = page.locator("tp-checks .controls tbody tr");
+  const rows = page.locator("tp-checks .controls tbody tr:not(.why)");
   const { catalog, defaultJob, programs } = await import("touchpath");
   const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
   const wanted = catalog().posts.flatMap((post) =>
@@ -433,7 +433,7 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
     violations.filter((v) => v.impact === "serious" || v.impact === "critical").map((v) => v.id),
     [],
   );
-  await page.getByRole("button", { name: "Cycles", exact: true }).click();
+  await page.getByRole("button", { name: "Back to the job" }).click();
   assert.match(await program(), /G38\.2/);
   assert.deepEqual(problems, []);
 });
@@ -557,7 +557,7 @@ test("touches are picked one by one and given back", async () => {
 
 test("SINUMERIK: the probe's length decides, the program comes back", async () => {
   await field("control.post").selectOption("sinumerik");
-  await field("control.workOffset").selectOption({ label: "writes G505 (5)" });
+  await field("control.workOffset").selectOption({ label: "G505 is written (5)" });
   assert.match(await program(), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
   assert.match(await program(), /\$P_UIFR\[5,X,TR\]=/);
   await field("tool.type").fill("500");
@@ -622,7 +622,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       assert.deepEqual(await violations(), []);
       await page.locator("#menu").getByRole("button", { name: "Setup sheet" }).click();
       assert.deepEqual(await violations(), []);
-      await page.getByRole("button", { name: "Cycles", exact: true }).click();
+      await page.getByRole("button", { name: "Back to the job" }).click();
       await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("gallery"));
       assert.deepEqual(await violations(), []);
       const over = await page.evaluate(

@@ -124,7 +124,7 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
       const { app } = /** @type {any} */ (document.querySelector("touch-path"));
       return app.ask(tool).then(() => app.updateComplete);
     }, tool);
-  const cycles = page.getByRole("button", { name: "Cycles", exact: true });
+  const cycles = page.getByRole("button", { name: "Back to the job" });
   const measure = async () => {
     await session.send("HeapProfiler.collectGarbage");
     const { metrics } = await session.send("Performance.getMetrics");

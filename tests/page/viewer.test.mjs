@@ -1,7 +1,20 @@
 // Programs that no job can be made of: their moves are drawn, and the job in the form stays.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, framed, more, openText, PICTURE, page, program, settles, setUp, textOf } from "./common.mjs";
+import {
+  boxOf,
+  field,
+  framed,
+  more,
+  openText,
+  PICTURE,
+  page,
+  program,
+  saveButton,
+  settles,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp();
 
@@ -59,10 +72,44 @@ test("a program of another hand was refused: its moves are drawn, probing in its
     told = await textOf(viewer.locator("p[role=status]"));
   }
   assert.match(told, /^Line (3|4|5|6|7|9): (rapid|feed|probe) to X/);
-  await page.getByRole("button", { name: "Cycles", exact: true }).click();
+  await page.getByRole("button", { name: "Back to the job" }).click();
   assert.equal(await program(), before, "the job is as it was");
   await more("Moves of the opened program");
   await viewer.waitFor();
+});
+
+test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
+  await field("cycle.width1").fill("90");
+  const verdict = page.locator("footer");
+  assert.match(await textOf(verdict), /No problems found/);
+  await openText("G21 G90\nG0 X0 Y0 Z50\nG1 Z-500 F500\nM30\n", "deep.ngc");
+  await page.locator("tp-viewer").waitFor();
+  assert.doesNotMatch(await textOf(verdict), /No problems|27 moves/);
+  assert.match(await textOf(verdict), /Nothing of it is checked or proven/);
+  const held = page.getByRole("button", { name: /^(Undo|Share|Setup sheet|Save PROBE\.ngc)$/ });
+  assert.deepEqual(await held.evaluateAll((all) => all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled)), [
+    true,
+    true,
+    true,
+    true,
+  ]);
+  assert.ok(await field("control.post").isDisabled(), "no job is changed that is not seen");
+  let saved = 0;
+  page.on("download", () => saved++);
+  await page.keyboard.press("Control+s");
+  await page.getByRole("button", { name: "More" }).click();
+  const menu = page.locator("#menu");
+  for (const name of ["Save job", "Save the picture (SVG)", "Copy a link to this job", "Presets", "Reset"])
+    assert.ok(await menu.getByRole("button", { name, exact: true }).isDisabled(), name);
+  // Escape closes the menu, then goes back to the job.
+  await page.keyboard.press("Escape");
+  await page.locator("tp-viewer").waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator("tp-viewer").waitFor({ state: "detached" });
+  assert.match(await textOf(verdict), /No problems found/);
+  assert.ok(await saveButton().isEnabled());
+  assert.equal(await field("cycle.width1").inputValue(), "90");
+  assert.equal(saved, 0);
 });
 
 test("a shorter program after a longer one left the picture of the first: what was pointed at is forgotten", async () => {

@@ -82,6 +82,7 @@ const KEYS: [string, string][] = [
   [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
   [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
   [w("Escape on picture, program, timeline"), w("no move is lit")],
+  [w("Escape elsewhere"), w("back to the job")],
 ];
 
 /** What the element is in. */
@@ -103,6 +104,7 @@ export class App extends LitElement {
   /** What is said above the job, and the document that the job was then. */
   private told: Said | null;
   private toldAt = 0;
+  private passing = false;
   /** Looks whether the focus was lost. */
   private refocusing = 0;
   /** The language that was chosen here. */
@@ -236,7 +238,7 @@ export class App extends LitElement {
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
-        <tp-bar .store=${store} .links=${this.around.links}></tp-bar>
+        <tp-bar .store=${store} .links=${this.around.links} .away=${this.away}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${this.menu()}
       </header>
@@ -255,7 +257,7 @@ export class App extends LitElement {
       ${
         this.tool === "cycles"
           ? nothing
-          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}>${this.t("Cycles")}</button> ${this.t("back to the job")}</p>`
+          : html`<p class="back"><button type="button" @click=${() => this.use("cycles")}><span aria-hidden="true">←</span> ${this.t("Back to the job")}</button></p>`
       }
       </div>
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
@@ -288,25 +290,31 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}><tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings><slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings>`}<slot name="footer"></slot></footer>
       ${this.dialogs()}
       </div>
     `;
   }
 
+  /** Whether something else than the job is shown: then nothing of it is changed or handed out. */
+  private get away(): boolean {
+    return this.tool === "viewer";
+  }
+
   /** What is rarely used. */
   private menu(): TemplateResult {
     const { readonly } = this.store;
+    const { away } = this;
     const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
       offered
         ? html`<button type="button" class=${only || nothing} ?disabled=${disabled} @click=${() => this.choose(what)}>${name}</button>`
         : nothing;
     // Whether there is something to redo is looked at whenever it opens.
     return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")} @beforetoggle=${() => this.requestUpdate()}>
-      ${item("redo", this.t("Redo"), !readonly, "on-phone", !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
-      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
-      ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
-      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
+      ${item("redo", this.t("Redo"), !readonly, "on-phone", away || !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
+      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"), true, "", away)} ${item("save-picture", this.t("Save the picture (SVG)"), true, "", away)}
+      ${item("share", this.t("Copy a link to this job"), this.around.links, "", away)} ${item("sheet", this.t("Setup sheet to print"), true, "", away)} ${item("presets", this.t("Presets"), this.around.local && !readonly, "", away)}
+      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly, "", away)}
       <label>${this.t("Language")} <select id="lang" @change=${this.chooseLanguage}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === this.store.lang}>${name}</option>`)}</select></label>
       <label>${this.t("Colours")} <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${this.t(THEME_NAMES[theme])}</option>`)}</select></label>
       <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>${this.t("Licences")}</a></small>
@@ -363,6 +371,7 @@ export class App extends LitElement {
 
   /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
   private readonly shortcut = (event: KeyboardEvent): void => {
+    if (event.key === "Escape") this.escape(event);
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const key = letterOf(event);
     const at = event.composedPath()[0] as Element;
@@ -371,7 +380,7 @@ export class App extends LitElement {
     if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
     if (key === "s") {
-      this.ask("save");
+      if (!this.away) this.ask("save");
       return;
     }
     // A field that is not the job's changes none, and no job is changed that is not seen. Left to the browser, the key would take
@@ -383,15 +392,24 @@ export class App extends LitElement {
     else this.store.undo();
   };
 
+  /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
+  private escape(event: KeyboardEvent): void {
+    const at = event.composedPath()[0] as Element;
+    const taken = event.defaultPrevented || at.matches("input, select, textarea, dialog *, [popover] *");
+    if (this.tool === "cycles" || taken || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
+    this.use("cycles");
+  }
+
   /** The help is of the field that has the focus: elsewhere there is none. */
   private readonly unhelp = (event: Event): void => {
     const inside = (event.composedPath()[0] as Element).closest?.("tp-form, tp-bar, tp-help");
     if (!inside) this.store.focus(null);
   };
 
-  /** What is said of one job is not said of another. */
+  /** What is said of one job is not said of another; what is passing, of no later one. */
   private readonly forget = (): void => {
-    if (this.told !== null && this.toldAt !== this.store.document) this.tell(null);
+    const { document, revision } = this.store;
+    if (this.told !== null && this.toldAt !== (this.passing ? revision : document)) this.tell(null);
   };
 
   /** What had the focus may be gone after what it did: then the focus is where the user goes on, not at the start of the page. */
@@ -506,7 +524,9 @@ export class App extends LitElement {
     store.saved = text;
     if (!this.around.host.tell("program-save", { name, text, post, extension })) return;
     download(text, name, "text/plain");
-    this.renderRoot.querySelector<ProgramPart>("tp-program")?.tell(this.t("Saved {file}", name));
+    const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
+    if (program?.checkVisibility()) program.tell(this.t("Saved {file}", name));
+    else this.tell([w("Saved {file}"), name], true);
   }
 
   /** The form as it stands, also with errors: it is the user's work. */
@@ -521,20 +541,26 @@ export class App extends LitElement {
       this.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
       return;
     }
-    const from = this.renderRoot.querySelector<PicturePart>("tp-picture")?.from ?? "top";
-    download(svg(store.shown as unknown as Job, from), store.otherName(`-${from}.svg`), "image/svg+xml");
+    const picture = this.renderRoot.querySelector<PicturePart>("tp-picture");
+    const from = picture?.from ?? "top";
+    const job = store.shown as unknown as Job;
+    const text = picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, from);
+    download(text, store.otherName(`-${from}.svg`), "image/svg+xml");
   }
 
   private async share(): Promise<void> {
     if (!this.around.links) return;
     const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
     if (fragment === null) {
-      this.tell([w("This job is too long for a link: save it as a file instead")]);
+      this.tell([w("This job is too long for a link: save it as a file instead")], true);
       return;
     }
     const link = new URL(fragment, location.href).href;
     const done = await copy(link);
-    this.tell(done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link]);
+    this.tell(
+      done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link],
+      true,
+    );
   }
 
   /** Light or dark: what the page around wants, or the system. */
@@ -617,9 +643,11 @@ export class App extends LitElement {
     if ((await this.intake.text(text)) && held() === text) this.paste(false);
   }
 
-  private tell(said: Said | null): void {
+  /** `passing`: it is true of the job as it is now, and of no later one. */
+  private tell(said: Said | null, passing = false): void {
     this.told = said;
-    this.toldAt = this.store.document;
+    this.passing = passing;
+    this.toldAt = passing ? this.store.revision : this.store.document;
     this.requestUpdate();
   }
 }

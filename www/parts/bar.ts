@@ -6,14 +6,18 @@ import { FieldPart } from "./field.js";
 class BarPart extends FieldPart {
   /** Whether links to the job are handed out. */
   links = false;
+  /** Whether something else than the job is shown: then nothing of it is changed or handed out. */
+  declare away: boolean;
+
+  static override properties = { away: { attribute: false } };
 
   override render(): TemplateResult {
     const { store } = this;
-    const { withheld } = store;
+    const withheld = this.away ? this.t("An opened program is shown, not the job") : store.withheld;
     const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
     const file = store.fileName(post?.extension ?? "txt");
     return html`
-      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly}>
+      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
       ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), this.t("Control"))}
@@ -35,15 +39,15 @@ class BarPart extends FieldPart {
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
-      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || this.away} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || this.away} @click=${() => store.redo()}>↷</button>
       <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
-      ${this.links ? html`<button type="button" class="wide" @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
+      ${this.links ? html`<button type="button" class="wide" ?disabled=${this.away} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}
         aria-label=${this.t("Save {file}", file)} title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">${this.t("Save")} </span><span class="file">${file}</span></button>
-      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
+      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${this.away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }
 
@@ -66,12 +70,12 @@ class BarPart extends FieldPart {
     const value = this.store.get("control.workOffset") ?? null;
     const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    const word = (n: number) => post?.workOffsetWords[n - 1] ?? "?";
+    const word = (n: number) => post?.workOffsetWords[n - 1] ?? `#${n}`;
     const numbers = Array.from({ length: most }, (_, i) => ({
       value: i + 1,
-      label: this.t("writes {offset}", `${word(i + 1)} (${i + 1})`),
+      label: `${this.t("{offset} is written", word(i + 1))} (${i + 1})`,
     }));
-    // Short, since what is cut off after "writes" would say the opposite.
+    // The offset first, and short: what is cut off must not be what matters.
     return [{ value: null, label: this.t("measures only") }, ...numbers];
   }
 

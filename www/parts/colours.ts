@@ -58,6 +58,8 @@ export class Colours {
 
   private colour(): void {
     this.clear();
+    // Where the system chooses the colours, it gives every marked word those of a selection.
+    if (matchMedia("(forced-colors: active)").matches) return;
     const sight = this.box?.getBoundingClientRect();
     if (!this.box || !sight) return;
     for (const text of this.box.querySelectorAll(".line:not(.touch) .text")) {

@@ -42,7 +42,7 @@ export abstract class FieldPart extends Part {
         @blur=${() => this.accept(path)}
         @keydown=${(e: KeyboardEvent) => this.key(e, field, path)}
         @input=${(e: Event) => this.typed(field, path, (e.target as HTMLInputElement).value)} />${
-          unit ? html`<span class="unit" id=${`u-${path}`}>${unit}</span>` : nothing
+          unit ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>` : nothing
         }</span>`;
   }
 
@@ -61,7 +61,10 @@ export abstract class FieldPart extends Part {
     this.store.settle();
     const text = this.store.typed.get(path);
     const value = this.store.get(path);
-    if (text !== undefined && typeof value === "number" && isWorkedOut(text)) this.store.tidy(path);
+    // The other sign may be read as a decimal sign: what it was read as is shown.
+    const other = this.store.comma ? "." : ",";
+    if (text !== undefined && typeof value === "number" && (isWorkedOut(text) || text.includes(other)))
+      this.store.tidy(path);
   }
 
   private key(event: KeyboardEvent, field: FieldEntry, path: string): void {

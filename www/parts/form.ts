@@ -166,11 +166,19 @@ class FormPart extends FieldPart {
         this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
       if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];
       if (value === null) return field.null ? [`${inside(field.label)} ${field.null}`] : [];
-      const choice = field.choices.find((c) => c.value === value);
+      const choice = this.choices({ field, path }).find((c) => c.value === value);
       if (choice) return [choice.label];
       return [`${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`];
     });
     return words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "");
+  }
+
+  /** The choices of a field. What the control of the job cannot do says so. */
+  private choices({ field, path }: Placed): FieldEntry["choices"] {
+    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    if (path !== "control.protection" || post?.watches !== false) return field.choices;
+    const label = (own: string) => this.t("{choice}: not on this control", own);
+    return field.choices.map((c) => (c.value === "checked" ? { ...c, label: label(c.label) } : c));
   }
 
   /** The box that puts a form inside the form in or out. */
@@ -244,7 +252,7 @@ class FormPart extends FieldPart {
           aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
           @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
       case "choice":
-        return row(this.select(path, field.choices, (value) => this.store.put(path, value)));
+        return row(this.select(path, this.choices(placed), (value) => this.store.put(path, value)));
       case "code":
         return row(
           this.select(
@@ -276,7 +284,7 @@ class FormPart extends FieldPart {
   /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
   private nullable({ field, path }: Placed): TemplateResult {
     const off = this.store.get(path) === null;
-    return html`<span class="line">${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value=${field.null ?? ""} disabled /></span>` : this.number(field, path)}
+    return html`<span class="line">${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value="–" disabled /></span>` : this.number(field, path)}
       <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label></span>`;
   }

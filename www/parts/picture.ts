@@ -53,6 +53,11 @@ class PicturePart extends DrawnPart {
     return this.look;
   }
 
+  /** The picture as a file of its own, in the language of the page. */
+  svg(title: string): string | undefined {
+    return this.drawing?.use((view) => view.svg(title));
+  }
+
   override render(): TemplateResult {
     const { stale } = this.store;
     const count = this.count;

@@ -32,9 +32,8 @@ class ResultsPart extends Part {
     const { plan, stale, units } = this.store;
     const measured = this.evaluated();
     const rows = "rows" in measured ? measured.rows : null;
-    const caption = rows
-      ? this.t("What the control will have stored, and what the measured points give")
-      : this.t("What the control will have stored");
+    const stored = this.store.bare ? w("What the touches will come to") : w("What the control will have stored");
+    const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
       <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}</div>
       <details class="triggers">
@@ -118,7 +117,7 @@ class ResultsPart extends Part {
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code) || this.store.say(r.said.meaning)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
@@ -149,6 +148,9 @@ class ResultsPart extends Part {
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
     const notes = rows.filter((r) => r.note);
+    const middle = ({ limits, nominal }: ResultRow) =>
+      limits && Math.abs((limits[0] + limits[1]) / 2 - (nominal ?? 0)) > 1e-9;
+    const uneven = rows.some(middle);
     return html`
       <table>
         <caption>${caption}${this.store.stale ? html`<strong>${this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
@@ -157,6 +159,7 @@ class ResultsPart extends Part {
           ${rows.map((r) => this.row(r, measured))}
         </tbody>
       </table>
+      ${uneven ? html`<p class="help">${this.t("Deviations are from the middle of the tolerance zone.")}</p>` : nothing}
       ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.said.note ? this.store.say(r.said.note) : nothing}</li>`)}</ul>` : nothing}
     `;
   }

@@ -4,6 +4,17 @@ import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";
 
+/** What a program says before its blocks, from the units on: what must be so before the start, and what it does. */
+function conditions(text: string): string[] {
+  const said = [];
+  for (const line of text.split("\n")) {
+    const comment = /^(?:\d+ )?[;(] ?(.*?)\)?$/.exec(line)?.[1];
+    if (/^Made by /i.test(comment ?? "") || (comment === undefined && said.length > 0)) break;
+    if (comment !== undefined && (said.length > 0 || /^Units /i.test(comment))) said.push(comment);
+  }
+  return said;
+}
+
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
 class SheetPart extends Part {
   protected override follows = ["change"];
@@ -21,10 +32,12 @@ class SheetPart extends Part {
     const { plan, units, catalog, shown: job, cycle } = this.store;
     const { program } = plan;
     const post = catalog.posts.find((p) => p.id === program.post);
+    const computes = !this.store.bare;
+    const head = conditions(program.text);
     const offset = this.store.get("control.workOffset");
     const writes =
       typeof offset === "number"
-        ? this.t("writes {offset}", post?.workOffsetWords[offset - 1] ?? offset)
+        ? this.t("{offset} is written", post?.workOffsetWords[offset - 1] ?? offset)
         : this.t("measures only, writes no offset");
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const number = (x: number | null) => (x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3)));
@@ -49,18 +62,19 @@ class SheetPart extends Part {
                 cycle.ownFeeds
                   ? nothing
                   : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td><td></td></tr>
-                <tr><td>${this.t("Touch feed")}</td><td class="n">${shown(feeds.work)}</td><td></td></tr>`
+                <tr><td>${this.store.fieldAt("feeds.work")?.label}</td><td class="n">${shown(feeds.work)} ${units}/min</td><td></td></tr>`
               }
             </tbody>
           </table>
         </div>
+        <div class="lower">
         <table>
-          <caption>${this.t("What the control is expected to report, and what it reported")}</caption>
-          <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${this.t("Reported")}</th></tr></thead>
+          <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to come to: this control computes nothing of it")}</caption>
+          <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
           <tbody>${plan.results.map(
             (
               r,
-            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${number(r.value)}</td>
+            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
               <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
           )}</tbody>
         </table>
@@ -69,7 +83,9 @@ class SheetPart extends Part {
           <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
           <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
         </table>
+        </div>
         <p>${checked(this.store)}.</p>
+        ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${head.join("\n")}</div>` : nothing}
         ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>${this.t("Warning:")}</b> ${this.message(f)}</p>`)}
         <p class="hash">${this.t("SHA-256 of the program:")} <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
         <p class="sign">${this.t("Machine")} <span></span> ${this.t("Date")} <span></span> ${this.t("Name")} <span></span></p>
@@ -82,7 +98,7 @@ class SheetPart extends Part {
     const held = this.store.get(path);
     const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
     if (value === null || value === undefined || field.group.startsWith("Postprocessor")) return nothing;
-    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map((x) => (typeof x === "number" ? this.store.number(String(x)) : String(x))).join(" ")}</td><td><code>${field.code ?? ""}</code></td></tr>`;
+    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map((x) => (typeof x === "number" ? this.store.number(String(x)) : String(x))).join(" ")}${field.unit === "angle" ? "°" : ""}</td><td><code>${field.code ?? ""}</code></td></tr>`;
   }
 
   override disconnectedCallback(): void {
@@ -102,6 +118,7 @@ class SheetPart extends Part {
 
   private show(view: View): void {
     label(view, this.store);
+    view.hideHandles();
     view.show(this.store.shown);
   }
 

@@ -45,7 +45,6 @@ class ViewerPart extends DrawnPart {
         <ul class="key" aria-label=${this.t("Colours")}>
           <li class="touch">${this.t("probing")}</li><li class="link">${this.t("feed")}</li><li class="rapid">${this.t("rapid")}</li>
         </ul>
-        <p>${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>
         ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>
       <div class="read" @keydown=${this.key}>

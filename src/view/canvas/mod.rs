@@ -100,6 +100,8 @@ pub struct Painter {
     pub theme: Theme,
     /// Whether it is a small picture: no axes, no numbers, no handles.
     pub small: bool,
+    /// Whether there is nothing to be gripped.
+    pub still: bool,
     /// Device pixels in a CSS pixel.
     pub ratio: f64,
     /// The font that is set: each time one is set, the browser works out the page's styles first.
@@ -111,7 +113,7 @@ impl Painter {
     pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
         use wasm_bindgen::JsCast;
         let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
-        Some(Painter { canvas, context, theme: Theme::default(), small: false, ratio: 1.0, font: Cell::new("") })
+        Some(Painter { canvas, context, theme: Theme::default(), small: false, still: false, ratio: 1.0, font: Cell::new("") })
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
@@ -213,7 +215,7 @@ impl Painter {
         if self.small {
             return;
         }
-        if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
+        if let (Some([start, sweep]), Some((center, ..)), false) = (spread_handles(scene, camera), scene.spread, self.still) {
             let center = camera.pixel(center);
             for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
                 self.segment(center, handle, &self.theme.ball, 1.0, &[2.0, 4.0]);
@@ -221,13 +223,13 @@ impl Painter {
                 self.circle(handle, HANDLE, &self.theme.ball, width);
             }
         }
-        if let Some((origin, direction)) = scene.handle {
+        if let Some((origin, direction)) = scene.handle.filter(|_| !self.still) {
             self.handle(camera.pixel(origin), direction);
         }
+        self.axes(scene, camera, marks.origin);
         for (drawn, line) in camera.dimensions(scene, marks.field) {
             self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
         }
-        self.axes(scene, camera, marks.origin);
         if let Some(unit) = scene.unit {
             self.scale_bar(camera, unit);
         }

@@ -11,6 +11,7 @@ use wasm_bindgen::prelude::*;
 use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
+use crate::view::Legend;
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::scene::{self, Moves, Projection, Scene, Spot};
@@ -124,6 +125,12 @@ impl View {
             over.resize(width, height, self.painter.ratio);
         }
         self.draw();
+    }
+
+    /// Draws no handles: nothing can be gripped on paper.
+    #[wasm_bindgen(js_name = hideHandles)]
+    pub fn hide_handles(&mut self) {
+        self.painter.still = true;
     }
 
     /// From here on changes are drawn by `paint`, all at once, and not one by one.
@@ -385,6 +392,14 @@ impl View {
     pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
         axis_at(scene, &self.camera, [x, y]).filter(|_| !self.painter.small).map(str::to_owned)
+    }
+
+    /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
+    /// are. None where no job is shown.
+    pub fn svg(&self, title: &str) -> Option<String> {
+        let held = self.held()?;
+        let picture = held.last.planned.picture(self.projection, 1.0);
+        Some(crate::view::svg(&picture.scene, &Legend { title, names: &held.names, deviates: picture.deviates }))
     }
 }
 
