@@ -395,8 +395,10 @@ export class App extends LitElement {
   /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
-    const taken = event.defaultPrevented || at.matches("input, select, textarea, dialog *, [popover] *");
-    if (this.tool === "cycles" || taken || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
+    const own = this.contains(at) && !event.defaultPrevented;
+    const taken = at.matches("input, select, textarea, dialog *, [popover] *");
+    if (this.tool === "cycles" || !own || taken || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
+    event.preventDefault();
     this.use("cycles");
   }
 
