@@ -10,6 +10,7 @@ import {
   type Job,
   JobError,
   type Plan,
+  type PostEntry,
   plan,
   type Said,
   say,
@@ -403,13 +404,18 @@ export class Store extends Phrases {
     if (this.typed.delete(path)) this.changed();
   }
 
-  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
-  /** Whether nothing on the control computes results: neither the program nor a cycle of its own. */
-  get bare(): boolean {
-    const post = this.catalog.posts.find((p) => p.id === this.plan.program.post);
-    return post?.computes === false && this.get("control.form") !== "cycle";
+  /** The entry of the control that the form has. */
+  get post(): PostEntry | undefined {
+    return this.catalog.posts.find((p) => p.id === this.get("control.post"));
   }
 
+  /** Whether nothing on the control of the plan computes results: neither the program nor a cycle of its own. */
+  get bare(): boolean {
+    const { post, form } = this.shown.control as { post: string; form: string };
+    return form !== "cycle" && this.catalog.posts.find((p) => p.id === post)?.computes === false;
+  }
+
+  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
   fieldAt(path: string): FieldEntry | undefined {
     const plain = path.replace(/\[\d\]$/, "");
     const keys = plain.split(".");

@@ -27,7 +27,7 @@ pub struct Legend<'a> {
     pub deviates: bool,
 }
 
-/// Draws a scene.
+/// Draws a scene. Once in the module, however many callers it has.
 #[inline(never)]
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);

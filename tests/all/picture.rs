@@ -317,3 +317,22 @@ fn the_scale_has_the_units_of_the_job() {
         assert!((camera.bar(unit) - length).abs() < 1e-12, "{scale} {unit}: {}", camera.bar(unit));
     }
 }
+
+/// On the setup sheet the second step stood below the picture, since the name of the first one was near.
+#[test]
+fn the_line_of_a_dimension_stood_outside_a_small_picture() {
+    let job =
+        crate::common::job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "count1": 8, "count2": 8 } }"#);
+    let (scene, _) = built(&job, Projection::Top);
+    for size in [[440.0, 268.0], [390.0, 240.0], [700.0, 700.0]] {
+        // As a small canvas is fitted.
+        let mut camera = Camera::fit(size, scene.bounds(), 0.7 * touchpath::view::camera::DIMENSION_MARGIN);
+        camera.clear_corners(&scene);
+        let drawn = camera.dimensions(&scene, None);
+        assert!(["cycle.step1", "cycle.step2"].iter().all(|field| drawn.iter().any(|(d, _)| d.field == *field)), "{size:?}");
+        for (dimension, [_, _, from, to]) in drawn {
+            let inside = |at: [f64; 2]| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
+            assert!(inside(from) && inside(to), "{} in {size:?}: {from:?} {to:?}", dimension.field);
+        }
+    }
+}

@@ -512,6 +512,7 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
   await field("cycle.count1").fill("8");
   await field("cycle.count2").fill("8");
   await page.getByRole("button", { name: "Setup sheet" }).click();
+  await sheet.getByText("Wall 1 against its nominal direction").waitFor();
   assert.equal(await sheet.locator("td.box").count(), 20, "four results and sixteen touches");
   await onePage();
 });
@@ -522,18 +523,21 @@ test("the setup sheet says what must be so before the start, and promises no rep
   for (const [post, reports] of /** @type {const} */ ([
     ["grbl", false],
     ["fanuc", true],
+    ["sinumerik", true],
     ["linuxcnc", true],
   ])) {
     await field("control.post").selectOption(post);
+    const positioning = await textOf(field("control.protection").locator("option:checked"));
+    assert.equal(/not on this control/.test(positioning), post === "grbl", positioning);
     await page.getByRole("button", { name: "Setup sheet" }).click();
     const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
     const lines = plan({ ...job, control: { ...job.control, post } }).program.text.split("\n");
     const said = await textOf(sheet.locator(".head"));
     // From the units on, word by word, and nothing of the job's values.
-    const first = lines.findIndex((line) => /^\(units/i.test(line));
-    const end = lines.findIndex((line) => /^\(made by/i.test(line));
+    const first = lines.findIndex((line) => /^[(;] ?units/i.test(line));
+    const end = lines.findIndex((line) => /^[(;] ?made by/i.test(line));
     assert.ok(first > 0 && end > first + 3, post);
-    const wanted = lines.slice(first, end).map((line) => line.slice(1, -1));
+    const wanted = lines.slice(first, end).map((line) => (line.startsWith(";") ? line.slice(2) : line.slice(1, -1)));
     assert.deepEqual(said.split("\n").slice(1), wanted, post);
     assert.ok(wanted.some((line) => /probe in the spindle and switched on/i.test(line)));
     assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
@@ -541,8 +545,45 @@ test("the setup sheet says what must be so before the start, and promises no rep
     await page.keyboard.press("Escape");
     await sheet.waitFor({ state: "detached" });
     await page.getByRole("tab", { name: "Results" }).click();
-    assert.equal(/control will have stored/.test(await textOf(page.locator("tp-results"))), reports, post);
+    const caption = reports ? "What the control will have stored" : "What the touches will come to";
+    await page.locator("tp-results").getByText(caption).waitFor();
   }
+});
+
+test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
+  // A nominal part is not drawn: of its colour there is the handle alone.
+  const handle = (/** @type {string} */ part) =>
+    page.evaluate((part) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (
+        document.querySelector("touch-path")?.shadowRoot?.querySelector(`${part} canvas`)
+      );
+      const probe = document.createElement("i");
+      probe.style.color = getComputedStyle(canvas).getPropertyValue("--c-actual");
+      canvas.after(probe);
+      const colour = getComputedStyle(probe).color.match(/\d+/g)?.join();
+      probe.remove();
+      const pixels = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4)
+        count += Number(`${pixels[i]},${pixels[i + 1]},${pixels[i + 2]}` === colour);
+      return count;
+    }, part);
+  assert.ok((await handle("tp-picture")) > 20);
+  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await page.locator("tp-sheet canvas").waitFor();
+  await page.waitForTimeout(300);
+  assert.equal(await handle("tp-sheet"), 0);
+});
+
+test("results that are judged say where deviations count from", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await unfold();
+  await page.getByRole("tab", { name: "Results" }).click();
+  const results = page.locator("tp-results");
+  assert.doesNotMatch(await textOf(results), /middle of the tolerance zone/);
+  await field("cycle.diameter1").fill("20H7");
+  await results.getByText("Deviations are from the middle of the tolerance zone.").waitFor();
+  assert.match(await textOf(results.locator("tr", { hasText: "Q966" }).first()), /Measured diameter 1/);
 });
 
 test("a note that a link was copied went on after the job was another one", async () => {

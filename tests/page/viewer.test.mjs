@@ -101,9 +101,19 @@ test("an opened program stood under “No problems found”, and Save handed out
   const menu = page.locator("#menu");
   for (const name of ["Save job", "Save the picture (SVG)", "Copy a link to this job", "Presets", "Reset"])
     assert.ok(await menu.getByRole("button", { name, exact: true }).isDisabled(), name);
-  // Escape closes the menu, then goes back to the job.
+  // Escape closes the menu, is its own in what the page around has put in, and then leads back to the job.
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor();
+  await page.evaluate(() => {
+    const own = document.createElement("button");
+    own.slot = "footer";
+    document.querySelector("touch-path")?.append(own);
+    own.focus();
+  });
+  await page.keyboard.press("Escape");
+  await page.waitForTimeout(300);
+  await page.locator("tp-viewer").waitFor();
+  await page.getByRole("button", { name: "More" }).focus();
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor({ state: "detached" });
   assert.match(await textOf(verdict), /No problems found/);

@@ -85,6 +85,9 @@ const KEYS: [string, string][] = [
   [w("Escape elsewhere"), w("back to the job")],
 ];
 
+/** What changes the job, or hands it out: not while something else is shown. */
+const OF_THE_JOB = new Set(["redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
+
 /** What the element is in. */
 interface Around {
   host: TouchPath;
@@ -290,7 +293,7 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<div class="foot"><p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p></div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings>`}<slot name="footer"></slot></footer>
       ${this.dialogs()}
       </div>
     `;
@@ -304,17 +307,16 @@ export class App extends LitElement {
   /** What is rarely used. */
   private menu(): TemplateResult {
     const { readonly } = this.store;
-    const { away } = this;
     const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
       offered
-        ? html`<button type="button" class=${only || nothing} ?disabled=${disabled} @click=${() => this.choose(what)}>${name}</button>`
+        ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (this.away && OF_THE_JOB.has(what))} @click=${() => this.choose(what)}>${name}</button>`
         : nothing;
     // Whether there is something to redo is looked at whenever it opens.
     return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")} @beforetoggle=${() => this.requestUpdate()}>
-      ${item("redo", this.t("Redo"), !readonly, "on-phone", away || !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
-      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"), true, "", away)} ${item("save-picture", this.t("Save the picture (SVG)"), true, "", away)}
-      ${item("share", this.t("Copy a link to this job"), this.around.links, "", away)} ${item("sheet", this.t("Setup sheet to print"), true, "", away)} ${item("presets", this.t("Presets"), this.around.local && !readonly, "", away)}
-      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly, "", away)}
+      ${item("redo", this.t("Redo"), !readonly, "on-phone", !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
+      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
+      ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
+      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
       <label>${this.t("Language")} <select id="lang" @change=${this.chooseLanguage}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === this.store.lang}>${name}</option>`)}</select></label>
       <label>${this.t("Colours")} <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${this.t(THEME_NAMES[theme])}</option>`)}</select></label>
       <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>${this.t("Licences")}</a></small>
@@ -380,7 +382,7 @@ export class App extends LitElement {
     if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
     if (key === "s") {
-      if (!this.away) this.ask("save");
+      this.ask("save");
       return;
     }
     // A field that is not the job's changes none, and no job is changed that is not seen. Left to the browser, the key would take
@@ -395,9 +397,8 @@ export class App extends LitElement {
   /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
-    const own = this.contains(at) && !event.defaultPrevented;
-    const taken = at.matches("input, select, textarea, dialog *, [popover] *");
-    if (this.tool === "cycles" || !own || taken || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
+    if (this.tool === "cycles" || event.defaultPrevented || !this.contains(at)) return;
+    if (at.matches("input, select, textarea") || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
     event.preventDefault();
     this.use("cycles");
   }
@@ -414,7 +415,7 @@ export class App extends LitElement {
     if (this.told !== null && this.toldAt !== (this.passing ? revision : document)) this.tell(null);
   };
 
-  /** What had the focus may be gone after what it did: then the focus is where the user goes on, not at the start of the page. */
+  /** Where the button or field that had the focus is removed, the focus moves to one near it, not to the start of the page. */
   private readonly refocus = (event: Event): void => {
     clearTimeout(this.refocusing);
     const root = this.getRootNode() as ShadowRoot;
@@ -435,7 +436,7 @@ export class App extends LitElement {
       ];
       places.find(there)?.focus({ preventScroll: true });
     };
-    // Some of it is only gone when it is drawn, or loaded. What the user does next decides for itself.
+    // Some are removed only when the page is drawn, or a part of it is loaded. The user's next click or key cancels this.
     const look = ([ms, ...later]: number[]) => {
       if (ms === undefined) return;
       this.refocusing = window.setTimeout(() => {
@@ -489,6 +490,7 @@ export class App extends LitElement {
   /** Does what a button of the bar or the menu asks for. */
   async ask(what: string): Promise<void> {
     const { store } = this;
+    if (this.away && OF_THE_JOB.has(what)) return;
     const open = (id: string) => this.renderRoot.querySelector<HTMLDialogElement>(`#${id}`)?.showModal();
     const actions: Record<string, () => unknown> = {
       redo: () => store.redo(),

@@ -14,7 +14,7 @@ class BarPart extends FieldPart {
   override render(): TemplateResult {
     const { store } = this;
     const withheld = this.away ? this.t("An opened program is shown, not the job") : store.withheld;
-    const post = store.catalog.posts.find((p) => p.id === store.get("control.post"));
+    const { post } = store;
     const file = store.fileName(post?.extension ?? "txt");
     return html`
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away}>
@@ -68,7 +68,7 @@ class BarPart extends FieldPart {
 
   private offsets() {
     const value = this.store.get("control.workOffset") ?? null;
-    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    const { post } = this.store;
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
     const word = (n: number) => post?.workOffsetWords[n - 1] ?? `#${n}`;
     const numbers = Array.from({ length: most }, (_, i) => ({

@@ -72,7 +72,7 @@ class FormPart extends FieldPart {
   private groups(): [string, Placed[]][] {
     this.optional.clear();
     const own = this.store.cycle.ownFeeds;
-    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
+    const { post } = this.store;
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
@@ -175,8 +175,7 @@ class FormPart extends FieldPart {
 
   /** The choices of a field. What the control of the job cannot do says so. */
   private choices({ field, path }: Placed): FieldEntry["choices"] {
-    const post = this.store.catalog.posts.find((p) => p.id === this.store.get("control.post"));
-    if (path !== "control.protection" || post?.watches !== false) return field.choices;
+    if (path !== "control.protection" || this.store.post?.watches !== false) return field.choices;
     const label = (own: string) => this.t("{choice}: not on this control", own);
     return field.choices.map((c) => (c.value === "checked" ? { ...c, label: label(c.label) } : c));
   }

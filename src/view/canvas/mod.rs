@@ -215,16 +215,8 @@ impl Painter {
         if self.small {
             return;
         }
-        if let (Some([start, sweep]), Some((center, ..)), false) = (spread_handles(scene, camera), scene.spread, self.still) {
-            let center = camera.pixel(center);
-            for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
-                self.segment(center, handle, &self.theme.ball, 1.0, &[2.0, 4.0]);
-                self.disc(handle, HANDLE, &self.theme.background);
-                self.circle(handle, HANDLE, &self.theme.ball, width);
-            }
-        }
-        if let Some((origin, direction)) = scene.handle.filter(|_| !self.still) {
-            self.handle(camera.pixel(origin), direction);
+        if !self.still {
+            self.handles(scene, camera);
         }
         self.axes(scene, camera, marks.origin);
         for (drawn, line) in camera.dimensions(scene, marks.field) {
@@ -421,6 +413,21 @@ impl Painter {
                 Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
             };
             self.head(at, [ux, uy], 9.0, colour);
+        }
+    }
+
+    /// What can be gripped: the angles of the touches, and the virtual part.
+    fn handles(&self, scene: &Scene, camera: &Camera) {
+        if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
+            let center = camera.pixel(center);
+            for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
+                self.segment(center, handle, &self.theme.ball, 1.0, &[2.0, 4.0]);
+                self.disc(handle, HANDLE, &self.theme.background);
+                self.circle(handle, HANDLE, &self.theme.ball, width);
+            }
+        }
+        if let Some((origin, direction)) = scene.handle {
+            self.handle(camera.pixel(origin), direction);
         }
     }
 

@@ -493,6 +493,17 @@ fn the_ends_of_ranges_hold_in_inch() {
     }
 }
 
+/// The modes of the source are 0 to 3. A postprocessor may know another, so it is taken and said.
+#[test]
+fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
+    for (mode, warned) in [(0, false), (3, false), (4, true), (-1, true)] {
+        let job = cycle(&format!(r#"{{ "type": "boss", "properties": {{ "wcsMode": {mode} }} }}"#));
+        let found = check(&job).iter().any(|f| f.code == "unusual" && f.path == "cycle.properties.wcsMode");
+        assert_eq!(found, warned, "{mode}");
+        assert!(planned(&job).table.iter().any(|row| row.code == "CmdPrm.Int[-10]"), "{mode}");
+    }
+}
+
 #[test]
 fn chords_around_a_stud_stay_clear_of_it() {
     let job =
