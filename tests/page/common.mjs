@@ -63,11 +63,15 @@ export async function open(options) {
   page = await openTab();
 }
 
+/** A message on the console, with the file it is about. */
+const complaint = (/** @type {import("playwright-core").ConsoleMessage} */ message) =>
+  `${message.text()} (${message.location().url})`;
+
 /** One more tab of the same browser. */
 export async function openTab() {
   const tab = await context.newPage();
   tab.on("pageerror", (error) => problems.push(String(error)));
-  tab.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  tab.on("console", (message) => message.type() === "error" && problems.push(complaint(message)));
   await tab.goto(addressOf(server));
   await ready(tab);
   return tab;

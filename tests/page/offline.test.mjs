@@ -23,12 +23,14 @@ import {
 
 setUp();
 
-/** Until the page's files are kept. */
+/** Until the page's files are kept, and the page has loaded the parts that it loads after it stands: without the worker, as every first visit. */
 const kept = (tab = page) =>
   tab.evaluate(async () => {
     await navigator.serviceWorker.ready;
     const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
     while (!(await navigator.serviceWorker.getRegistration())?.active) await wait(20);
+    for (const part of ["gallery", "lentoax", "viewer", "sheet", "presets"])
+      await customElements.whenDefined(`tp-${part}`);
     return (await caches.keys()).length;
   });
 
