@@ -36,6 +36,8 @@ interface Left {
 }
 
 export type Units = "mm" | "inch";
+/** Whether a program moves itself, or calls a cycle of the control. */
+type Form = PostEntry["cycles"][number]["form"];
 /** Measured points as text, by the units they were typed in: read in other units they would be other points. */
 type Points = Record<Units, string>;
 const noPoints = (): Points => ({ mm: "", inch: "" });
@@ -194,10 +196,8 @@ export class Store extends Phrases {
     }
     // A choice of another control takes the form with it that the control has for this cycle.
     if (path === "control.post") {
-      const support = this.catalog.posts
-        .find((p) => p.id === value)
-        ?.cycles.filter((c) => c.type === this.cycle.type && c.supported);
-      if (support?.length && !support.some((s) => s.form === place.form)) place.form = support[0]?.form;
+      const forms = this.formsOf(value, this.cycle.type);
+      if (forms.length > 0 && !forms.includes(place.form as Form)) place.form = forms[0];
     }
     place[last] = value;
     // What was typed inside a value that is another one now.
@@ -236,17 +236,15 @@ export class Store extends Phrases {
     const fresh = defaultJob(type) as unknown as Draft;
     const home = (fresh.control as Draft).post;
     const control = this.draft.control as Draft;
-    const support = this.catalog.posts
-      .find((p) => p.id === control.post)
-      ?.cycles.filter((c) => c.type === type && c.supported);
+    const forms = this.formsOf(control.post, type);
     // The control stays if it takes the new cycle; its form follows.
-    this.draft.control = support?.length
-      ? { ...control, form: support.some((s) => s.form === control.form) ? control.form : support[0]?.form }
+    this.draft.control = forms.length
+      ? { ...control, form: forms.includes(control.form as Form) ? control.form : forms[0] }
       : {
           ...control,
           post: home,
           form: (fresh.control as Draft).form,
-          workOffset: this.catalog.posts.find((p) => p.id === home)?.workOffsets ? control.workOffset : null,
+          workOffset: this.postOf(home)?.workOffsets ? control.workOffset : null,
         };
     this.document = ++this.documents;
     this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
@@ -406,13 +404,24 @@ export class Store extends Phrases {
 
   /** The entry of the control that the form has. */
   get post(): PostEntry | undefined {
-    return this.catalog.posts.find((p) => p.id === this.get("control.post"));
+    return this.postOf(this.get("control.post"));
+  }
+
+  /** The entry of a control; none for what is no control of the catalog. */
+  postOf(id: unknown): PostEntry | undefined {
+    return this.catalog.posts.find((post) => post.id === id);
+  }
+
+  /** The forms in which a control takes a cycle; none where it does not. */
+  formsOf(post: unknown, type: string): Form[] {
+    const takes = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
+    return takes.map((c) => c.form);
   }
 
   /** Whether nothing on the control of the plan computes results: neither the program nor a cycle of its own. */
   get bare(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
-    return form !== "cycle" && this.catalog.posts.find((p) => p.id === post)?.computes === false;
+    return form !== "cycle" && this.postOf(post)?.computes === false;
   }
 
   /** The entry of a field by its path in the job; none for what is no field of the catalog. */

@@ -1,25 +1,27 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { type Job, type Said, svg, version } from "../core/browser.js";
+import type { Said } from "../core/browser.js";
 import type { PanelName, TouchPath } from "../element.js";
-import { keepLanguage, keepTheme, keptLanguage, keptTheme } from "../keep.js";
-import { toFragment } from "../share.js";
+import { keepTheme, keptTheme } from "../keep.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
-import { LANGUAGES, type Lang, languageOf, w, wordsOf } from "../words.js";
+import { w } from "../words.js";
 import { letterOf } from "./keys.js";
 import "./bar.js";
 import "./checks.js";
 import "./findings.js";
 import "./form.js";
-import { copy, download } from "./hand.js";
 import "./help.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
+import { Language } from "./language.js";
+import { dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
+import { Outlet } from "./outlet.js";
 import { Part } from "./part.js";
 import type { PicturePart } from "./picture.js";
 import "./picture.js";
 import type { ProgramPart } from "./program.js";
 import "./program.js";
+import { Refocus } from "./refocus.js";
 import "./results.js";
 import "./table.js";
 
@@ -62,36 +64,12 @@ const LATER: Record<string, () => Promise<unknown>> = {
   presets: () => import("./presets.js"),
 };
 
-const THEMES = ["auto", "light", "dark"] as const;
-type Theme = (typeof THEMES)[number];
-const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark") };
 const system = matchMedia("(prefers-color-scheme: dark)");
-
-/** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
-const KEYS: [string, string][] = [
-  [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
-  [w("Ctrl+S"), w("save the program")],
-  [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
-  [w("Enter in a number"), w("work out a sum, and to the next field")],
-  [w("Escape in a number"), w("back to what the field held")],
-  [w("← → in the timeline"), w("move before, next move")],
-  [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
-  [w("Space there"), w("play, pause")],
-  [w("↑ ↓ in the program"), w("line by line through the moves")],
-  [w("Ctrl+F in an opened program"), w("find words in it")],
-  [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
-  [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
-  [w("Escape on picture, program, timeline"), w("no move is lit")],
-  [w("Escape elsewhere"), w("back to the job")],
-];
-
-/** What changes the job, or hands it out: not while something else is shown. */
-const OF_THE_JOB = new Set(["redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
 
 /** What the element is in. */
 interface Around {
   host: TouchPath;
-  /** Whether presets and theme are kept in this browser. */
+  /** Whether presets, theme and language are kept in this browser. */
   local: boolean;
   /** Whether links are followed and handed out. */
   links: boolean;
@@ -104,23 +82,19 @@ export class App extends LitElement {
   private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  /** What is said above the job, and the document that the job was then. */
-  private told: Said | null;
-  private toldAt = 0;
+  /** What is said above the job, and the document or revision of the job that it is said of. */
+  private said: Said | null;
+  private saidAt = 0;
   private passing = false;
-  /** Looks whether the focus was lost. */
-  private refocusing = 0;
-  /** The language that was chosen here. */
-  private chosen = keptLanguage();
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
   private wanted: PanelName[] = [];
   private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
-  /** Where the element has no language of its own, that of the page around may change. */
-  private readonly languages = new MutationObserver(() => this.reword());
+  private readonly language: Language;
   private readonly intake: Intake;
+  private readonly outlet: Outlet;
   /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
   private readonly there = new Set<string>();
 
@@ -129,7 +103,13 @@ export class App extends LitElement {
     private readonly around: Around,
   ) {
     super();
-    this.told = store.notice;
+    this.said = store.notice;
+    new Refocus(this);
+    this.language = new Language(this, store, around, () => {
+      this.tell([w("This part of the page could not be loaded: is there a network?")]);
+      const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
+      if (choice) choice.value = store.lang;
+    });
     this.intake = new Intake(store, {
       tell: (text) => this.tell(text === "" ? null : [text]),
       showJob: () => this.use("cycles"),
@@ -144,6 +124,16 @@ export class App extends LitElement {
         this.around.host.dispatchEvent(new CustomEvent("read", { detail }));
         return detail.reading;
       },
+    });
+    this.outlet = new Outlet(store, {
+      tell: (said) => this.tell(said, true),
+      saved: (name) => {
+        const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
+        if (program?.checkVisibility()) program.tell(this.t("Saved {file}", name));
+        else this.tell([w("Saved {file}"), name], true);
+      },
+      offer: (saving) => around.host.tell("program-save", saving),
+      picture: () => this.renderRoot.querySelector<PicturePart>("tp-picture"),
     });
     const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
     if (theme) around.host.setAttribute("theme", theme);
@@ -182,26 +172,14 @@ export class App extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    // What is around it now may have another language.
-    if (this.hasUpdated) this.reword();
     this.measure();
     this.observer.observe(this);
-    for (
-      let root: Node | null = this.around.host.getRootNode();
-      root;
-      root = root instanceof ShadowRoot ? root.host.getRootNode() : null
-    )
-      this.languages.observe(root, { subtree: true, attributeFilter: ["lang"] });
     const { intake } = this;
     this.addEventListener("paste", intake.refuse);
     this.addEventListener("drop", intake.refuse);
     this.addEventListener("dragover", intake.welcome);
     this.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
-    // Before what is clicked does anything: it may be gone afterwards.
-    this.addEventListener("click", this.refocus, true);
-    this.addEventListener("keydown", this.refocus, true);
-    this.addEventListener("pointerdown", this.refocus, true);
     this.store.addEventListener("change", this.forget);
     this.around.host.addEventListener("update-ready", this.offer);
     system.addEventListener("change", this.recolour);
@@ -213,16 +191,12 @@ export class App extends LitElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
-    this.languages.disconnect();
     const { intake } = this;
     this.removeEventListener("paste", intake.refuse);
     this.removeEventListener("drop", intake.refuse);
     this.removeEventListener("dragover", intake.welcome);
     this.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
-    this.removeEventListener("click", this.refocus, true);
-    this.removeEventListener("keydown", this.refocus, true);
-    this.removeEventListener("pointerdown", this.refocus, true);
     this.store.removeEventListener("change", this.forget);
     this.around.host.removeEventListener("update-ready", this.offer);
     system.removeEventListener("change", this.recolour);
@@ -230,7 +204,7 @@ export class App extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { store, wanted } = this;
+    const { store, wanted, frame } = this;
     const panels = this.panels;
     const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
@@ -243,11 +217,11 @@ export class App extends LitElement {
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .away=${this.away}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
-        ${this.menu()}
+        ${menu(frame)}
       </header>
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Take it")}</button> ${this.t("The job stays.")}</p>` : nothing}
-      ${this.told ? html`<p class="note" role="status">${this.store.say(this.told)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
+      ${this.said ? html`<p class="note" role="status">${this.store.say(this.said)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.pasting
           ? html`<section class="paste" aria-label=${this.t("Paste")}>
@@ -294,7 +268,7 @@ export class App extends LitElement {
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<div class="foot"><p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p></div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings>`}<slot name="footer"></slot></footer>
-      ${this.dialogs()}
+      ${dialogs(frame)}
       </div>
     `;
   }
@@ -304,40 +278,33 @@ export class App extends LitElement {
     return this.tool === "viewer";
   }
 
-  /** What is rarely used. */
-  private menu(): TemplateResult {
-    const { readonly } = this.store;
-    const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
-      offered
-        ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (this.away && OF_THE_JOB.has(what))} @click=${() => this.choose(what)}>${name}</button>`
-        : nothing;
-    // Whether there is something to redo is looked at whenever it opens.
-    return html`<div class="menu" id="menu" popover role="group" aria-label=${this.t("More")} @beforetoggle=${() => this.requestUpdate()}>
-      ${item("redo", this.t("Redo"), !readonly, "on-phone", !this.store.canRedo)} ${item("gallery", this.t("Choose the cycle from pictures"), !readonly, "on-tablet")}
-      ${item("open", this.t("Open a file"), !readonly)} ${item("paste", this.t("Paste"), !readonly)} ${item("save-job", this.t("Save job"))} ${item("save-picture", this.t("Save the picture (SVG)"))}
-      ${item("share", this.t("Copy a link to this job"), this.around.links)} ${item("sheet", this.t("Setup sheet to print"))} ${item("presets", this.t("Presets"), this.around.local && !readonly)}
-      ${item("lengths", this.t("Tool lengths"))} ${item("viewer", this.t("Moves of the opened program"), this.viewed !== null)} ${item("keys", this.t("Keys"))} ${item("reset", this.t("Reset"), !readonly)}
-      <label>${this.t("Language")} <select id="lang" @change=${this.chooseLanguage}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === this.store.lang}>${name}</option>`)}</select></label>
-      <label>${this.t("Colours")} <select id="theme" @change=${this.chooseTheme}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === this.theme}>${this.t(THEME_NAMES[theme])}</option>`)}</select></label>
-      <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!this.around.links}>${this.t("Licences")}</a></small>
-    </div>`;
+  /** What menu and dialogs show, and what they do. */
+  private get frame(): Frame {
+    const { store, around, theme, away } = this;
+    return {
+      store,
+      local: around.local,
+      links: around.links,
+      away,
+      viewed: this.viewed !== null,
+      theme,
+      presets: this.there.has("presets"),
+      look: () => this.requestUpdate(),
+      choose: (what) => {
+        this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
+        this.ask(what);
+      },
+      chooseLanguage: (lang) => this.language.choose(lang),
+      chooseTheme: (theme) => {
+        around.host.theme = theme;
+        if (around.local) keepTheme(theme);
+      },
+    };
   }
 
-  private dialogs(): TemplateResult {
-    const close = html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>`;
-    return html`<dialog id="presets" aria-label=${this.t("Presets")} aria-describedby="presets-help">
-      ${this.there.has("presets") ? html`<tp-presets .store=${this.store}></tp-presets>` : nothing}
-      ${close}
-    </dialog>
-    <dialog id="keys" aria-labelledby="keys-title">
-      <h2 id="keys-title" tabindex="-1" autofocus>${this.t("Keys")}</h2>
-      <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${this.t(keys)}</dt><dd>${this.t(what)}</dd>`)}</dl>
-      ${close}
-    </dialog>
-    <dialog id="ask-reset" aria-labelledby="ask-reset-text">
-      <p id="ask-reset-text">${this.t("Put the whole form back to the defaults of “{cycle}”? Undo brings back what is there now.", this.store.cycle.title)}</p>
-      <form method="dialog" class="tools"><button @click=${() => this.store.reset()}>${this.t("Put back")}</button><button>${this.t("Keep")}</button></form>
-    </dialog>`;
+  /** Shows everything in the language that is wanted, once its words are there. */
+  reword(): Promise<void> {
+    return this.language.follow();
   }
 
   protected override firstUpdated(): void {
@@ -412,39 +379,7 @@ export class App extends LitElement {
   /** What is said of one job is not said of another; what is passing, of no later one. */
   private readonly forget = (): void => {
     const { document, revision } = this.store;
-    if (this.told !== null && this.toldAt !== (this.passing ? revision : document)) this.tell(null);
-  };
-
-  /** Where the button or field that had the focus is removed, the focus moves to one near it, not to the start of the page. */
-  private readonly refocus = (event: Event): void => {
-    clearTimeout(this.refocusing);
-    const root = this.getRootNode() as ShadowRoot;
-    const at = root.activeElement;
-    const acts = event.type === "click" || (event instanceof KeyboardEvent && event.key === "Escape");
-    if (!at || !acts) return;
-    const group = at.closest(".group, dialog");
-    const there = (place: Element) => place.isConnected && place.checkVisibility() && !place.matches(":disabled");
-    const lost = () => {
-      const now = root.activeElement;
-      const outside = ![document.body, root.host].includes(document.activeElement as HTMLElement);
-      if (there(at) || (now && there(now)) || outside || !this.isConnected) return;
-      const places = [
-        ...(group?.querySelectorAll<HTMLElement>("input, select, button") ?? []),
-        ...[".back button", "tp-bar [popovertarget]"].flatMap((place) => [
-          ...this.querySelectorAll<HTMLElement>(place),
-        ]),
-      ];
-      places.find(there)?.focus({ preventScroll: true });
-    };
-    // Some are removed only when the page is drawn, or a part of it is loaded. The user's next click or key cancels this.
-    const look = ([ms, ...later]: number[]) => {
-      if (ms === undefined) return;
-      this.refocusing = window.setTimeout(() => {
-        lost();
-        look(later);
-      }, ms);
-    };
-    look([40, 360]);
+    if (this.said !== null && this.saidAt !== (this.passing ? revision : document)) this.tell(null);
   };
 
   /** To the field of a path, or to the nearest one around it. */
@@ -482,11 +417,6 @@ export class App extends LitElement {
     }
   }
 
-  private choose(what: string): void {
-    this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
-    this.ask(what);
-  }
-
   /** Does what a button of the bar or the menu asks for. */
   async ask(what: string): Promise<void> {
     const { store } = this;
@@ -502,7 +432,7 @@ export class App extends LitElement {
         this.requestUpdate();
         open("ask-reset");
       },
-      save: () => this.save(),
+      save: () => this.outlet.program(),
       sheet: () => store.withheld === null && this.use("sheet"),
       lengths: () => this.use("lengths"),
       presets: () => this.loads("presets").then((there) => there && open("presets")),
@@ -512,59 +442,11 @@ export class App extends LitElement {
         await this.use("cycles");
         this.show("checks");
       },
-      share: () => this.share(),
-      "save-job": () => this.saveJob(),
-      "save-picture": () => this.savePicture(),
+      share: () => this.around.links && this.outlet.link(),
+      "save-job": () => this.outlet.job(),
+      "save-picture": () => this.outlet.picture(),
     };
     await actions[what]?.();
-  }
-
-  /** Saves the program; only ever that of the form as it stands. The page around may want to do it itself. */
-  private save(): void {
-    const { store } = this;
-    if (store.stale) return;
-    const { text, post, extension } = store.plan.program;
-    const name = store.fileName(extension);
-    store.saved = text;
-    if (!this.around.host.tell("program-save", { name, text, post, extension })) return;
-    download(text, name, "text/plain");
-    const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
-    if (program?.checkVisibility()) program.tell(this.t("Saved {file}", name));
-    else this.tell([w("Saved {file}"), name], true);
-  }
-
-  /** The form as it stands, also with errors: it is the user's work. */
-  private saveJob(): void {
-    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, this.store.otherName(".json"), "application/json");
-  }
-
-  /** The picture as it is looked at, of the form as it stands. */
-  private savePicture(): void {
-    const { store } = this;
-    if (store.withheld !== null) {
-      this.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
-      return;
-    }
-    const picture = this.renderRoot.querySelector<PicturePart>("tp-picture");
-    const from = picture?.from ?? "top";
-    const job = store.shown as unknown as Job;
-    const text = picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, from);
-    download(text, store.otherName(`-${from}.svg`), "image/svg+xml");
-  }
-
-  private async share(): Promise<void> {
-    if (!this.around.links) return;
-    const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
-    if (fragment === null) {
-      this.tell([w("This job is too long for a link: save it as a file instead")], true);
-      return;
-    }
-    const link = new URL(fragment, location.href).href;
-    const done = await copy(link);
-    this.tell(
-      done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link],
-      true,
-    );
   }
 
   /** Light or dark: what the page around wants, or the system. */
@@ -572,57 +454,6 @@ export class App extends LitElement {
     const dark = this.theme === "dark" || (this.theme === "auto" && system.matches);
     this.classList.toggle("dark", dark);
     this.store.dispatchEvent(new Event("recolour"));
-  };
-
-  private readonly chooseTheme = (event: Event): void => {
-    const theme = (event.target as HTMLSelectElement).value as Theme;
-    this.around.host.theme = theme;
-    if (this.around.local) keepTheme(theme);
-  };
-
-  /** The language of the page around, the one that was chosen here, or the browser's; each where it has words. */
-  private get language(): Lang {
-    const { host, local } = this.around;
-    const own = languageOf([host.lang].filter(Boolean));
-    if (own) return own;
-    if (local) return languageOf([this.chosen ?? "", ...navigator.languages]) ?? "en";
-    let around: Element | null = host;
-    while (around && !(around as HTMLElement).lang) {
-      const root: Node = around.getRootNode();
-      around = around.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
-    }
-    return languageOf([(around as HTMLElement | null)?.lang ?? ""]) ?? "en";
-  }
-
-  /** Shows everything in the language that is wanted; its words are loaded first. Where they cannot be had, the language before stays. */
-  async reword(): Promise<void> {
-    const lang = this.language;
-    this.lang = this.store.lang;
-    if (lang === this.store.lang) return;
-    try {
-      const words = await wordsOf(lang);
-      // Another one was asked for meanwhile.
-      if (lang !== this.language) return this.reword();
-      this.store.translate(lang, words);
-      this.lang = lang;
-      // The page keeps the words for when there is no network.
-      this.around.host.dispatchEvent(new CustomEvent("language", { detail: lang }));
-      this.requestUpdate();
-    } catch {
-      if (lang !== this.language) return this.reword();
-      this.tell([w("This part of the page could not be loaded: is there a network?")]);
-      const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
-      if (choice) choice.value = this.store.lang;
-      this.chosen = this.store.lang;
-    }
-  }
-
-  private readonly chooseLanguage = async (event: Event): Promise<void> => {
-    const lang = (event.target as HTMLSelectElement).value;
-    this.chosen = lang;
-    if (this.around.host.lang || !this.around.local) this.around.host.lang = lang;
-    await this.reword();
-    if (this.around.local && this.store.lang === lang) keepLanguage(lang);
   };
 
   private t(template: string, ...values: (string | number)[]): string {
@@ -649,9 +480,9 @@ export class App extends LitElement {
 
   /** `passing`: it is true of the job as it is now, and of no later one. */
   private tell(said: Said | null, passing = false): void {
-    this.told = said;
+    this.said = said;
     this.passing = passing;
-    this.toldAt = passing ? this.store.revision : this.store.document;
+    this.saidAt = passing ? this.store.revision : this.store.document;
     this.requestUpdate();
   }
 }

@@ -111,10 +111,9 @@ class ProgramPart extends Part {
 
   /** The other controls that have a program for this cycle. */
   private others() {
-    const { catalog, cycle, plan } = this.store;
-    const takes = (post: (typeof catalog.posts)[number]) =>
-      post.cycles.some((c) => c.type === cycle.type && c.supported);
-    return catalog.posts.filter((post) => post.id !== plan.program.post && takes(post));
+    const { store } = this;
+    const takes = (id: string) => store.formsOf(id, store.cycle.type).length > 0;
+    return store.catalog.posts.filter(({ id }) => id !== store.plan.program.post && takes(id));
   }
 
   private readonly choose = async (event: Event): Promise<void> => {
@@ -132,8 +131,7 @@ class ProgramPart extends Part {
   private other(): { text: string } | { why: string } {
     const { store } = this;
     if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
-    const post = store.catalog.posts.find((p) => p.id === this.against);
-    const form = post?.cycles.find((c) => c.type === store.cycle.type && c.supported)?.form ?? "moves";
+    const form = store.formsOf(this.against, store.cycle.type)[0] ?? "moves";
     const control = { ...(store.shown.control as object), post: this.against, form };
     const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
     const error = findings.find((f) => f.level === "error");
@@ -171,7 +169,7 @@ class ProgramPart extends Part {
 
   /** Both programs in two columns. */
   private beside(lines: Compared[]): TemplateResult | typeof nothing {
-    const post = this.store.catalog.posts.find((p) => p.id === this.against);
+    const post = this.store.postOf(this.against);
     const cells = (one: Compared | null, line: number | null | undefined) => {
       const kind = one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
       return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;

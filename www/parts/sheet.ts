@@ -29,9 +29,9 @@ class SheetPart extends Part {
     if (withheld !== null) {
       return html`<p class="problem error"><b>${this.t("No setup sheet while the form has an error:")}</b> ${withheld}</p>`;
     }
-    const { plan, units, catalog, shown: job, cycle } = this.store;
+    const { plan, units, shown: job, cycle } = this.store;
     const { program } = plan;
-    const post = catalog.posts.find((p) => p.id === program.post);
+    const post = this.store.postOf(program.post);
     const computes = !this.store.bare;
     const head = conditions(program.text);
     const offset = this.store.get("control.workOffset");

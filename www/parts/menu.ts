@@ -1,0 +1,90 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { version } from "../core/browser.js";
+import type { Store } from "../store.js";
+import { LANGUAGES, w } from "../words.js";
+
+const THEMES = ["auto", "light", "dark"] as const;
+export type Theme = (typeof THEMES)[number];
+const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark") };
+
+/** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
+const KEYS: [string, string][] = [
+  [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
+  [w("Ctrl+S"), w("save the program")],
+  [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
+  [w("Enter in a number"), w("work out a sum, and to the next field")],
+  [w("Escape in a number"), w("back to what the field held")],
+  [w("← → in the timeline"), w("move before, next move")],
+  [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
+  [w("Space there"), w("play, pause")],
+  [w("↑ ↓ in the program"), w("line by line through the moves")],
+  [w("Ctrl+F in an opened program"), w("find words in it")],
+  [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
+  [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
+  [w("Escape on picture, program, timeline"), w("no move is lit")],
+  [w("Escape elsewhere"), w("back to the job")],
+];
+
+/** What changes the job, or hands it out: not while something else is shown. */
+export const OF_THE_JOB = new Set(["redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
+
+/** What menu and dialogs show of the frame, and what it does for them. */
+export interface Frame {
+  store: Store;
+  /** Whether presets, theme and language are kept in this browser. */
+  local: boolean;
+  /** Whether links are followed and handed out. */
+  links: boolean;
+  /** Whether something else than the job is shown. */
+  away: boolean;
+  /** Whether a program was opened whose moves can be shown again. */
+  viewed: boolean;
+  theme: Theme;
+  /** Whether the presets are loaded. */
+  presets: boolean;
+  /** Renders once more: what may be chosen is looked at whenever the menu opens. */
+  look(): void;
+  choose(what: string): void;
+  chooseLanguage(lang: string): void;
+  chooseTheme(theme: Theme): void;
+}
+
+/** What is rarely used. */
+export function menu(frame: Frame): TemplateResult {
+  const { store, links, local, away } = frame;
+  const { readonly } = store;
+  const t = (text: string) => store.t(text);
+  const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
+    offered
+      ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (away && OF_THE_JOB.has(what))} @click=${() => frame.choose(what)}>${name}</button>`
+      : nothing;
+  const chosen = (event: Event) => (event.target as HTMLSelectElement).value;
+  return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
+      ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)} ${item("gallery", t("Choose the cycle from pictures"), !readonly, "on-tablet")}
+      ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("save-job", t("Save job"))} ${item("save-picture", t("Save the picture (SVG)"))}
+      ${item("share", t("Copy a link to this job"), links)} ${item("sheet", t("Setup sheet to print"))} ${item("presets", t("Presets"), local && !readonly)}
+      ${item("lengths", t("Tool lengths"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
+      <label>${t("Language")} <select id="lang" @change=${(e: Event) => frame.chooseLanguage(chosen(e))}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === store.lang}>${name}</option>`)}</select></label>
+      <label>${t("Colours")} <select id="theme" @change=${(e: Event) => frame.chooseTheme(chosen(e) as Theme)}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === frame.theme}>${t(THEME_NAMES[theme])}</option>`)}</select></label>
+      <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!links}>${t("Licences")}</a></small>
+    </div>`;
+}
+
+/** What opens over the page: presets, the list of keys, the question before Reset. */
+export function dialogs({ store, presets }: Frame): TemplateResult {
+  const t = (text: string, ...values: string[]) => store.t(text, ...values);
+  const close = html`<form method="dialog" class="tools"><button>${t("Close")}</button></form>`;
+  return html`<dialog id="presets" aria-label=${t("Presets")} aria-describedby="presets-help">
+      ${presets ? html`<tp-presets .store=${store}></tp-presets>` : nothing}
+      ${close}
+    </dialog>
+    <dialog id="keys" aria-labelledby="keys-title">
+      <h2 id="keys-title" tabindex="-1" autofocus>${t("Keys")}</h2>
+      <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${t(keys)}</dt><dd>${t(what)}</dd>`)}</dl>
+      ${close}
+    </dialog>
+    <dialog id="ask-reset" aria-labelledby="ask-reset-text">
+      <p id="ask-reset-text">${t("Put the whole form back to the defaults of “{cycle}”? Undo brings back what is there now.", store.cycle.title)}</p>
+      <form method="dialog" class="tools"><button @click=${() => store.reset()}>${t("Put back")}</button><button>${t("Keep")}</button></form>
+    </dialog>`;
+}

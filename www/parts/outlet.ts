@@ -1,0 +1,79 @@
+import { type Job, type Said, svg } from "../core/browser.js";
+import { toFragment } from "../share.js";
+import type { Store } from "../store.js";
+import { w } from "../words.js";
+import { copy, download } from "./hand.js";
+import type { PicturePart } from "./picture.js";
+
+/** A program to be saved. */
+export interface Saving {
+  name: string;
+  text: string;
+  post: string;
+  extension: string;
+}
+
+/** What the page does with what is handed out. */
+interface Page {
+  /** Says something of the job as it is now. */
+  tell(said: Said): void;
+  /** Says where the program is seen that it was saved. */
+  saved(name: string): void;
+  /** Offers a program to the page around; false where that saves it itself. */
+  offer(saving: Saving): boolean;
+  /** The picture that is looked at. */
+  picture(): PicturePart | null;
+}
+
+/** What is handed out: the program, the job, its picture, a link to it. */
+export class Outlet {
+  constructor(
+    private readonly store: Store,
+    private readonly page: Page,
+  ) {}
+
+  /** Saves the program; only ever that of the form as it stands. */
+  program(): void {
+    const { store } = this;
+    if (store.stale) return;
+    const { text, post, extension } = store.plan.program;
+    const name = store.fileName(extension);
+    store.saved = text;
+    if (!this.page.offer({ name, text, post, extension })) return;
+    download(text, name, "text/plain");
+    this.page.saved(name);
+  }
+
+  /** Saves the form as it stands, also with errors: it is the user's work. */
+  job(): void {
+    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, this.store.otherName(".json"), "application/json");
+  }
+
+  /** Saves the picture as it is looked at, of the form as it stands. */
+  picture(): void {
+    const { store } = this;
+    if (store.withheld !== null) {
+      this.page.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
+      return;
+    }
+    const picture = this.page.picture();
+    const from = picture?.from ?? "top";
+    const job = store.shown as unknown as Job;
+    const text = picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, from);
+    download(text, store.otherName(`-${from}.svg`), "image/svg+xml");
+  }
+
+  /** Copies a link to the job; where the browser does not allow that, shows it. */
+  async link(): Promise<void> {
+    const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
+    if (fragment === null) {
+      this.page.tell([w("This job is too long for a link: save it as a file instead")]);
+      return;
+    }
+    const link = new URL(fragment, location.href).href;
+    const done = await copy(link);
+    this.page.tell(
+      done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link],
+    );
+  }
+}

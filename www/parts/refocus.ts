@@ -1,0 +1,58 @@
+import type { LitElement, ReactiveController } from "lit";
+
+/** What may take the focus away with it: a click, and Escape. */
+const EVENTS = ["click", "keydown", "pointerdown"] as const;
+/** After as many milliseconds it is looked whether the focus was lost: some of what goes is removed only when the page is drawn, or a part of it is loaded. */
+const LOOKS = [40, 360];
+
+/** Where the button or field that had the focus is removed, the focus moves to one near it, not to the start of the page. */
+export class Refocus implements ReactiveController {
+  private timer = 0;
+
+  constructor(private readonly frame: LitElement) {
+    frame.addController(this);
+  }
+
+  hostConnected(): void {
+    // Before what is clicked does anything: it may be gone afterwards.
+    for (const name of EVENTS) this.frame.addEventListener(name, this.watch, true);
+  }
+
+  hostDisconnected(): void {
+    for (const name of EVENTS) this.frame.removeEventListener(name, this.watch, true);
+  }
+
+  private readonly watch = (event: Event): void => {
+    // The user's next click or key cancels what was to be looked at.
+    clearTimeout(this.timer);
+    const acts = event.type === "click" || (event instanceof KeyboardEvent && event.key === "Escape");
+    const at = this.root.activeElement;
+    if (at && acts) this.look(at, at.closest(".group, dialog"), LOOKS);
+  };
+
+  private look(at: Element, group: Element | null, [ms, ...later]: number[]): void {
+    if (ms === undefined) return;
+    this.timer = window.setTimeout(() => {
+      this.restore(at, group);
+      this.look(at, group, later);
+    }, ms);
+  }
+
+  /** Moves the focus from `at`, where that is gone and nothing else has it, into the group it was in, or to the frame's first button. */
+  private restore(at: Element, group: Element | null): void {
+    const there = (place: Element) => place.isConnected && place.checkVisibility() && !place.matches(":disabled");
+    const now = this.root.activeElement;
+    const outside = ![document.body, this.root.host].includes(document.activeElement as HTMLElement);
+    if (there(at) || (now && there(now)) || outside || !this.frame.isConnected) return;
+    const places = [
+      ...(group?.querySelectorAll<HTMLElement>("input, select, button") ?? []),
+      ...this.frame.querySelectorAll<HTMLElement>(".back button"),
+      ...this.frame.querySelectorAll<HTMLElement>("tp-bar [popovertarget]"),
+    ];
+    places.find(there)?.focus({ preventScroll: true });
+  }
+
+  private get root(): ShadowRoot {
+    return this.frame.getRootNode() as ShadowRoot;
+  }
+}
