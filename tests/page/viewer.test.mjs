@@ -78,6 +78,37 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await viewer.waitFor();
 });
 
+test("a probing move that is looked at along its way was not seen: it is a dot, also over the origin", async () => {
+  const across = async (/** @type {string} */ text) => {
+    await openText(text, "foreign.ngc");
+    await page.locator("tp-viewer").waitFor();
+    await framed();
+    return page.locator(`tp-viewer ${PICTURE}`).evaluate((node) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (node);
+      const { data, width } = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(
+        0,
+        0,
+        canvas.width,
+        canvas.height,
+      );
+      // Red, and neither grey nor green: the columns that have such a pixel.
+      const columns = new Set();
+      for (let i = 0; i < data.length; i += 4)
+        if (/** @type {number} */ (data[i]) > /** @type {number} */ (data[i + 1]) + 80) columns.add((i / 4) % width);
+      return columns.size;
+    });
+  };
+  const head = "G21 G90\nG0 X0 Y0 Z20\nG0 X40 Y10\nG0 Z5\n";
+  const dot = (/** @type {number} */ seen) => assert.ok(seen >= 6 && seen <= 10, `${seen} pixels`);
+  const probing = "G38.2 Z-5 F100\nG0 Z20\n";
+  const far = "G0 X80 Y0\nG0 X-40 Y0\n";
+  dot(await across(`${head}${probing}${far}M2\n`));
+  dot(await across(`${head}G0 X0 Y0\n${probing}${far}M2\n`));
+  assert.equal(await across(`${head}G1 Z-5 F100\nG0 Z20\n${far}M2\n`), 0);
+  // Drawn in few strokes, it is the same.
+  dot(await across(`${head}${probing}${far.repeat(2600)}M2\n`));
+});
+
 test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
   await field("cycle.width1").fill("90");
   const verdict = page.locator("footer");

@@ -1,6 +1,6 @@
 //! The lines of a long program: in few strokes, and without those that cannot be seen.
 
-use super::Painter;
+use super::{DOT, Painter};
 use crate::view::camera::Camera;
 use crate::view::scene::{Line, Scene, Spot, Stroke};
 
@@ -99,6 +99,12 @@ fn pixel(spot: Spot) -> [u64; 2] {
 /// The lines that were drawn last, by their pixels: a place each, which a later one takes.
 struct Recent(Vec<u64>);
 
+impl Default for Recent {
+    fn default() -> Self {
+        Recent(vec![0; 1 << Recent::PLACES])
+    }
+}
+
 impl Recent {
     const PLACES: u32 = 16;
 
@@ -113,10 +119,22 @@ impl Recent {
 }
 
 impl Painter {
+    /// The touches that are looked at along their way, over everything else: no browser strokes a line without a length.
+    pub(super) fn dots(&self, scene: &Scene, camera: &Camera) {
+        let mut recent = Recent::default();
+        for line in scene.lines.iter().filter(|line| line.stroke == Stroke::Touch) {
+            let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
+            let along = (to[0] - from[0]).hypot(to[1] - from[1]) < 1.0;
+            if along && clipped([to; 2], camera.size).is_some() && recent.is_new(line, [pixel(to); 2]) {
+                self.disc(to, DOT, &self.theme.touch);
+            }
+        }
+    }
+
     /// Draws the lines of a long program; touches last, as in any picture.
     pub(super) fn long(&self, scene: &Scene, camera: &Camera) {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
-        let mut recent = Recent(vec![0; 1 << Recent::PLACES]);
+        let mut recent = Recent::default();
         for touches in [false, true] {
             let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {

@@ -38,6 +38,9 @@ const HATCH: f64 = 7.0;
 const DISC: f64 = 9.0;
 const BEHIND: f64 = 16.0;
 
+/// Half the size in pixels of the dot of a touch that is looked at along its way.
+const DOT: f64 = 3.5;
+
 /// Half the size of a handle in pixels.
 const HANDLE: f64 = 6.0;
 
@@ -219,6 +222,10 @@ impl Painter {
             self.handles(scene, camera);
         }
         self.axes(scene, camera, marks.origin);
+        // The touches of a job have their balls.
+        if scene.touches.is_empty() {
+            self.dots(scene, camera);
+        }
         for (drawn, line) in camera.dimensions(scene, marks.field) {
             self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
         }
