@@ -78,7 +78,7 @@ impl Camera {
     /// A round length for the scale bar, in units of so many millimetres.
     pub fn bar(&self, unit: f64) -> f64 {
         let most = 110.0 / self.scale / unit;
-        let power = 10f64.powf(most.log10().floor());
+        let power = 10f64.powi(most.log10().floor() as i32);
         [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
     }
 

@@ -2,6 +2,7 @@
 
 pub mod camera;
 pub mod dimension;
+pub mod lengths;
 pub mod scene;
 mod svg;
 

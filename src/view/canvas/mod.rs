@@ -10,7 +10,8 @@ pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
-use crate::view::scene::{Arrow, Line, Scene, Spot, Stroke, WallShape};
+use crate::view::lengths::Arrow;
+use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]

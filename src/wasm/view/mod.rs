@@ -14,7 +14,9 @@ use crate::job::{self, Planned};
 use crate::view::Legend;
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
-use crate::view::scene::{self, Moves, Projection, Scene, Spot};
+use crate::view::lengths;
+use crate::view::scene::program::{self, Moves};
+use crate::view::scene::{self, Projection, Scene, Spot};
 use crate::wasm::input::decoded;
 use crate::wasm::{Last, set};
 
@@ -208,7 +210,7 @@ impl View {
     #[wasm_bindgen(js_name = showLentoaxCoded)]
     pub fn show_lentoax(&mut self, codes: &[f64], text: &str) -> bool {
         let Ok(query) = job::lentoax_query(&decoded(codes, text)) else { return false };
-        let arrows = scene::lengths(&query);
+        let arrows = lengths::arrows(&query);
         self.shown = None;
         // The longest arrows end at 1.15; their names need a little room beyond.
         let camera = Camera::fit(self.camera.size, [[-1.25, -1.25], [1.25, 1.25]], 22.0);
@@ -446,7 +448,7 @@ impl View {
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
         let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane, scale };
-        Shown { scene: scene::program(&moves, self.projection), what: What::Program(path) }
+        Shown { scene: program::scene(&moves, self.projection), what: What::Program(path) }
     }
 
     /// The job that is shown, where it is one.

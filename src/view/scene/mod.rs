@@ -1,10 +1,10 @@
 //! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
 
+pub mod program;
+
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
-
-use crate::tool_length::{self, Query};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 
 /// A point on the picture plane, mm, y upwards.
@@ -336,92 +336,6 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// The moves of a program that nothing else is known of.
-#[derive(Clone, Copy, Debug)]
-pub struct Moves<'a> {
-    /// Where each ends, three numbers a move; NaN is not known.
-    pub to: &'a [f64],
-    /// What each is: 0 rapid, 1 at a feed, 2 probing.
-    pub kind: &'a [u8],
-    /// The arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
-    pub arcs: &'a [[f64; 6]],
-    /// The plane that it is seen in.
-    pub plane: Plane,
-    /// Millimetres in a unit of the program, where it says its units.
-    pub scale: Option<f64>,
-}
-
-/// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
-pub fn program(moves: &Moves<'_>, view: Projection) -> Scene {
-    let spot = |p: Vec3| view.spot(moves.plane, p);
-    let basis = moves.plane.basis();
-    let mut lines = Vec::with_capacity(moves.kind.len());
-    let mut ends = Vec::with_capacity(moves.kind.len());
-    let mut beyond = Vec::new();
-    // Sixty to a circle; fewer where there are very many.
-    let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
-    let mut arcs = moves.arcs.iter().peekable();
-    let mut from = Vec3::NAN;
-    for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
-        let scale = moves.scale.unwrap_or(1.0);
-        let end = Vec3::from_slice(to) * scale;
-        let arc = arcs.next_if(|arc| arc[0] == index as f64).map(|[_, a, b, c, sweep, plane]| {
-            let plane = [Plane::G17, Plane::G18, Plane::G19][(*plane as usize).saturating_sub(17).min(2)];
-            let center = Vec3::new(*a, *b, *c) * scale;
-            (crate::path::Arc { center, sweep: sweep.to_radians() }, plane.basis()[2])
-        });
-        if from.is_finite() && end.is_finite() {
-            let stroke = match kind {
-                0 => Stroke::Position,
-                2 => Stroke::Touch,
-                _ => Stroke::Link,
-            };
-            let mut start = from;
-            let pieces = helix(from, end, arc, most);
-            beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
-            for piece in pieces {
-                lines.push(Line { from: spot(start), to: spot(piece), stroke, rapid: *kind == 0, index });
-                start = piece;
-            }
-        }
-        ends.push(if end.is_finite() { spot(end) } else { [f64::NAN; 2] });
-        from = end;
-    }
-    let names = moves.plane.axes().map(|axis| AXIS_NAMES[axis]);
-    Scene {
-        walls: Vec::new(),
-        lines,
-        touches: Vec::new(),
-        ends,
-        beyond,
-        unit: moves.scale,
-        radius: 0.0,
-        origin: spot(Vec3::ZERO),
-        axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
-        centre_lines: None,
-        spread: None,
-        collision: None,
-        dimensions: Vec::new(),
-        angles: Vec::new(),
-        handle: None,
-    }
-}
-
-/// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
-fn helix(from: Vec3, end: Vec3, arc: Option<(crate::path::Arc, Vec3)>, most: usize) -> Vec<Vec3> {
-    let Some((arc, up)) = arc else { return vec![end] };
-    let count = (arc.sweep.abs() / std::f64::consts::TAU * most as f64).ceil().max(1.0) as usize;
-    let out = from - arc.center;
-    let (flat, rise) = (out - up * out.dot(up), (end - from).dot(up));
-    let across = up.cross(flat);
-    let at = |i: usize| {
-        let part = i as f64 / count as f64;
-        let (sin, cos) = (arc.sweep * part).sin_cos();
-        arc.center + up * (out.dot(up) + rise * part) + flat * cos + across * sin
-    };
-    (1..count).map(at).chain([end]).collect()
-}
-
 /// A round wall as flat strips.
 fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
     const COUNT: usize = 60;
@@ -442,43 +356,6 @@ fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
             }
         })
         .collect()
-}
-
-/// What an arrow of a tool-length picture is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Arrow {
-    /// An axis of the coordinate system that is asked for.
-    Axis,
-    /// An axis of the base system, where the workpiece system is turned against it.
-    Base,
-    /// A tool length.
-    Length,
-}
-
-/// The arrows of a tool-length picture, from the origin: what each is, its name, and its tip in an isometric view.
-pub fn lengths(query: &Query) -> Vec<(Arrow, String, Spot)> {
-    let spot = |v: Vec3| Projection::Isometric.spot(Plane::G17, v);
-    let mut arrows: Vec<(Arrow, String, Spot)> =
-        (0..3).map(|i| (Arrow::Axis, AXIS_NAMES[i].to_owned(), spot(Vec3::AXES[i] * 1.4))).collect();
-    let answer = tool_length::lentoax(query);
-    if answer.status < 0 {
-        return arrows;
-    }
-    if query.coord.to_ascii_uppercase().starts_with('W') && !query.frame.is_empty() {
-        // BCS = F · WCS, so a base axis is seen from the workpiece as a row of F.
-        let (frame, _) = tool_length::frame(&query.frame);
-        for (axis, name) in AXIS_NAMES.into_iter().enumerate() {
-            arrows.push((Arrow::Base, format!("{name}0"), spot(frame.row(axis) * 1.2)));
-        }
-    }
-    for length in 0..3 {
-        let mut tip = Vec3::ZERO;
-        for (row, axis) in query.plane.axes().into_iter().enumerate() {
-            tip[axis] = answer.matrix[row][length];
-        }
-        arrows.push((Arrow::Length, format!("L{}", length + 1), spot(tip)));
-    }
-    arrows
 }
 
 fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool) -> WallShape {
@@ -577,21 +454,6 @@ fn length(a: Spot) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
-    #[test]
-    fn a_program_in_inch_is_seen_in_millimetres() {
-        let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
-        let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
-        let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
-        let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
-        let top = program(&moves, Projection::Top);
-        assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
-        let front = program(&moves, Projection::Front);
-        assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
-        assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
-        assert!(program(&Moves { scale: None, ..moves }, Projection::Top).unit.is_none());
-    }
 
     #[test]
     fn seen_from_the_top_the_abscissa_goes_right_in_every_plane() {

@@ -1,0 +1,123 @@
+//! What neither of the two takes, or takes with a warning.
+
+use super::{DIALECT, DIGITS, FIRST, LAST};
+use crate::control::{Request, check_plain_moves, check_rotary, check_write};
+use crate::form::Checker;
+use crate::geom::Plane;
+use crate::path::Purpose;
+use crate::text::text;
+
+/// The least that a touch searches, and that it begins before its contact, mm: in less its contact cannot be distinguished from its end, or
+/// from its beginning.
+const SHORTEST_SEARCH: f64 = 0.2;
+
+/// The feed that a G31 of a Haas must stay below, mm/min, in programs in mm and in inch: its manual says so, since more may damage the probe.
+const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
+
+/// The fastest G31 of a Haas.
+pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
+    let feeds = request.path.moves.iter().filter_map(|step| match step.purpose {
+        Purpose::Touch(_) => Some(request.feeds.work),
+        Purpose::Position => request.feeds.rate(step.feed),
+        Purpose::Back(_) => None,
+    });
+    let fastest = feeds.fold(0.0, f64::max);
+    let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
+    if fastest >= limit {
+        let message = text!(
+            "G31 runs at up to {feed}/min here: the manual of the Classic control asks for less than {limit}/min, since more may damage the probe",
+            checker.length(fastest),
+            checker.length(limit)
+        );
+        checker.warning("probing-too-fast", "feeds", message);
+    }
+}
+
+/// Whether the two can do what is asked for.
+pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
+    let unverified = text!(
+        "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
+                      was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override"
+    );
+    checker.info("not-verified", "control.post", unverified);
+    let rapid = request.path.moves.iter().find(|m| request.feeds.rate(m.feed).is_none());
+    if let Some(rate) = rapid.filter(|_| request.protected).and_then(|m| (request.post.rate)(request, None, m)) {
+        let message = text!("G31 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(rate));
+        checker.info("rapid-at-feed", "feeds", message);
+    }
+    if !request.protected && !request.path.moves.is_empty() {
+        let message = text!(
+            "Without watched positioning a probe that is deflected from the start would be taken for a touch: this control takes watched \
+                       programs only"
+        );
+        checker.error("protection-unsupported", "control.protection", message);
+    }
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
+    check_write(request, checker);
+    if request.plane != Plane::G17 && !request.path.moves.is_empty() {
+        let message =
+            text!("The length of the tool is taken to act along Z: programs for another plane than G17 are not printed");
+        checker.error("plane-unsupported", "plane", message);
+    }
+    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        let message = text!("A work offset of this control has no rotation: none can be written");
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+    }
+    if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
+        let message = text!(
+            "Touch {touch} searches {search} past its nominal contact: at least {least} are needed, so that its contact differs from its end",
+            k + 1,
+            checker.length(request.path.touches[k].search),
+            checker.length(SHORTEST_SEARCH)
+        );
+        checker.error("search-too-short", "overtravel", message);
+    }
+    check_starts(request, checker);
+    check_digits(request, checker);
+    let last = FIRST + request.registers().last;
+    if last > LAST {
+        let message = text!(
+            "The program would need #{first} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \
+             touches",
+            FIRST,
+            last
+        );
+        checker.error("too-many-registers", "control.post", message);
+    }
+}
+
+/// No place needs more digits than a number may have.
+fn check_digits(request: &Request<'_>, checker: &mut Checker) {
+    let decimals = if request.scale == 1.0 { DIALECT.decimals_mm } else { DIALECT.decimals_inch };
+    let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
+    let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
+    let places = request.path.moves.iter().map(|step| step.to).chain(touches);
+    let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
+    if farthest >= limit {
+        let message = text!(
+            "A place is {far} from the origin: places must be within {limit}, since a number has {digits} digits at most on some controls",
+            checker.length(farthest),
+            checker.length(limit),
+            DIGITS
+        );
+        checker.error("too-many-digits", "cycle", message);
+    }
+}
+
+/// Every touch begins far enough before its contact.
+fn check_starts(request: &Request<'_>, checker: &mut Checker) {
+    let radius = request.setup.radius;
+    let mut ways =
+        request.path.searches().filter_map(|(k, from, _)| Some((k, from?.distance(request.path.touches[k].contact(radius)))));
+    if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_SEARCH) {
+        let message = text!(
+            "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, so that its contact differs from its beginning",
+            k + 1,
+            checker.length(way),
+            checker.length(SHORTEST_SEARCH)
+        );
+        checker.error("touch-too-short", "cycle", message);
+    }
+}

@@ -1,0 +1,357 @@
+//! Writes the program: every probing move a G31, compared with its end.
+
+use super::flavour::Flavour;
+use super::{DIALECT, DIGITS, FIRST, SHORTEST_PROBE, origin, rate};
+use crate::control::iso::print::{self, Notation};
+use crate::control::iso::registers::Registers;
+use crate::control::iso::writer::{Writer, highest, upwards};
+use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::{Program, Request, offset_line, written};
+use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op};
+use crate::geom::Vec3;
+use crate::num::{Digits, count, decimal, push_count};
+use crate::path::{Move, Touch};
+
+/// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
+const IN_POSITION: f64 = 0.05;
+
+/// Labels. The exits stand after the end.
+const FREE: &str = "9001";
+const MISSED: &str = "9002";
+const BLOCKED: &str = "9003";
+const STATE: &str = "9004";
+const ELSEWHERE: &str = "9005";
+
+/// What the value of an assignment changes by in a full turn, degrees, where it is an angle or half of one.
+fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
+    let is_angle = |node: NodeId| matches!(formula.node(node), Node::Atan2(..));
+    match formula.node(node) {
+        Node::Atan2(..) => Some(360),
+        Node::Binary(Op::Divide, angle, two) if is_angle(angle) && formula.node(two) == Node::Number(2.0) => Some(180),
+        _ => None,
+    }
+}
+
+fn variable(n: usize) -> String {
+    let mut text = String::new();
+    push_variable(&mut text, n);
+    text
+}
+
+fn push_variable(text: &mut String, n: usize) {
+    text.push('#');
+    push_count(text, FIRST + n);
+}
+
+/// The program of a request, with what one of the two has of its own.
+pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
+    moves::write(request, &DIALECT, &mut Skip { request, flavour, registers: request.registers(), labels: 0 })
+}
+
+/// The program of one request.
+struct Skip<'a> {
+    request: &'a Request<'a>,
+    flavour: &'static Flavour,
+    registers: &'a Registers,
+    labels: usize,
+}
+
+/// Writes expressions over these variables.
+struct Variables<'a>(&'a Registers);
+
+impl Notation for Variables<'_> {
+    const BRACKETS: (char, char) = ('[', ']');
+    const ATAN: [&'static str; 3] = print::ATAN_OF_TWO;
+
+    fn variable(&self, _: &Formula, index: usize, out: &mut String) {
+        push_variable(out, self.0.variables[index]);
+    }
+
+    fn trigger(&self, sample: usize, axis: usize, out: &mut String) {
+        push_variable(out, self.0.trigger(sample, axis));
+    }
+
+    fn decimals(&self, x: f64) -> usize {
+        decimals(x)
+    }
+}
+
+/// A constant has at most eight digits, the zero in front of the point too.
+fn decimals(x: f64) -> usize {
+    let whole = x.abs().max(1.0).log10().floor() as usize + 1;
+    DIGITS.saturating_sub(whole)
+}
+
+/// Where the ball stopped in the last G31, along each axis.
+const STOPPED_AT: [&str; 3] = ["#5061", "#5062", "#5063"];
+
+impl Skip<'_> {
+    /// A number of the program, as a value: with its point, and in brackets where it is negative.
+    fn number(w: &Writer<'_>, mm: f64) -> String {
+        let text = w.number(mm);
+        if text.starts_with('-') { format!("[{text}]") } else { text.to_string() }
+    }
+
+    /// How far the ball stopped off a place, along the axes that are known, as a sum.
+    fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
+        let mut sum = String::with_capacity(80);
+        for &axis in axes {
+            sum.push_str(if sum.is_empty() { "ABS[" } else { "+ABS[" });
+            sum.push_str(STOPPED_AT[axis]);
+            if axis == 2 {
+                sum.push('-');
+                push_variable(&mut sum, 0);
+            }
+            let place = Self::number(w, to[axis]);
+            if place != "0." {
+                sum.push('-');
+                sum.push_str(&place);
+            }
+            sum.push(']');
+        }
+        sum
+    }
+
+    fn in_position(w: &Writer<'_>) -> Digits {
+        w.number(IN_POSITION)
+    }
+
+    /// A probing move, and the block that keeps the control from reading ahead.
+    fn probe(&self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
+        let feed = w.number(rate);
+        w.parts(&["G31", words, " F", &feed, alarm]);
+        w.line(self.flavour.halt);
+    }
+
+    /// A watched move, and its check on the axes whose places are known.
+    fn goes(&self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
+        let rate = self.rate(step);
+        self.probe(w, words, rate, self.flavour.free);
+        if !axes.is_empty() {
+            let (off, near) = (Self::off(w, to, axes), Self::in_position(w));
+            w.parts(&["IF [", &off, " GT ", &near, "] GOTO ", exit]);
+        }
+    }
+
+    /// The feed of a move, mm/min.
+    fn rate(&self, step: &Move) -> f64 {
+        rate(self.request, step, self.flavour.rapid).unwrap_or(self.flavour.rapid)
+    }
+
+    fn label(&mut self) -> String {
+        self.labels += 1;
+        self.labels.to_string()
+    }
+
+    /// After a move, or at a place, whose height is known: what #5043 reads more than that is the length of the tool or nothing. Anything
+    /// else is a contact on the way, or a stylus elsewhere.
+    fn settle(&mut self, w: &mut Writer<'_>, height: f64, exit: &str) {
+        let (near, good) = (Self::in_position(w), self.label());
+        let set = format!("#148=#5043-{}", Self::number(w, height));
+        w.line(&set);
+        w.line(&format!("IF [ABS[#148] LE {near}] GOTO {good}"));
+        w.line(&format!("IF [ABS[#148-{}] GT {near}] GOTO {exit}", variable(0)));
+        w.line(&format!("N{good}"));
+        w.line(&format!("{}=#148", variable(0)));
+    }
+
+    fn moving(&self) -> bool {
+        !self.request.path.moves.is_empty()
+    }
+}
+
+impl Moves for Skip<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        let request = self.request;
+        let formula = &request.path.formula;
+        w.line("%");
+        w.line("O1000");
+        let write = written(request, formula.datum.as_ref());
+        w.header(&offset_line(request, request.post.work_offset_word, &write));
+        w.comment("The number O1000 is any: give it a free one");
+        if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+            let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+            w.comment(&format!(
+                "The stylus must stand at {height} or higher, else nothing moves. It goes in the plane, then down to {place}: that way must be free"
+            ));
+        }
+        w.comment(
+            "Not verified on a control: run it without a part first, feed hold at hand. G31 may ignore the feed override",
+        );
+        if self.moving() {
+            w.comment(
+                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move",
+            );
+        }
+        for line in self.registers.lines(formula, 0, DIALECT.comment_width - 2, variable) {
+            w.comment(&line);
+        }
+        w.says_job();
+        if self.moving() {
+            w.comment(self.flavour.refuses);
+            let other_units = if request.scale == 1.0 { "#4006 EQ 20" } else { "#4006 EQ 21" };
+            for check in [other_units].iter().chain(self.flavour.states) {
+                w.line(&format!("IF [{check}] GOTO {STATE}"));
+            }
+        }
+        w.modes();
+        w.line("M5");
+        w.line("M9");
+        if !self.moving() {
+            return;
+        }
+        if let Some(n) = request.work_offset {
+            w.line(&(request.post.work_offset_word)(n));
+        }
+        w.line(self.flavour.halt);
+        w.line(&format!("{}={}", variable(0), self.flavour.length));
+        if let Some(start) = request.path.start {
+            self.settle(w, start.z, ELSEWHERE);
+        }
+    }
+
+    fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
+        w.line("#149=1");
+        // Whether #5043 has the length in it is not known yet: the stylus must stand high enough either way, the first for a length above
+        // zero, the second for one below, as tables with machine heights have. Sums of lengths and heights are rounded, and a control reads
+        // its axes in its own steps.
+        let height = Self::number(w, first.to.z - IN_POSITION);
+        w.line(&format!("IF [#5043-{} LT {height}] GOTO {ELSEWHERE}", variable(0)));
+        w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
+        // The stylus is above all that the program knows of, but not by how much: a contact does not lift, since a lift to a stated height
+        // could go down.
+        let across = w.plane_words(first.to);
+        self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
+        w.makes_move();
+        let down = w.tool_word(first.to);
+        self.goes(w, &down, first.to, first, &[], BLOCKED);
+        self.settle(w, first.to.z, BLOCKED);
+    }
+
+    fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.parts(&["#149=", &count(step.index + 1)]);
+        w.makes_move();
+        each_piece(self.request, step, |from, to| {
+            if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
+                w.straight("G1", to, true, Some(self.rate(step.step)));
+                return;
+            }
+            let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
+            let words = w.place(to, true);
+            self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
+        });
+    }
+
+    fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
+        w.parts(&["#149=", &count(step.index + 1)]);
+        w.makes_move();
+        let end = step.step.to - touch.vector * touch.search;
+        let words = w.all_words(end);
+        self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
+        let near = Self::in_position(w);
+        // A probe that has not settled since the move before would have the start taken for the wall.
+        if let Some(start) = step.from {
+            w.parts(&["IF [", &Self::off(w, start, &[0, 1, 2]), " LE ", &near, "] GOTO ", FREE]);
+        }
+        w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
+    }
+
+    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
+        push_variable(&mut kept.variable, self.registers.trigger(sample, axis));
+        kept.source.push_str(STOPPED_AT[axis]);
+        if axis == 2 {
+            kept.source.push('-');
+            push_variable(&mut kept.source, 0);
+        }
+        (kept.group, kept.whole) = (("[", "]"), ("[", "]"));
+        true
+    }
+
+    fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
+        w.makes_move();
+        w.straight("G1", step.step.to, true, Some(self.rate(step.step)));
+    }
+
+    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
+        w.build(|text| {
+            push_variable(text, self.registers.variables[index]);
+            text.push('=');
+            print::print_to(text, &Variables(self.registers), formula, formula.assignments[index].node, self.request.scale);
+        });
+        // ATAN gives 0 to 360 or -180 to 180 degrees, as a parameter of the control says (6004 bit 0): the formula means the latter.
+        if let Some(turn) = full_turn(formula, formula.assignments[index].node) {
+            let angle = variable(self.registers.variables[index]);
+            w.line(&format!("IF [{angle} GT {}] THEN {angle}={angle}-{turn}", turn / 2));
+        }
+    }
+
+    fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
+        for &(copy, index) in &self.registers.copies {
+            w.line(&format!("{}={}", variable(copy), variable(self.registers.variables[index])));
+        }
+    }
+
+    /// The origin moves by what was measured less what is nominal: a work offset has no rotation.
+    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
+        w.line(self.flavour.halt);
+        w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
+        let axes = self.request.plane.axes();
+        for (i, place) in datum.place.iter().enumerate() {
+            let Some(Coordinate { measured: Some(measured), nominal }) = *place else { continue };
+            let value = print::variable(&Variables(self.registers), formula, measured);
+            let nominal = nominal / self.request.scale;
+            let nominal = match decimal(nominal, decimals(nominal)).as_str() {
+                "0" => String::new(),
+                text if text.starts_with('-') => format!("-[{text}]"),
+                text => format!("-{text}"),
+            };
+            let origin = format!("#{}", origin(number) + axes[i]);
+            w.line(&format!("{origin}={origin}+{value}{nominal}"));
+        }
+        w.line(&(self.request.post.work_offset_word)(number));
+    }
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        if let Some(end) = self.flavour.free_again.filter(|_| self.moving()) {
+            w.line(end);
+        }
+        let formula = &self.request.path.formula;
+        let measures = formula.results.iter().any(|result| result.variable.is_some());
+        let writes = self.request.work_offset.is_some() && formula.datum.as_ref().is_some_and(Datum::writes);
+        if self.flavour.forgets && measures && !writes {
+            w.comment("Read the results now: M30 may clear #100 to #149");
+            w.line("M0");
+        }
+        w.line("M30");
+        if let Some(first) = self.request.path.moves.first() {
+            self.exits(w, first);
+        }
+        w.line("%");
+    }
+}
+
+impl Skip<'_> {
+    /// What stands after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
+    fn exits(&self, w: &mut Writer<'_>, first: &Move) {
+        let top = highest(self.request).z;
+        let height = Self::number(w, top);
+        let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
+        let mut exit = |label: &str, lifts: Option<&str>, alarm: &str| {
+            w.line(&format!("N{label}"));
+            if let Some(stop) = lifts {
+                w.line(&format!("IF [#5043-{} GE {height}] GOTO {stop}", variable(0)));
+                w.line(&lift);
+                w.line(self.flavour.halt);
+                w.line(&format!("N{stop}"));
+            }
+            w.line(&format!("#3000={alarm}"));
+        };
+        exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
+        exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
+        exit(MISSED, Some("9012"), "2(NO CONTACT IN TOUCH #149)");
+        exit(STATE, None, "3(WRONG STATE, SEE HEADER)");
+        let start =
+            if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };
+        exit(ELSEWHERE, None, start);
+    }
+}

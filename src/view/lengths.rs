@@ -1,0 +1,42 @@
+//! The picture of the tool lengths: arrows from one origin.
+
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::tool_length::{self, Query};
+use crate::view::scene::{Projection, Spot};
+
+/// What an arrow of a tool-length picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrow {
+    /// An axis of the coordinate system that is asked for.
+    Axis,
+    /// An axis of the base system, where the workpiece system is turned against it.
+    Base,
+    /// A tool length.
+    Length,
+}
+
+/// The arrows of a tool-length picture, from the origin: what each is, its name, and its tip in an isometric view.
+pub fn arrows(query: &Query) -> Vec<(Arrow, String, Spot)> {
+    let spot = |v: Vec3| Projection::Isometric.spot(Plane::G17, v);
+    let mut all: Vec<(Arrow, String, Spot)> =
+        (0..3).map(|i| (Arrow::Axis, AXIS_NAMES[i].to_owned(), spot(Vec3::AXES[i] * 1.4))).collect();
+    let answer = tool_length::lentoax(query);
+    if answer.status < 0 {
+        return all;
+    }
+    if query.coord.to_ascii_uppercase().starts_with('W') && !query.frame.is_empty() {
+        // BCS = F · WCS, so a base axis is seen from the workpiece as a row of F.
+        let (frame, _) = tool_length::frame(&query.frame);
+        for (axis, name) in AXIS_NAMES.into_iter().enumerate() {
+            all.push((Arrow::Base, format!("{name}0"), spot(frame.row(axis) * 1.2)));
+        }
+    }
+    for length in 0..3 {
+        let mut tip = Vec3::ZERO;
+        for (row, axis) in query.plane.axes().into_iter().enumerate() {
+            tip[axis] = answer.matrix[row][length];
+        }
+        all.push((Arrow::Length, format!("L{}", length + 1), spot(tip)));
+    }
+    all
+}
