@@ -13,7 +13,7 @@ use crate::path::{MAX_TOUCHES, RAPID_RATE};
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Catalog {
-    /// The job format that this crate speaks.
+    /// The version of the job format that this crate reads.
     pub format: u8,
     /// The cycles.
     pub cycles: Vec<CycleEntry>,

@@ -7,7 +7,7 @@ use crate::num::decimal;
 use crate::text::{Part, Text, text};
 use crate::tolerance::{self, Nominal};
 
-/// Collects findings and knows which paths have failed, so that rules do not speak about values that are not there.
+/// Collects findings and knows which paths have failed, so that rules say nothing about values that are not there.
 #[derive(Debug)]
 pub struct Checker {
     /// Millimetres in one unit of length of the job.

@@ -63,7 +63,7 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
     if let Some(json) = json.filter(|json| matches!(json, Value::Map(_) | Value::List(_))) {
         let codes = codes::json_entries(json);
         let dump = codes.iter().any(|e| e.code == -1);
-        // What says it is a job is taken as it is: nothing of a user's work is dropped, the check will speak.
+        // What says it is a job is taken as it is: nothing of a user's work is dropped, the check says what is wrong.
         if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || !dump) {
             return Ok(Imported { job: json.clone(), trace: None, findings: crate::job::check(json) });
         }

@@ -265,7 +265,7 @@ enum Token {
     Number(f64),
 }
 
-/// The blocks of a program with their 0-based lines: without comments that only speak, numbers of blocks and blanks.
+/// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
     text.lines()

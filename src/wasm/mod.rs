@@ -162,7 +162,7 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     let value = (!codes.is_empty()).then(|| decoded(codes, json));
     let imported = import::import_with(&text, value.as_ref()).map_err(refused)?;
     let result = Object::new();
-    // A job in JSON is given back as it is, also where it holds more than a job can.
+    // A job in JSON is returned as it is, also where it holds more than a job can.
     if value.as_ref() != Some(&imported.job) {
         set(&result, "job", &value_to_js(&imported.job));
     }

@@ -283,7 +283,7 @@ fn results_follow_the_part() {
         let n = nominal.touches.first().map_or([0.0; 3], |t| t.vector);
         let off: f64 = (0..3).map(|i| offset[i] * n[i]).sum();
         let along = |axis: usize| if read_along { off * n[axis] } else { offset[axis] };
-        // A touch that meets another wall, or an edge, is told, and measures something else.
+        // A touch that meets another wall, or an edge, is reported, and measures something else.
         let meant = |plan: &Plan| !plan.findings.iter().any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact"));
         if let Some(shifted) = plan(&shifted).ok().filter(meant) {
             for row in &shifted.results {
@@ -303,7 +303,7 @@ fn results_follow_the_part() {
         }
         let turned = with(&shifted, "part.rotation", number(turn));
         if let Some(turned) = plan(&turned).ok().filter(meant) {
-            // A corner with its own angles has no error; whatever has one is told the truth beside it.
+            // A corner with its own angles has no error; whatever has one has the exact value beside it.
             let exact = turned.results.iter().any(|r| r.code == "angle" && r.value.is_some());
             for row in turned.results.iter().filter(|_| exact) {
                 if let (Some(value), Some(truth)) = (row.value, row.truth) {

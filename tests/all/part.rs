@@ -111,7 +111,7 @@ fn a_part_in_the_way_names_the_move() {
 }
 
 /// A square corner whose part is shifted by (0.4, 0.7) and turned by 1° about the work origin, where the corner is: two
-/// touches a wall see the turn itself, and the corner comes out exactly.
+/// touches a wall see the turn itself, and the corner is exact.
 #[test]
 fn a_turned_corner_is_measured_without_error() {
     let turned = with(&corner(), "part.rotation", number(1.0));

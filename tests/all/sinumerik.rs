@@ -62,9 +62,9 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
         }
         assert_eq!(machine.alarm, None, "{name}: {}", machine.message);
         // Which R parameter holds what, as the program itself says. Verdicts and single touches are not the program's.
-        let told: Vec<&str> = plan.program.text.lines().filter_map(|l| l.strip_prefix("; Results: ")).collect();
-        assert_eq!(told.is_empty(), plan.touches.is_empty(), "{name}");
-        for entry in told.iter().flat_map(|line| line.split(", ")) {
+        let found: Vec<&str> = plan.program.text.lines().filter_map(|l| l.strip_prefix("; Results: ")).collect();
+        assert_eq!(found.is_empty(), plan.touches.is_empty(), "{name}");
+        for entry in found.iter().flat_map(|line| line.split(", ")) {
             let (register, code) = entry.split_once(" = ").unwrap();
             let held = machine.r[&register[1..].parse::<usize>().unwrap()];
             let row = plan.results.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{name}: {code}"));

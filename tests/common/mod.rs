@@ -93,7 +93,7 @@ pub struct Interpreted {
     pub written: Option<(usize, [f64; 3])>,
     /// The rotation that goes with it.
     pub rotation: Option<f64>,
-    /// Every offset set after the last move and before the modes are given back.
+    /// Every offset set after the last move and before the modes are restored.
     pub offsets_after_moves: Vec<[f64; 3]>,
     /// Every rotation, likewise.
     pub rotations_after_moves: Vec<f64>,

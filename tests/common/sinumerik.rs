@@ -12,7 +12,7 @@ pub struct Machine {
     pub names: HashMap<String, f64>,
     /// Shift, turn, mirror, scale and fine shift of the one work offset, by axis.
     pub frame: [[f64; 3]; 5],
-    /// Where the ball is at the trigger of each touch; none goes on to the end.
+    /// Where the ball is at the trigger of each touch; where there is none, it runs to the end.
     pub triggers: Vec<Option<[f64; 3]>>,
     /// The number of a positioning move in which something is touched.
     pub contact_in: Option<f64>,

@@ -2,7 +2,7 @@
 //! reader. A job that breaks a law is kept as a file, in `target/fuzz/`, and named.
 //!
 //! `FUZZ_JOBS` says how many jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` where the fresh half of them begins.
-//! `npm run fuzz` goes on until it is stopped.
+//! `npm run fuzz` runs until it is stopped.
 
 #[path = "../common/mod.rs"]
 mod common;

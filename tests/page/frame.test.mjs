@@ -259,7 +259,7 @@ test("a true minus and a tolerance: the first is a number, the second is no sum"
   assert.equal(await held("cycle.diameter1"), "20+0.05-0.02");
 });
 
-test("arrow keys step, Escape puts back, Enter goes on", async () => {
+test("arrow keys step, Escape puts back, Enter moves to the next field", async () => {
   const box = field("cycle.width1");
   await box.focus();
   await page.keyboard.press("ArrowUp");
@@ -339,7 +339,7 @@ test("the bar reads as the job's sentence: what is written, under which name", a
   assert.equal((await other).suggestedFilename(), "PROBE-internal-rectangle-protected.json");
 });
 
-test("a link holds the whole job, and no server hears of it", async () => {
+test("a link holds the whole job, and no server gets it", async () => {
   await field("cycle.width1").fill("66.5");
   await field("name").fill("夹具 Ø12");
   await page.getByRole("button", { name: "Share" }).click();

@@ -80,7 +80,7 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
     await textOf(checks.locator(".checks li.warning")),
     /!\s+This move is not watched: a contact in it is not noticed Line \d+/,
   );
-  // With an error in the form there is no program to speak of.
+  // With an error in the form there is no program.
   await field("cycle.width1").fill("-5");
   assert.equal(await checks.locator(".checks").count(), 0);
   assert.match(await textOf(checks.locator(".found")), /Width 1 must/);

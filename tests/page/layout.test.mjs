@@ -88,7 +88,7 @@ test("a warning was a closed line in the colour of text: it is counted and read 
   assert.match(await textOf(line), /1 error, 1 warning: Depth must/, "the gravest comes first");
 });
 
-test("the page could run whatever script got into it: the policy refuses it, and the tests hear of it", async () => {
+test("the page could run whatever script got into it: the policy refuses it, and the tests see it", async () => {
   const refused = await page.evaluate(async () => {
     const names = [];
     // What the test itself runs may do anything; a task of the page may not.

@@ -542,7 +542,7 @@ test("a dump is pasted in and becomes the job again; nonsense stays where it was
 /** A program without the comments that say its job. */
 const blocks = (/** @type {string} */ text) => text.replace(/^\(job .*\n/gm, "");
 
-test("touches are picked one by one and given back", async () => {
+test("touches are picked one by one and taken back", async () => {
   await page.getByRole("button", { name: "Pick touches one by one" }).click();
   const before = await program();
   await page.getByLabel("Point of touch 1, X").fill("45");

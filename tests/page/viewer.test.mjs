@@ -79,9 +79,9 @@ test("a program of another hand was refused: its moves are drawn, probing in its
 });
 
 test("a probing move that is looked at along its way was not seen: it is a dot, also over the origin", async () => {
-  const across = async (/** @type {string} */ text) => {
+  const across = async (/** @type {number} */ moves, /** @type {string} */ text) => {
     await openText(text, "foreign.ngc");
-    await page.locator("tp-viewer").waitFor();
+    await page.locator("tp-viewer p[role=status]", { hasText: new RegExp(`^${moves} moves`) }).waitFor();
     await framed();
     return page.locator(`tp-viewer ${PICTURE}`).evaluate((node) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);
@@ -102,11 +102,11 @@ test("a probing move that is looked at along its way was not seen: it is a dot, 
   const dot = (/** @type {number} */ seen) => assert.ok(seen >= 6 && seen <= 10, `${seen} pixels`);
   const probing = "G38.2 Z-5 F100\nG0 Z20\n";
   const far = "G0 X80 Y0\nG0 X-40 Y0\n";
-  dot(await across(`${head}${probing}${far}M2\n`));
-  dot(await across(`${head}G0 X0 Y0\n${probing}${far}M2\n`));
-  assert.equal(await across(`${head}G1 Z-5 F100\nG0 Z20\n${far}M2\n`), 0);
+  dot(await across(7, `${head}${probing}${far}M2\n`));
+  dot(await across(8, `${head}G0 X0 Y0\n${probing}${far}M2\n`));
+  assert.equal(await across(7, `${head}G1 Z-5 F100\nG0 Z20\n${far}M2\n`), 0);
   // Drawn in few strokes, it is the same.
-  dot(await across(`${head}${probing}${far.repeat(2600)}M2\n`));
+  dot(await across(5205, `${head}${probing}${far.repeat(2600)}M2\n`));
 });
 
 test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {

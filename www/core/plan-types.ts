@@ -341,7 +341,7 @@ export interface CodeGroup {
 
 /** Cycles, controls and the sections around them. */
 export interface Catalog {
-  /** The job format that this crate speaks. */
+  /** The version of the job format that this crate reads. */
   format: 1;
   /** The cycles. */
   cycles: CycleEntry[];

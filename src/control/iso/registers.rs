@@ -74,7 +74,7 @@ impl Registers {
     pub fn allocate(formula: &Formula) -> Self {
         let mut registers = Registers::of_results(formula);
         let reads = Reads::of(formula);
-        // What each assignment is the last to read is free from then on, the lowest first; results stay.
+        // What each assignment is the last to read is free after it, the lowest first; results stay.
         let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
         for (sample, axes) in reads.triggers.iter().enumerate() {
             for (axis, last) in axes.iter().enumerate() {

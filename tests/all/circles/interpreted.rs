@@ -111,7 +111,7 @@ fn linuxcnc_writes_offset_and_rotation() {
         let turned = before + printed("Q964");
         let writes: Vec<&String> = lines.iter().filter(|l| l.starts_with("G10")).collect();
         assert_eq!(writes.len(), 3, "the test's own, the rotation, the offset: {writes:?}");
-        // After the rotation's write the offset's: the last SET_G5X_OFFSET before the modes are given back.
+        // After the rotation's write the offset's: the last SET_G5X_OFFSET before the modes are restored.
         let output = ran.offsets_after_moves.last().copied().expect("a write");
         let machine = |offset: [f64; 3], degrees: f64, p: [f64; 2]| {
             let (sin, cos) = degrees.to_radians().sin_cos();

@@ -501,7 +501,7 @@ fn plain_moves_do_not_pretend_to_judge() {
 }
 
 /// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position:
-/// what the plan calls good was scrap when its own touches were given back.
+/// what the plan calls good was scrap when its own touches were evaluated.
 #[test]
 fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
     let text = r#"{"format":1,"units":"inch","plane":"G19","stylus":{"diameter":0.3346456692913386},

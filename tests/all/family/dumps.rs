@@ -95,7 +95,7 @@ fn a_real_life_dump_is_read() {
     assert!(short.findings.iter().any(|f| f.code == "missing-code" && f.path == "cycle.depth"));
     let flag = import(&format!("{dump}CmdPrm.Flt[-66] = 2\n")).unwrap();
     assert!(flag.findings.iter().any(|f| f.code == "not-a-flag" && f.path == "cycle.compensateDimensions"));
-    // The Int accessor for -66 is as good, and then the used points are ball centres of a ball that nobody told.
+    // The Int accessor for -66 is as good, and then the used points are centres of a ball whose radius is not stated.
     let balls = import(&format!("{dump}CmdPrm.Int[-66] = 1\n")).unwrap();
     assert!(balls.findings.iter().any(|f| f.code == "ball-unknown"));
     assert_eq!(balls.job.get("cycle").unwrap().get("compensateDimensions"), Some(&Value::Flag(true)));

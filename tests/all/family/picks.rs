@@ -26,7 +26,7 @@ fn picked_touches_replace_the_dimensions() {
     assert_eq!(plan.moves[1].to, [0.0, 0.0, 10.0]);
     assert_eq!(plan.moves[2].to, [32.0, 5.0, 10.0]);
     assert!(near(value(&plan, "width1"), 80.0) && near(value(&plan, "center.y"), 0.0));
-    // The picks decide, the form only fills the table, and the difference is told.
+    // The picks decide, the form only fills the table, and the difference is said.
     let other = picked("internal-rectangle-protected", r#""width1": 90, "rotation": 45, "origin": [500, 0, 0],"#, &POCKET);
     let plan = planned(&other);
     assert!(near(value(&plan, "width1"), 80.0));
@@ -144,7 +144,7 @@ fn picks_that_make_no_feature_are_refused() {
         ([35.0, 0.0, 0.0], [0.0, -1.0, 0.0]),
     ];
     assert_eq!(found(&picked("double-wall-external-corner", "", &spot)), ["touches-coincide cycle.touches[1]"]);
-    // A start that is not one point is told with both readings.
+    // Of a start that is not one point both readings are said.
     let corner = [([0.0, 21.0, 0.0], [1.0, 0.0, 0.0]), ([15.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let rest = r#""count1": 1, "count2": 1, "clearance1": 15, "clearance2": 20,"#;
     let two = picked("double-wall-internal-corner", rest, &corner);

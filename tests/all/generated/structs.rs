@@ -1,4 +1,4 @@
-//! The TypeScript types of what comes out, printed from the crate's own structs: names, doc comments and all.
+//! The TypeScript types of plans and other results, printed from the crate's own structs: names, doc comments and all.
 
 use std::fmt::Write;
 use std::path::Path;
