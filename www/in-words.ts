@@ -1,5 +1,5 @@
-// The plan of the page in words: a move, the run, and how the virtual part lies.
-import type { Plan, Said } from "./core/types.js";
+// The plan of the page in words: a move, the run, a result, and how the virtual part lies.
+import type { Plan, ResultRow, Said } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
@@ -25,6 +25,26 @@ export function moveInWords(store: Store, index: number, numbered = true): strin
   const place = ["X", "Y", "Z"].map((axis, i) => axis + store.number(String(Number((to[i] as number).toFixed(4)))));
   const said: Said = [w("step {step}, {what}, {feed}, to {place}"), String(step), what, [FEEDS[feed]], place.join(" ")];
   return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
+}
+
+/** Abscissa, ordinate and tool axis of each plane. */
+export const AXES_OF = { G17: "XYZ", G18: "ZXY", G19: "YZX" } as const;
+
+/** The name of a result with an axis, by what stands before the axis in its code. */
+const NAMED: Record<string, string> = {
+  center: w("Centre {axis}"),
+  corner: w("Corner {axis}"),
+  point: w("Point {axis}"),
+  offset: w("Offset {axis}"),
+};
+
+/** A result that lies on an axis, by the name of that axis: the x of a code is the plane's abscissa, its y the ordinate, its z the tool axis. Any other by its meaning. */
+export function resultInWords(store: Store, { code, said }: ResultRow): string {
+  const [thing = "", letter = ""] = code.split(".");
+  const axis = AXES_OF[(store.shown.plane ?? "G17") as keyof typeof AXES_OF]["xyz".indexOf(letter)];
+  return letter !== "" && axis && Object.hasOwn(NAMED, thing)
+    ? store.t(NAMED[thing] as string, axis)
+    : store.say(said.meaning);
 }
 
 /** The run of the plan in a line: moves, length, minutes and seconds. */

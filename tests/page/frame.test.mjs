@@ -575,6 +575,23 @@ test("the setup sheet drew the handle of the virtual part as if it were a featur
   assert.equal(await handle("tp-sheet"), 0);
 });
 
+test("a result of another plane stood under the name of another axis: in G18 the abscissa is Z", async () => {
+  await field("cycle.type").selectOption("hole");
+  await put("plane", "G18");
+  await put("part.offset", [1, 0, 5]);
+  await page.getByRole("tab", { name: "Results" }).click();
+  const row = (/** @type {string} */ part, /** @type {string} */ code) =>
+    textOf(page.locator(`${part} tr`, { hasText: code }).first());
+  assert.match(await row("tp-results", "center.x"), /^\s*Centre Z .*5\.000/s);
+  assert.match(await row("tp-results", "center.y"), /^\s*Centre X .*1\.000/s);
+  await more("Setup sheet to print");
+  await page.locator("tp-sheet").waitFor();
+  assert.match(await row("tp-sheet", "center.x"), /^\s*Centre Z /);
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  await put("plane", "G19");
+  assert.match(await row("tp-results", "center.x"), /^\s*Centre Y /);
+});
+
 test("results that are judged say where deviations count from", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await unfold();

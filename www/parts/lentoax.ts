@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
+import { AXES_OF } from "../in-words.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
@@ -226,7 +227,7 @@ class LentoaxPart extends CanvasPart {
   }
 
   private answer(answer: Lentoax, words: Words): TemplateResult {
-    const names = { G17: ["X", "Y", "Z"], G18: ["Z", "X", "Y"], G19: ["Y", "Z", "X"] }[this.query.plane];
+    const names = AXES_OF[this.query.plane];
     const roles = [this.t("Abscissa"), this.t("Ordinate"), this.t("Applicate")];
     return html`
       <table>

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
-import { moveInWords } from "../in-words.js";
+import { moveInWords, resultInWords } from "../in-words.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -8,14 +8,6 @@ import { Part } from "./part.js";
 const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-
-/** The name of a result with an axis, by what stands before the axis in its code. */
-const NAMED: Record<string, string> = {
-  center: w("Centre {axis}"),
-  corner: w("Corner {axis}"),
-  point: w("Point {axis}"),
-  offset: w("Offset {axis}"),
-};
 
 /** What the control will have measured on the virtual part, and the same from points that a machine measured. */
 class ResultsPart extends Part {
@@ -78,15 +70,6 @@ class ResultsPart extends Part {
     this.requestUpdate();
   }
 
-  /** A result by the name that the form has for it. */
-  private named(code: string): string {
-    const field = this.store.cycle.fields.find((f) => f.key === code);
-    const [thing, axis] = code.split(".");
-    if (field) return field.label;
-    const name = axis && /^[xyz]$/.test(axis) ? NAMED[thing as string] : undefined;
-    return name && axis ? this.t(name, axis.toUpperCase()) : "";
-  }
-
   /** A number as the language writes it. */
   private number(value: number | null, digits: number): string {
     return this.store.number(number(value, digits));
@@ -117,7 +100,9 @@ class ResultsPart extends Part {
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.named(r.code) || this.store.say(r.said.meaning)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    // As the form names it, where that has the same.
+    const field = this.store.cycle.fields.find((f) => f.key === r.code);
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${field?.label ?? resultInWords(this.store, r)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`

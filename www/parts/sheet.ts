@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, View } from "../core/browser.js";
+import { resultInWords } from "../in-words.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";
@@ -74,7 +75,7 @@ class SheetPart extends Part {
           <tbody>${plan.results.map(
             (
               r,
-            ) => html`<tr><td>${this.store.say(r.said.meaning)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
+            ) => html`<tr><td>${resultInWords(this.store, r)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
               <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
           )}</tbody>
         </table>
