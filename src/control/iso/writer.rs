@@ -1,7 +1,7 @@
 //! The word-address writer that posts share: blocks of G words, axis words and feeds.
 
 use crate::control::{Program, Request, comment_text, header};
-use crate::geom::{AXIS_NAMES, Vec3};
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::Digits;
 use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
 
@@ -147,6 +147,13 @@ impl<'a> Writer<'a> {
             self.number(2.0 * request.setup.radius),
             self.number(request.setup.overtravel)
         ));
+        let named = request.path.formula.results.iter().any(|result| result.code.ends_with(".x"));
+        if request.plane != Plane::G17 && request.post.computes && named {
+            let [abscissa, ordinate, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
+            self.comment(&format!(
+                "In names of results x is the abscissa {abscissa}, y the ordinate {ordinate}, z the tool axis {tool}"
+            ));
+        }
         self.comment(offset);
         self.comment("Before the start: probe in the spindle and switched on, its length active");
         if let Some(start) = request.path.start {

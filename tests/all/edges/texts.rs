@@ -24,6 +24,29 @@ fn comment_lines_are_longer_than_the_control_takes() {
     }
 }
 
+/// In G18 a control shows `center.x=30`, and 30 lies on Z.
+#[test]
+fn the_x_of_a_result_looked_like_the_axis_x() {
+    let says = |job: &Value| {
+        let text = planned(job).program.text;
+        text.lines()
+            .find(|line| line.contains("names of results"))
+            .map(|line| line.trim_matches(['(', ')', ';', ' ']).to_owned())
+    };
+    for post in ["linuxcnc", "sinumerik"] {
+        let hole = with(&default_job("hole").unwrap(), "control.post", text(post));
+        for (plane, wanted) in [
+            ("G17", None),
+            ("G18", Some("In names of results x is the abscissa Z, y the ordinate X, z the tool axis Y")),
+            ("G19", Some("In names of results x is the abscissa Y, y the ordinate Z, z the tool axis X")),
+        ] {
+            assert_eq!(says(&with(&hole, "plane", text(plane))).as_deref(), wanted, "{post} {plane}");
+        }
+        let plane = with(&default_job("internal-rectangle-protected").unwrap(), "plane", text("G18"));
+        assert!(says(&with(&plane, "control.post", text("grbl"))).is_none(), "it computes no results");
+    }
+}
+
 #[test]
 fn the_note_quotes_another_name_than_the_program_bears() {
     let name = "Größe Ø 12";
