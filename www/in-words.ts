@@ -35,7 +35,6 @@ const NAMED: Record<string, string> = {
   center: w("Centre {axis}"),
   corner: w("Corner {axis}"),
   point: w("Point {axis}"),
-  offset: w("Offset {axis}"),
 };
 
 /** A result that lies on an axis, by the name of that axis: the x of a code is the plane's abscissa, its y the ordinate, its z the tool axis. Any other by its meaning. */

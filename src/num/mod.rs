@@ -260,7 +260,7 @@ fn exactly(value: f64, places: usize) -> String {
 
 /// The same number without the noise of floating point: rounded to 12 decimals, and to zero where it is nothing else.
 ///
-/// cos 90° is 0 and not as 6e-17. Numbers beyond 1000 are left as they are.
+/// cos 90° is 0, not 6e-17. Numbers beyond 1000 are left as they are.
 pub fn tidy(value: f64) -> f64 {
     if value.abs() < 1e3 {
         let rounded = (value * 1e12).round() / 1e12;

@@ -160,6 +160,29 @@ export const pixels = async () => {
     });
 };
 
+/** How many pixels of a part's picture have exactly this colour of the theme, and in how many columns they are. */
+export const painted = async (/** @type {string} */ part, /** @type {string} */ colour) => {
+  await framed();
+  return page.locator(`${part} ${PICTURE}`).evaluate((node, colour) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (node);
+    const probe = document.createElement("i");
+    probe.style.color = getComputedStyle(canvas).getPropertyValue(`--c-${colour}`);
+    canvas.after(probe);
+    const wanted = getComputedStyle(probe).color.match(/\d+/g)?.join();
+    probe.remove();
+    const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    const { data, width } = drawn.getImageData(0, 0, canvas.width, canvas.height);
+    const columns = new Set();
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (`${data[i]},${data[i + 1]},${data[i + 2]}` !== wanted) continue;
+      count++;
+      columns.add((i / 4) % width);
+    }
+    return { count, columns: columns.size };
+  }, colour);
+};
+
 /** Where a part of the page stands in the window. */
 export async function boxOf(/** @type {import("playwright-core").Locator} */ locator) {
   const box = await locator.boundingBox();

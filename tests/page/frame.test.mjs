@@ -12,6 +12,7 @@ import {
   openText,
   PICTURE,
   page,
+  painted,
   pixels,
   program,
   put,
@@ -552,22 +553,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
 
 test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
   // A nominal part is not drawn: of its colour there is the handle alone.
-  const handle = (/** @type {string} */ part) =>
-    page.evaluate((part) => {
-      const canvas = /** @type {HTMLCanvasElement} */ (
-        document.querySelector("touch-path")?.shadowRoot?.querySelector(`${part} canvas`)
-      );
-      const probe = document.createElement("i");
-      probe.style.color = getComputedStyle(canvas).getPropertyValue("--c-actual");
-      canvas.after(probe);
-      const colour = getComputedStyle(probe).color.match(/\d+/g)?.join();
-      probe.remove();
-      const pixels = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
-      let count = 0;
-      for (let i = 0; i < pixels.length; i += 4)
-        count += Number(`${pixels[i]},${pixels[i + 1]},${pixels[i + 2]}` === colour);
-      return count;
-    }, part);
+  const handle = async (/** @type {string} */ part) => (await painted(part, "actual")).count;
   assert.ok((await handle("tp-picture")) > 20);
   await page.getByRole("button", { name: "Setup sheet" }).click();
   await page.locator("tp-sheet canvas").waitFor();
@@ -584,9 +570,13 @@ test("a result of another plane stood under the name of another axis: in G18 the
     textOf(page.locator(`${part} tr`, { hasText: code }).first());
   assert.match(await row("tp-results", "center.x"), /^\s*Centre Z .*5\.000/s);
   assert.match(await row("tp-results", "center.y"), /^\s*Centre X .*1\.000/s);
+  await put("control.workOffset", 2);
+  const shift = /^\s*Shift of G55 in Z that the program writes/;
+  assert.match(await row("tp-results", "offset.x"), shift);
   await more("Setup sheet to print");
   await page.locator("tp-sheet").waitFor();
   assert.match(await row("tp-sheet", "center.x"), /^\s*Centre Z /);
+  assert.match(await row("tp-sheet", "offset.x"), shift);
   await page.getByRole("button", { name: "Back to the job" }).click();
   await put("plane", "G19");
   assert.match(await row("tp-results", "center.x"), /^\s*Centre Y /);

@@ -64,6 +64,8 @@ const LATER: Record<string, () => Promise<unknown>> = {
   presets: () => import("./presets.js"),
 };
 
+const MISSING: Said = [w("This part of the page could not be loaded: is there a network?")];
+
 const system = matchMedia("(prefers-color-scheme: dark)");
 
 /** What the element is in. */
@@ -106,7 +108,7 @@ export class App extends LitElement {
     this.said = store.notice;
     new Refocus(this);
     this.language = new Language(this, store, around, () => {
-      this.tell([w("This part of the page could not be loaded: is there a network?")]);
+      this.tell(MISSING);
       const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
       if (choice) choice.value = store.lang;
     });
@@ -412,7 +414,7 @@ export class App extends LitElement {
       await this.updateComplete;
       return true;
     } catch {
-      this.tell([w("This part of the page could not be loaded: is there a network?")]);
+      this.tell(MISSING);
       return false;
     }
   }
