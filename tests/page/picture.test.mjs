@@ -447,3 +447,60 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
   }
   assert.ok(seen > 200, `${seen} names`);
 });
+
+test("a drag makes one plan a frame, however many moves the browser sends, and ends where the last one was", async () => {
+  const { x, y, scale } = await handle("shift");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const plans = await page.evaluate(
+    async ([x, y]) => {
+      const { store, shadowRoot } = /** @type {any} */ (document.querySelector("touch-path"));
+      const canvas = shadowRoot.querySelector("tp-picture canvas");
+      let plans = 0;
+      store.addEventListener("change", () => plans++);
+      const frame = () => new Promise((done) => requestAnimationFrame(done));
+      await frame();
+      for (let i = 1; i <= 8; i++) {
+        const at = { clientX: Number(x) + 3 * i, clientY: Number(y) - 2 * i };
+        canvas.dispatchEvent(new PointerEvent("pointermove", { ...at, pointerId: 1, pointerType: "mouse" }));
+      }
+      const first = plans;
+      await frame();
+      await frame();
+      return [first, plans];
+    },
+    [x, y],
+  );
+  assert.deepEqual(plans, [1, 2]);
+  const offset = /** @type {number[]} */ (await held("part.offset"));
+  near(offset[0] ?? 0, 24 / scale, "X");
+  near(offset[1] ?? 0, 16 / scale, "Y");
+  await page.mouse.up();
+});
+
+test("what the browser sends last before the button is let go counts, in the same frame too", async () => {
+  const { x, y, scale } = await handle("shift");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.evaluate(
+    ([x, y]) => {
+      const canvas = document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture canvas");
+      const send = (/** @type {string} */ type, /** @type {number} */ by) =>
+        canvas?.dispatchEvent(
+          new PointerEvent(type, {
+            clientX: Number(x) + by,
+            clientY: Number(y),
+            pointerId: 1,
+            pointerType: "mouse",
+            bubbles: true,
+          }),
+        );
+      send("pointermove", 6);
+      send("pointermove", 18);
+      send("pointerup", 18);
+    },
+    [x, y],
+  );
+  near(/** @type {number[]} */ (await held("part.offset"))[0] ?? 0, 18 / scale, "X");
+  await page.mouse.up();
+});

@@ -5,6 +5,8 @@ import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
 const SPEEDS = [1, 4, 16] as const;
+/** A place on the canvas, pixels of the page. */
+type Spot = { x: number; y: number };
 /** A dimension's line: the path of its field, and the pixels of its ends. */
 type Line = [string, number, number, number, number];
 /** How many times as large as they are deviations can be drawn. */
@@ -15,8 +17,8 @@ interface End {
   field: string;
   value: number;
   /** Where the pointer gripped it. */
-  at: { x: number; y: number };
-  slope: { x: number; y: number };
+  at: Spot;
+  slope: Spot;
 }
 
 /** How near to the end of a dimension's line it is gripped, pixels. */
@@ -30,12 +32,15 @@ class PicturePart extends DrawnPart {
   private drawn = "";
   /** Whether the picture is of the form as it stands although that has an error: it shows where the run ends. */
   private live = false;
-  private pointers = new Map<number, { x: number; y: number }>();
+  private pointers = new Map<number, Spot>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
   /** The end of a dimension that is dragged. */
   private end: End | null = null;
   private dragged = false;
+  /** The frame until which a drag has made its plan, and where the pointer has been moved to since. */
+  private planned = 0;
+  private pulled: Spot | null = null;
   /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
   private times: Float64Array = new Float64Array();
   private clock: number | null = null;
@@ -282,7 +287,7 @@ class PicturePart extends DrawnPart {
     return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : moveInWords(this.store, highlight);
   }
 
-  private at(event: PointerEvent | WheelEvent): { x: number; y: number } {
+  private at(event: PointerEvent | WheelEvent): Spot {
     const box = this.canvas().getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
@@ -314,6 +319,7 @@ class PicturePart extends DrawnPart {
   /** The handle is let go. */
   private release(): void {
     if (!this.grip && !this.end) return;
+    this.caughtUp();
     this.grip = null;
     this.end = null;
     this.store.settle();
@@ -340,7 +346,7 @@ class PicturePart extends DrawnPart {
     if (this.pointers.size === 2) {
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
       if (other) {
-        const reach = (p: { x: number; y: number }) => Math.hypot(p.x - other.x, p.y - other.y);
+        const reach = (p: Spot) => Math.hypot(p.x - other.x, p.y - other.y);
         this.drawing?.use((view) => {
           view.zoom(reach(at) / Math.max(reach(before), 1), (at.x + other.x) / 2, (at.y + other.y) / 2);
           view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
@@ -349,9 +355,9 @@ class PicturePart extends DrawnPart {
     } else if (this.end) {
       // Measured from where it was gripped: a slow drag is one, too.
       this.dragged ||= Math.hypot(at.x - this.end.at.x, at.y - this.end.at.y) > 2;
-      if (this.dragged) this.stretch(this.end, at);
+      if (this.dragged) this.pull(at);
     } else if (this.grip) {
-      this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
+      this.pull(at);
     } else if (this.dragged) {
       this.drawing?.use((view) => view.pan(at.x - before.x, at.y - before.y));
     } else {
@@ -360,8 +366,28 @@ class PicturePart extends DrawnPart {
     this.pointers.set(event.pointerId, at);
   }
 
+  /** What is gripped follows the pointer. Each step makes a plan, so there is one a frame at most, whatever the browser sends; the last one counts. */
+  private pull(at: Spot): void {
+    if (this.planned) {
+      this.pulled = at;
+      return;
+    }
+    this.planned = requestAnimationFrame(() => this.caughtUp());
+    if (this.end) this.stretch(this.end, at);
+    else if (this.grip) this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
+  }
+
+  /** What is gripped is where the pointer is. */
+  private caughtUp(): void {
+    cancelAnimationFrame(this.planned);
+    this.planned = 0;
+    const at = this.pulled;
+    this.pulled = null;
+    if (at) this.pull(at);
+  }
+
   /** The end of a dimension's line at a pixel: its field, and which end it is. */
-  private endAt(view: View, at: { x: number; y: number }): { field: string; index: 0 | 1 } | null {
+  private endAt(view: View, at: Spot): { field: string; index: 0 | 1 } | null {
     if (this.look === "isometric" || (this.store.stale && !this.live)) return null;
     const ends = (view.dimensionLines() as Line[]).flatMap(([field, ...line]) =>
       ([0, 1] as const).map((index) => {
@@ -377,7 +403,7 @@ class PicturePart extends DrawnPart {
   private tried = { end: "", moves: false };
 
   /** Whether an end that can be dragged is at a pixel; tried once for each end of a form. */
-  private grippable(view: View, at: { x: number; y: number }): boolean {
+  private grippable(view: View, at: Spot): boolean {
     const under = this.endAt(view, at);
     if (!under) return false;
     const end = `${this.store.revision} ${this.look} ${under.field} ${under.index}`;
@@ -386,7 +412,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
-  private gripped(view: View, at: { x: number; y: number }): End | null {
+  private gripped(view: View, at: Spot): End | null {
     const end = this.endAt(view, at);
     const value = end && this.store.get(end.field);
     if (!end || typeof value !== "number") return null;
@@ -414,7 +440,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** The end of a dimension is dragged: it stays under the pointer, and the value is as exact as a pixel. */
-  private stretch({ field, value, at: from, slope }: End, at: { x: number; y: number }): void {
+  private stretch({ field, value, at: from, slope }: End, at: Spot): void {
     const square = slope.x ** 2 + slope.y ** 2;
     const change = ((at.x - from.x) * slope.x + (at.y - from.y) * slope.y) / square;
     const step = 10 ** Math.floor(-Math.log10(Math.sqrt(square)));
@@ -427,7 +453,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** A handle is dragged: the form follows. */
-  private drag(handle: string, at: { x: number; y: number }): void {
+  private drag(handle: string, at: Spot): void {
     const { store } = this;
     const field = this.drawing?.use((view) => view.handleField(handle));
     if (field) {
