@@ -1,13 +1,12 @@
 //! HEIDENHAIN 1411: motion, results, tolerances.
 
+mod fits;
 mod interpreted;
 mod klartext;
 
-use crate::common::{interpret, job, number, planned, point, with};
+use crate::common::{job, number, planned, point, with};
 use touchpath::form::{Level, Value};
-use touchpath::formula::fit_circle;
-use touchpath::geom::Vec2;
-use touchpath::job::{Plan, ResultRow, check, evaluate};
+use touchpath::job::{Plan, ResultRow, check};
 
 fn text(t: &str) -> Value {
     Value::Text(t.to_owned())
@@ -330,138 +329,6 @@ fn bad_input_is_named() {
     assert_eq!(errors(&rectangle), ["form-unsupported control.form"]);
 }
 
-/// The circle through three points has closed forms; and three points within 10° still give it.
-#[test]
-fn circle_fits_against_closed_forms() {
-    let at = |degrees: f64| Vec2::new(12.0 + 7.0 * degrees.to_radians().cos(), -5.0 + 7.0 * degrees.to_radians().sin());
-    for angles in [
-        vec![0.0, 90.0, 180.0],
-        vec![10.0, 15.0, 20.0],
-        vec![0.0, 120.0, 240.0, 300.0],
-        (0..8).map(|k| 20.0 * f64::from(k)).collect(),
-    ] {
-        let points: Vec<Vec2> = angles.iter().map(|a| at(*a)).collect();
-        let fit = fit_circle(&points).unwrap();
-        assert!(
-            (fit.center.x - 12.0).abs() < 1e-9 && (fit.center.y + 5.0).abs() < 1e-9 && (fit.radius - 7.0).abs() < 1e-9,
-            "{fit:?}"
-        );
-    }
-    // A triangle with sides 3, 4, 5 has its circle about the middle of the longest, radius 2.5.
-    let fit = fit_circle(&[(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y))).unwrap();
-    assert!((fit.center.x - 2.0).abs() < 1e-12 && (fit.center.y - 1.5).abs() < 1e-12 && (fit.radius - 2.5).abs() < 1e-12);
-    // Four points of a cross, one arm 0.4 longer: by symmetry the centre shifts along it. Geometric least squares is the
-    // minimum of Σ(|p − c| − R)²: compared with a search over c, R being the mean distance.
-    let cross = [(10.4, 0.0), (0.0, 10.0), (-10.0, 0.0), (0.0, -10.0)].map(|(x, y)| Vec2::new(x, y));
-    let cost = |x: f64| {
-        let far: Vec<f64> = cross.iter().map(|p: &Vec2| (p.x - x).hypot(p.y)).collect();
-        let mean = far.iter().sum::<f64>() / 4.0;
-        far.iter().map(|f| (f - mean).powi(2)).sum::<f64>()
-    };
-    let (mut low, mut high) = (-1.0f64, 1.0f64);
-    for _ in 0..200 {
-        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if cost(a) < cost(b) { high = b } else { low = a }
-    }
-    let fit = fit_circle(&cross).unwrap();
-    assert!((fit.center.x - low).abs() < 1e-7 && fit.center.y.abs() < 1e-12, "{} {low}", fit.center.x);
-    assert!(fit_circle(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)].map(|(x, y)| Vec2::new(x, y))).is_none(), "a line is no circle");
-    assert!(fit_circle(&[(1.0, 1.0), (1.0, 1.0), (1.0, 1.0)].map(|(x, y)| Vec2::new(x, y))).is_none());
-}
-
-/// A short angular length shows its price: the same touches over 40° instead of 360°.
-#[test]
-fn a_short_arc_costs_certainty() {
-    let wide = planned(&holes());
-    let short = planned(&with(&holes(), "cycle.angularLength", number(40.0)));
-    let of = |plan: &Plan| row(&plan.results, "Q950").uncertainty.unwrap();
-    // Four touches at 0°, 90° …: two of them see the main axis, σ/√2.
-    near(of(&wide), 0.001 / 2f64.sqrt());
-    assert!(of(&short) > 10.0 * of(&wide), "{} {}", of(&short), of(&wide));
-}
-
-/// Touches scattered along their probing directions, 100,000 times: the spread of each result is its stated uncertainty.
-#[test]
-fn uncertainties_agree_with_draws() {
-    let mut job = with(&holes(), "cycle.probePoints", number(5.0));
-    job = with(&job, "cycle.angularLength", number(200.0));
-    job = with(&job, "cycle.startingAngle", number(25.0));
-    job = with(&job, "part.rotation", number(0.3));
-    let plan = planned(&job);
-    let path = touchpath::job::planned(&job).unwrap().path;
-    let mut state = 0x9e37_79b9_7f4a_7c15u64;
-    let mut uniform = move || {
-        state ^= state >> 12;
-        state ^= state << 25;
-        state ^= state >> 27;
-        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
-    };
-    let mut normal = move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos();
-    let codes = ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"];
-    let mut sums = [(0.0, 0.0); 6];
-    let count = 100_000;
-    for _ in 0..count {
-        let scattered: Vec<_> = plan
-            .triggers
-            .iter()
-            .zip(&path.touches)
-            .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
-            .collect();
-        let rows = touchpath::part::evaluate(&path, &scattered, 0.001);
-        for (sum, code) in sums.iter_mut().zip(codes) {
-            let off = rows.iter().find(|r| r.code == code).unwrap().value.unwrap() - value(&plan, code);
-            *sum = (sum.0 + off, sum.1 + off * off);
-        }
-    }
-    for ((sum, squares), code) in sums.iter().zip(codes) {
-        let n = f64::from(count);
-        let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
-        let stated = row(&plan.results, code).uncertainty.unwrap();
-        assert!((spread / stated - 1.0).abs() < 0.02, "{code}: drawn {spread}, stated {stated}");
-    }
-}
-
-#[test]
-fn measured_points_of_circles() {
-    // Hole 1 about (−29.9, 0.1), radius of the ball centres 7.02; hole 2 nominal.
-    let mut points = Vec::new();
-    for (x, y, r) in [(-29.9, 0.1, 7.02), (30.0, 0.0, 7.0)] {
-        for k in 0..4 {
-            let a = f64::from(k) * std::f64::consts::FRAC_PI_2;
-            points.push(point([x + r * a.cos(), y + r * a.sin(), -10.0]));
-        }
-    }
-    let rows = evaluate(&holes(), &Value::List(points)).unwrap();
-    near(row(&rows, "Q950").value.unwrap(), -29.9);
-    near(row(&rows, "Q951").value.unwrap(), 0.1);
-    near(row(&rows, "Q966").value.unwrap(), 20.04);
-    near(row(&rows, "Q964").value.unwrap(), (-0.1f64 / 59.9).atan().to_degrees());
-}
-
-/// Arcs too small to be printed are straight: a rounded end could mean a whole turn.
-#[test]
-fn tiny_arcs_are_straight() {
-    let mut job = with(&with(&holes(), "cycle.diameter1", number(10.0004)), "cycle.clearanceHeightMode", number(1.0));
-    job = on_linuxcnc(&job);
-    let plan = planned(&job);
-    assert!(plan.moves.iter().take(20).all(|m| m.arc.is_none()));
-    interpret(&plan.program.text).expect("LinuxCNC takes it");
-}
-
-#[test]
-fn touches_that_cannot_tell_a_circle_are_refused_or_warned_of() {
-    let spread = |length: f64, points: f64| {
-        with(&with(&holes(), "cycle.angularLength", number(length)), "cycle.probePoints", number(points))
-    };
-    for (length, points) in [(0.001, 3.0), (0.5, 3.0), (359.999, 3.0), (-359.999, 8.0), (6.0, 8.0)] {
-        assert_eq!(errors(&spread(length, points)), ["no-arc cycle.angularLength"], "{length} {points}");
-    }
-    // Three points within 10° are allowed, with their price named.
-    let narrow = spread(10.0, 3.0);
-    assert_eq!((errors(&narrow), warnings(&narrow)), (vec![], vec!["short-arc".to_owned()]));
-    assert_eq!(warnings(&spread(360.0, 3.0)), [""; 0]);
-}
-
 /// Mode −1: the clearance height plays no part; the ball crosses where it stands and goes down at the probing feed.
 #[test]
 fn without_the_clearance_height() {
@@ -498,22 +365,4 @@ fn plain_moves_do_not_pretend_to_judge() {
         Value::Map(vec![("direction".into(), number(1.0)), ("points".into(), number(3.0)), ("length".into(), number(2.0))]),
     );
     assert_eq!(errors(&sideways), ["extrusion-direction cycle.extrusion.direction"]);
-}
-
-/// H7 begins at the nominal size itself. Over an arc of 10° the twelfth decimal of an inch in the touches is 4e-9 mm in the position:
-/// what the plan calls good was scrap when its own touches were evaluated.
-#[test]
-fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
-    let text = r#"{"format":1,"units":"inch","plane":"G19","stylus":{"diameter":0.3346456692913386},
-        "control":{"post":"heidenhain","form":"cycle"},"cycle":{"type":"probing-two-circles",
-        "point1":[-2.53774969931008,-0.2510242757996466,-0.7591726449156779],"point2":["1.1820H7",-0.26437482884117103,0.30886974815155666],
-        "diameter2":0.5742965159134038,"angularLength":-10.294153901443906,"setUpClearance":1.88976,"clearanceHeight":6.06,
-        "errorReaction":2,"start":[-6.22,-6.26,7.64],"probe":{"dist":3.917,"feed":4.6,"rapid":9.35}}}"#;
-    let job = crate::common::job(text);
-    let plan = crate::common::planned(&job);
-    let lines: Vec<String> = plan.triggers.iter().map(|t| t.expect("a contact").map(|x| format!("{x}")).join(" ")).collect();
-    let rows = touchpath::job::evaluate(&job, &Value::Text(lines.join("\n"))).expect("its own touches");
-    let verdict = |rows: &[touchpath::job::ResultRow]| rows.iter().find(|r| r.code == "Q953").and_then(|r| r.verdict.clone());
-    assert_eq!(verdict(&plan.results).as_deref(), Some("good"));
-    assert_eq!(verdict(&rows).as_deref(), Some("good"));
 }
