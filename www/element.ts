@@ -53,7 +53,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @csspart stage - The picture, with its tools and its timeline.
  * @csspart tabs - The tabs over the panels.
  * @csspart panel - Every panel; each also by its own name: `program`, `table`, `results`, `checks`.
- * @csspart footer - The line at the foot.
+ * @csspart footer - The line at the foot; where the element is less than 600 pixels wide, with Save.
  * @cssprop --touchpath-background - The background.
  * @cssprop --touchpath-panel - The background of buttons and bars.
  * @cssprop --touchpath-text - The text.

@@ -344,7 +344,7 @@ test("a link holds the whole job, and no server gets it", async () => {
   await field("cycle.width1").fill("66.5");
   await field("name").fill("夹具 Ø12");
   await page.getByRole("button", { name: "Share" }).click();
-  await page.locator(".note", { hasText: "link to this job was copied" }).waitFor();
+  await page.locator(".note", { hasText: "Link copied" }).waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(link, /\/#job1=[\w-]+$/);
   const wanted = await page.evaluate(
@@ -596,7 +596,7 @@ test("results that are judged say where deviations count from", async () => {
 test("a note that a link was copied went on after the job was another one", async () => {
   const note = page.locator(".note");
   await page.getByRole("button", { name: "Share" }).click();
-  assert.match(await textOf(note), /A link to this job was copied/);
+  assert.match(await textOf(note), /Link copied/);
   await field("cycle.width1").fill("81");
   await note.waitFor({ state: "detached" });
   // What is saved while the program is not seen is said all the same.

@@ -1,7 +1,7 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, open, page, problems, SIZES, settles, setUp, textOf } from "./common.mjs";
+import { boxOf, field, open, page, problems, put, SIZES, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -261,4 +261,72 @@ test("Redo in the menu of a phone could always be chosen", async () => {
   await more.click();
   await redo.click();
   assert.equal(await field("cycle.width1").inputValue(), "81");
+});
+
+test("on a phone Save stands at the foot, on wider pages in the bar, and always once", async () => {
+  for (const [width, height, there] of /** @type {const} */ ([
+    [390, 844, "footer"],
+    [390, 480, "footer"],
+    [390, 280, "footer"],
+    [599, 800, "footer"],
+    [600, 800, "header"],
+    [844, 200, "header"],
+    [1440, 900, "header"],
+  ])) {
+    await page.setViewportSize({ width, height });
+    const save = page.locator(`${there} .primary`);
+    await save.waitFor();
+    assert.equal(await page.locator(".primary").count(), 1, `${width} x ${height}`);
+    const box = await boxOf(save);
+    assert.ok(box.y >= 0 && box.y + box.height <= height && box.x + box.width <= width, JSON.stringify(box));
+  }
+  await page.setViewportSize({ width: 390, height: 844 });
+  const download = page.waitForEvent("download");
+  await page.locator("footer .primary").click();
+  assert.equal((await download).suggestedFilename(), "PROBE.ngc");
+  await put("cycle.depth", -1);
+  assert.ok(await page.locator("footer .primary").isDisabled());
+  assert.match((await page.locator("footer .primary").getAttribute("title")) ?? "", /^Depth must be/);
+});
+
+for (const width of [1280, 390])
+  test(`the note of a copied link pushed the page down by a line, and the next keystroke pulled it up: ${width}`, async () => {
+    await open({ viewport: { width, height: 844 }, permissions: ["clipboard-read", "clipboard-write"] });
+    const places = () =>
+      page.evaluate(() => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        return [...root.querySelectorAll("main, main > *, footer, .primary")].map((part) =>
+          JSON.stringify(part.getBoundingClientRect()),
+        );
+      });
+    const before = await places();
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("share"));
+    const note = page.locator("footer .note", { hasText: "Link copied" });
+    await note.waitFor();
+    assert.deepEqual(await places(), before);
+    await field("cycle.width1").fill("81");
+    await note.waitFor({ state: "detached" });
+    assert.deepEqual(await places(), before);
+  });
+
+test("on a phone the help of a field had to be scrolled: every text fits its box", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const [seen, cut] = await page.evaluate(async () => {
+    const { store, shadowRoot } = /** @type {any} */ (document.querySelector("touch-path"));
+    const help = shadowRoot.querySelector("tp-help");
+    const cut = [];
+    let seen = 0;
+    for (const { type } of store.catalog.cycles) {
+      store.choose(type);
+      for (const { id } of shadowRoot.querySelectorAll("tp-form [id^='f-']")) {
+        store.focus(id.slice(2));
+        await help.updateComplete;
+        seen++;
+        if (help.scrollHeight > help.clientHeight + 1) cut.push(`${type} ${id}`);
+      }
+    }
+    return [seen, cut];
+  });
+  assert.ok(seen > 300, `${seen}`);
+  assert.deepEqual(cut, []);
 });

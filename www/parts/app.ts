@@ -84,10 +84,8 @@ export class App extends LitElement {
   private viewed: Viewed | null = null;
   /** Whether a text can be pasted in, and what is there of it. */
   private pasting = false;
-  /** What is said above the job, and the document or revision of the job that it is said of. */
-  private said: Said | null;
-  private saidAt = 0;
-  private passing = false;
+  /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
+  private said: { text: Said; passing: boolean; at: number; foot: boolean } | null = null;
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
@@ -105,7 +103,7 @@ export class App extends LitElement {
     private readonly around: Around,
   ) {
     super();
-    this.said = store.notice;
+    if (store.notice) this.tell(store.notice);
     new Refocus(this);
     this.language = new Language(this, store, around, () => {
       this.tell(MISSING);
@@ -129,6 +127,7 @@ export class App extends LitElement {
     });
     this.outlet = new Outlet(store, {
       tell: (said) => this.tell(said, true),
+      show: (link) => this.tell([link], true, false),
       saved: (name) => {
         const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
         if (program?.checkVisibility()) program.tell(this.t("Saved {file}", name));
@@ -206,7 +205,8 @@ export class App extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { store, wanted, frame } = this;
+    const { store, wanted, frame, said } = this;
+    const narrow = this.width < NARROW;
     const panels = this.panels;
     const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
@@ -217,13 +217,13 @@ export class App extends LitElement {
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
-        <tp-bar .store=${store} .links=${this.around.links} .away=${this.away}></tp-bar>
+        <tp-bar .store=${store} .links=${this.around.links} .away=${this.away} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${menu(frame)}
       </header>
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Take it")}</button> ${this.t("The job stays.")}</p>` : nothing}
-      ${this.said ? html`<p class="note" role="status">${this.store.say(this.said)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
+      ${said && !said.foot ? html`<p class="note" role="status">${store.say(said.text)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.pasting
           ? html`<section class="paste" aria-label=${this.t("Paste")}>
@@ -242,7 +242,7 @@ export class App extends LitElement {
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
         ${repeat(
           // One order for eye and Tab: on a narrow page the picture stands above the form.
-          (this.width < NARROW ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
+          (narrow ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
           (name) => name,
           (name) =>
             name === "stage"
@@ -269,7 +269,7 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<div class="foot"><p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p></div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<div class="foot"><p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p></div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       </div>
     `;
@@ -381,7 +381,7 @@ export class App extends LitElement {
   /** What is said of one job is not said of another; what is passing, of no later one. */
   private readonly forget = (): void => {
     const { document, revision } = this.store;
-    if (this.said !== null && this.saidAt !== (this.passing ? revision : document)) this.tell(null);
+    if (this.said && this.said.at !== (this.said.passing ? revision : document)) this.tell(null);
   };
 
   /** To the field of a path, or to the nearest one around it. */
@@ -481,10 +481,9 @@ export class App extends LitElement {
   }
 
   /** `passing`: it is true of the job as it is now, and of no later one. */
-  private tell(said: Said | null, passing = false): void {
-    this.said = said;
-    this.passing = passing;
-    this.saidAt = passing ? this.store.revision : this.store.document;
+  private tell(text: Said | null, passing = false, foot = passing): void {
+    const { revision, document } = this.store;
+    this.said = text && { text, passing, at: passing ? revision : document, foot };
     this.requestUpdate();
   }
 }

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { CycleEntry } from "../core/browser.js";
 import { FieldPart } from "./field.js";
+import { saveButton } from "./save.js";
 
 /** The head of the page: the job in one sentence, and what is handed out. */
 class BarPart extends FieldPart {
@@ -8,14 +9,14 @@ class BarPart extends FieldPart {
   links = false;
   /** Whether something else than the job is shown: then nothing of it is changed or handed out. */
   declare away: boolean;
+  /** Whether the program is saved here. */
+  declare saves: boolean;
 
-  static override properties = { away: { attribute: false } };
+  static override properties = { away: { attribute: false }, saves: { attribute: false } };
 
   override render(): TemplateResult {
     const { store } = this;
     const withheld = this.away ? this.t("An opened program is shown, not the job") : store.withheld;
-    const { post } = store;
-    const file = store.fileName(post?.extension ?? "txt");
     return html`
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
@@ -45,8 +46,7 @@ class BarPart extends FieldPart {
       ${this.links ? html`<button type="button" class="wide" ?disabled=${this.away} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
-      <button type="button" class="primary" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"}
-        aria-label=${this.t("Save {file}", file)} title=${withheld ?? nothing} @click=${() => this.ask("save")}><span class="verb">${this.t("Save")} </span><span class="file">${file}</span></button>
+      ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
       ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${this.away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }

@@ -1,8 +1,9 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { Finding } from "../core/browser.js";
+import type { Finding, Said } from "../core/browser.js";
 import { runInWords } from "../in-words.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
+import { saveButton } from "./save.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
 export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
@@ -16,6 +17,12 @@ class FindingsPart extends Part {
   panels: string[] = [];
   /** Whether the page is Touchpath's own: a host receives every job. */
   alone = true;
+  /** What was just done with the job as it is now. */
+  declare said: Said | null;
+  /** Whether the program is saved here. */
+  declare saves: boolean;
+
+  static override properties = { said: { attribute: false }, saves: { attribute: false } };
 
   override render(): TemplateResult {
     const { findings, stale } = this.store;
@@ -25,17 +32,19 @@ class FindingsPart extends Part {
       return n === 0 ? [] : [n === 1 ? this.t(ONE[level]) : this.t(MANY[level], n)];
     });
     const worst = LEVELS.flatMap(of)[0];
+    const { said } = this;
     return html`
       ${
         worst
           ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
             ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>` : nothing}
-            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.all()}>${this.t("All")}</button>` : nothing}`
+            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
-      <span class="gap"></span>
+      ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : html`<span class="gap"></span>`}
       ${stale ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
+      ${this.saves ? saveButton(this.store, this.store.withheld, () => this.ask("save")) : nothing}
     `;
   }
 
@@ -43,8 +52,8 @@ class FindingsPart extends Part {
     this.dispatchEvent(new CustomEvent("go", { detail: path, bubbles: true }));
   }
 
-  private all(): void {
-    this.dispatchEvent(new CustomEvent("ask", { detail: "checks", bubbles: true }));
+  private ask(what: string): void {
+    this.dispatchEvent(new CustomEvent("ask", { detail: what, bubbles: true }));
   }
 }
 

@@ -17,6 +17,8 @@ export interface Saving {
 interface Page {
   /** Says something of the job as it is now. */
   tell(said: Said): void;
+  /** Shows a link, to be taken by hand. */
+  show(link: string): void;
   /** Says where the program is seen that it was saved. */
   saved(name: string): void;
   /** Offers a program to the page around; false where that saves it itself. */
@@ -71,9 +73,7 @@ export class Outlet {
       return;
     }
     const link = new URL(fragment, location.href).href;
-    const done = await copy(link);
-    this.page.tell(
-      done ? [w("A link to this job was copied. The job is in the link itself: no server keeps it.")] : [link],
-    );
+    if (await copy(link)) this.page.tell([w("Link copied. The job is in the link itself: no server keeps it.")]);
+    else this.page.show(link);
   }
 }
