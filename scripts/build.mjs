@@ -17,9 +17,10 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
+import { trapPanics } from "./panics.mjs";
 
 /** The WebAssembly module and its bindings, into www/core/wasm/. */
-function buildWasm() {
+async function buildWasm() {
   const bin = ensureBindgen();
   run("cargo", ["build", "--quiet", "--locked", "--release", "--target", "wasm32-unknown-unknown", "--lib"]);
   const out = at("www", "core", "wasm");
@@ -33,14 +34,26 @@ function buildWasm() {
   const types = `${out}/touchpath.d.ts`;
   writeFileSync(types, readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
   const wasm = `${out}/touchpath_bg.wasm`;
+  await trapPanics(wasm);
   // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
   // laid out anew from flat code, which compresses better. Functions of one name's beginning are alike and compress best side by side.
   const optimize = ["--flatten", "--rereloop", "-O3", "-O3", "--reorder-functions-by-name"];
+  // First, what became small or unused with the messages of panics is put where it is called.
+  const inline = ["--dae-optimizing", "--inlining", "-aimfs", "4", "-fimfs", "2", "-ocimfs", "2", "--dce", "--vacuum"];
   const passes = ["inlining-optimizing", "memory-packing", "local-cse", "simplify-locals"];
   const skip = passes.map((pass) => `--skip-pass=${pass}`);
   // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
   const assume = ["--low-memory-unused"];
-  run("node", [at("node_modules", "binaryen", "bin", "wasm-opt"), ...optimize, ...skip, ...assume, wasm, "-o", wasm]);
+  run("node", [
+    at("node_modules", "binaryen", "bin", "wasm-opt"),
+    ...inline,
+    ...optimize,
+    ...skip,
+    ...assume,
+    wasm,
+    "-o",
+    wasm,
+  ]);
 }
 
 function buildPackage() {
@@ -111,9 +124,9 @@ function buildPage() {
 /** Everything. */
 export async function build() {
   await stage("Packages", ensurePackages);
-  await stage("WebAssembly", () => {
+  await stage("WebAssembly", async () => {
     ensureTarget();
-    buildWasm();
+    await buildWasm();
   });
   await stage("Package", async () => {
     buildPackage();

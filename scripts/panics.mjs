@@ -1,0 +1,76 @@
+// A panic in WebAssembly is an `unreachable`: its message has no place to be written to, and costs bytes.
+import { readFileSync, writeFileSync } from "node:fs";
+
+/** The functions of Rust's libraries that only make a panic's message and never return. */
+const PANICS = [
+  /^core(\[\w+\])?::(panicking::|slice::index::slice_index_fail|option::(unwrap|expect)_failed|result::unwrap_failed|cell::panic_|str::slice_error_fail)/,
+  /^alloc(\[\w+\])?::(raw_vec::(handle_error|capacity_overflow)|alloc::handle_alloc_error)/,
+  /^<?std(\[\w+\])?::panicking::(panic_handler|panic_with_hook|begin_panic)/,
+];
+
+/** With another compiler functions and places may look otherwise: then the module would grow, and nothing would say so. */
+const FEWEST = { functions: 8, places: 200 };
+
+/**
+ * What binaryen has and its types leave out.
+ * @typedef {{Function: {setBody(fn: unknown, body: unknown): void}}} Bodies
+ * @typedef {{getNumDataSegments(): number, getDataSegmentInfo(segment: unknown): {offset: number, data: ArrayBuffer}}} Segments
+ */
+
+/**
+ * Blanks every place in the source, with its file's name, in a module's data: pointer and length of a name that ends in `.rs`, line and column, four bytes
+ * each. Returns how many there were.
+ */
+function blankPlaces(/** @type {Buffer} */ data, /** @type {number} */ offset) {
+  /** @type {Map<number, number>} */
+  const names = new Map();
+  let places = 0;
+  for (let i = (4 - (offset % 4)) % 4; i + 16 <= data.length; i += 4) {
+    const start = data.readUInt32LE(i) - offset;
+    const length = data.readUInt32LE(i + 4);
+    const line = data.readUInt32LE(i + 8);
+    const column = data.readUInt32LE(i + 12);
+    if (start < 0 || start + length > data.length || length > 300 || line > 30_000 || column > 300) continue;
+    if (!/^[!-~]+\.rs$/.test(data.toString("latin1", start, start + length))) continue;
+    names.set(start, length);
+    data.fill(0, i, i + 16);
+    places++;
+  }
+  for (const [start, length] of names) data.fill(0, start, start + length);
+  return places;
+}
+
+/**
+ * Takes what only the messages of panics need out of a module that still has its names: each function that makes one is a trap, and the places in the source
+ * that they name are blank. What only these functions called goes with the next optimization.
+ */
+export async function trapPanics(/** @type {string} */ path) {
+  // Loaded here: on a fresh machine the package is installed by the same command.
+  const { default: binaryen } = await import("binaryen");
+  const module = binaryen.readBinary(readFileSync(path));
+  binaryen.setDebugInfo(true);
+  const bodies = /** @type {Bodies} */ (/** @type {unknown} */ (binaryen)).Function;
+  let functions = 0;
+  for (let i = 0; i < module.getNumFunctions(); i++) {
+    const fn = module.getFunctionByIndex(i);
+    const { name, base } = binaryen.getFunctionInfo(fn);
+    const plain = name.replaceAll(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
+    if (base || !PANICS.some((panic) => panic.test(plain))) continue;
+    bodies.setBody(fn, module.unreachable());
+    functions++;
+  }
+  if (!module.validate()) throw new Error("The module without messages of panics is not valid");
+  const binary = Buffer.from(module.emitBinary());
+  const segments = /** @type {Segments} */ (/** @type {unknown} */ (module));
+  let places = 0;
+  for (let i = 0; i < segments.getNumDataSegments(); i++) {
+    const { offset, data } = segments.getDataSegmentInfo(module.getDataSegmentByIndex(i));
+    const at = binary.indexOf(Buffer.from(data));
+    if (at < 0) throw new Error("The data of the module are not where they were");
+    places += blankPlaces(binary.subarray(at, at + data.byteLength), offset);
+  }
+  module.dispose();
+  if (functions < FEWEST.functions || places < FEWEST.places)
+    throw new Error(`Of the panics only ${functions} functions and ${places} places were found`);
+  writeFileSync(path, binary);
+}
