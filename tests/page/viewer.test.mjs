@@ -74,16 +74,10 @@ test("a probing move that is looked at along its way was not seen: it is a dot, 
   dot(await across(5205, `${head}${probing}${far.repeat(2600)}M2\n`));
 });
 
-test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
-  await field("cycle.width1").fill("90");
-  const verdict = page.locator("footer");
-  assert.match(await textOf(verdict), /No problems found/);
-  await openText("G21 G90\nG0 X0 Y0 Z50\nG1 Z-500 F500\nM30\n", "deep.ngc");
-  await page.locator("tp-viewer").waitFor();
-  assert.doesNotMatch(await textOf(verdict), /No problems|27 moves/);
-  assert.match(await textOf(verdict), /Nothing of it is checked or proven/);
-  const held = page.getByRole("button", { name: /^(Undo|Share|Setup sheet|Save PROBE\.ngc)$/ });
-  assert.deepEqual(await held.evaluateAll((all) => all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled)), [
+/** Nothing of the job is changed or handed out; the menu is open afterwards. Gives how often something was saved since. */
+async function held() {
+  const buttons = page.getByRole("button", { name: /^(Undo|Share|Setup sheet|Save PROBE\.ngc)$/ });
+  assert.deepEqual(await buttons.evaluateAll((all) => all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled)), [
     true,
     true,
     true,
@@ -97,6 +91,18 @@ test("an opened program stood under “No problems found”, and Save handed out
   const menu = page.locator("#menu");
   for (const name of ["Save job", "Save the picture (SVG)", "Copy a link to this job", "Presets", "Reset"])
     assert.ok(await menu.getByRole("button", { name, exact: true }).isDisabled(), name);
+  return () => saved;
+}
+
+test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
+  await field("cycle.width1").fill("90");
+  const verdict = page.locator("footer");
+  assert.match(await textOf(verdict), /No problems found/);
+  await openText("G21 G90\nG0 X0 Y0 Z50\nG1 Z-500 F500\nM30\n", "deep.ngc");
+  await page.locator("tp-viewer").waitFor();
+  assert.doesNotMatch(await textOf(verdict), /No problems|27 moves/);
+  assert.match(await textOf(verdict), /Nothing of it is checked or proven/);
+  const saved = await held();
   // Escape closes the menu, is its own in what the page around has put in, and then leads back to the job.
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor();
@@ -115,7 +121,21 @@ test("an opened program stood under “No problems found”, and Save handed out
   assert.match(await textOf(verdict), /No problems found/);
   assert.ok(await saveButton().isEnabled());
   assert.equal(await field("cycle.width1").inputValue(), "90");
-  assert.equal(saved, 0);
+  assert.equal(saved(), 0);
+});
+
+test("Tool lengths stood over “No problems found” with a Save beside it: that handed out the job that was not seen", async () => {
+  await field("cycle.width1").fill("90");
+  await more("Tool lengths");
+  await page.locator("tp-lentoax").waitFor();
+  assert.equal(await textOf(page.locator("footer")), "Tool lengths are shown, not the job");
+  const saved = await held();
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  assert.match(await textOf(page.locator("footer")), /No problems found/);
+  assert.ok(await saveButton().isEnabled());
+  assert.equal(await field("cycle.width1").inputValue(), "90");
+  assert.equal(saved(), 0);
 });
 
 test("a shorter program after a longer one left the picture of the first: what was pointed at is forgotten", async () => {

@@ -205,7 +205,7 @@ export class App extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { store, wanted, frame, said } = this;
+    const { store, wanted, frame, said, away } = this;
     const narrow = this.width < NARROW;
     const panels = this.panels;
     const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
@@ -217,7 +217,7 @@ export class App extends LitElement {
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
-        <tp-bar .store=${store} .links=${this.around.links} .away=${this.away} .saves=${!narrow}></tp-bar>
+        <tp-bar .store=${store} .links=${this.around.links} .away=${away} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${menu(frame)}
       </header>
@@ -269,15 +269,16 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}>${this.away ? html`<div class="foot"><p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p></div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       </div>
     `;
   }
 
-  /** Whether something else than the job is shown: then nothing of it is changed or handed out. */
-  private get away(): boolean {
-    return this.tool === "viewer";
+  /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
+  private get away(): string {
+    if (this.tool === "viewer") return this.t("An opened program is shown, not the job");
+    return this.tool === "lengths" ? this.t("Tool lengths are shown, not the job") : "";
   }
 
   /** What menu and dialogs show, and what they do. */
@@ -287,7 +288,7 @@ export class App extends LitElement {
       store,
       local: around.local,
       links: around.links,
-      away,
+      away: away !== "",
       viewed: this.viewed !== null,
       theme,
       presets: this.there.has("presets"),

@@ -7,8 +7,8 @@ import { saveButton } from "./save.js";
 class BarPart extends FieldPart {
   /** Whether links to the job are handed out. */
   links = false;
-  /** Whether something else than the job is shown: then nothing of it is changed or handed out. */
-  declare away: boolean;
+  /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
+  declare away: string;
   /** Whether the program is saved here. */
   declare saves: boolean;
 
@@ -16,9 +16,9 @@ class BarPart extends FieldPart {
 
   override render(): TemplateResult {
     const { store } = this;
-    const withheld = this.away ? this.t("An opened program is shown, not the job") : store.withheld;
+    const withheld = this.away || store.withheld;
     return html`
-      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away}>
+      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away !== ""}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
       ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), this.t("Control"))}
@@ -40,10 +40,10 @@ class BarPart extends FieldPart {
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
-      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || this.away} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || this.away} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || this.away !== ""} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || this.away !== ""} @click=${() => store.redo()}>↷</button>
       <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
-      ${this.links ? html`<button type="button" class="wide" ?disabled=${this.away} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
+      ${this.links ? html`<button type="button" class="wide" ?disabled=${this.away !== ""} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
