@@ -42,6 +42,20 @@ type Form = PostEntry["cycles"][number]["form"];
 type Points = Record<Units, string>;
 const noPoints = (): Points => ({ mm: "", inch: "" });
 
+/** Where no form of the document has had a plan. */
+const NO_PLAN: Plan = {
+  touches: [],
+  moves: [],
+  length: 0,
+  time: 0,
+  program: { post: "", extension: "", text: "", moveLines: [], proof: null },
+  table: [],
+  results: [],
+  triggers: [],
+  findings: [],
+  safety: [],
+};
+
 /** Everything that a user can change, at a moment. */
 interface Moment {
   draft: Draft;
@@ -67,8 +81,8 @@ export class Store extends Phrases {
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
   findings: Finding[] = [];
-  /** The last good plan. */
-  plan!: Plan;
+  /** The last good plan of this document; an empty one where there was none. */
+  plan: Plan = NO_PLAN;
   /** The program that was saved last. */
   saved: string | null = null;
   /** Counts the forms that were computed: another number is another form, also where it has errors. */
@@ -78,6 +92,8 @@ export class Store extends Phrases {
   private documents = 0;
   /** Whether `plan` is of an earlier form, since the present one has errors. */
   stale = false;
+  /** The document that `plan` is of. */
+  private planned = -1;
   /** The job that `plan` is of. */
   shown!: Draft;
   /** The move that is pointed at, or else the one that is pinned. */
@@ -147,6 +163,11 @@ export class Store extends Phrases {
   /** The longest text that is read, in characters. */
   get longest(): number {
     return this.catalog.longestText;
+  }
+
+  /** Whether there is nothing to show: the form has errors, and `plan` is empty. */
+  get blank(): boolean {
+    return this.stale && this.plan === NO_PLAN;
   }
 
   /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */
@@ -486,12 +507,19 @@ export class Store extends Phrases {
       this.findings = this.plan.findings;
       this.shown = structuredClone(this.draft);
       this.stale = false;
+      this.planned = this.document;
       const count = this.plan.moves.length;
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
       if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
     } catch (thrown) {
       this.findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
       this.stale = true;
+      if (this.planned !== this.document) {
+        // The plan of another document says nothing of this one, not even of how it was.
+        this.planned = -1;
+        this.plan = NO_PLAN;
+        this.shown = structuredClone(this.draft);
+      }
     }
   }
 
@@ -516,6 +544,7 @@ export class Store extends Phrases {
       this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
       for (const units of ["mm", "inch"] as const)
         if (typeof points?.[units] === "string") this.points[units] = points[units];
+      this.planned = -1;
       this.compute();
       return;
     }

@@ -1,7 +1,7 @@
 // What is handed out is what the form says: with an error in it, nothing is.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, page, program, put, saveButton, setUp, textOf } from "./common.mjs";
+import { field, PICTURE, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -56,6 +56,57 @@ test("results of the form before an error say so", async () => {
   assert.doesNotMatch(await textOf(caption), /last good/);
   await field("cycle.width1").fill("-5");
   assert.match(await textOf(caption), /The form has errors: this is the last good plan/);
+});
+
+/** How much is shown of a plan: moves of the timeline, lines of the program, cells of the table and of the results. */
+async function amount() {
+  const counts = [Number(await page.locator("#scrub").getAttribute("max"))];
+  for (const [tab, what] of /** @type {const} */ ([
+    ["Program", "tp-program .line"],
+    ["Parameters", "tp-table td"],
+    ["Results", "tp-results td"],
+  ])) {
+    await page.getByRole("tab", { name: tab }).click();
+    counts.push(await page.locator(what).count());
+  }
+  return counts;
+}
+
+test("a job with errors stood beside picture, program and results of the job before it", async () => {
+  const give = (/** @type {object} */ job) =>
+    page.evaluate((job) => {
+      /** @type {any} */ (document.querySelector("touch-path")).job = job;
+    }, job);
+  const stamp = page.locator(".stamp");
+  assert.ok((await amount()).every((n) => n > 0));
+  // Its path can be drawn, though the control has no program for it.
+  await give({ format: 1, plane: "G18", cycle: { type: "hole" }, control: { post: "fanuc" } });
+  await stamp.filter({ hasText: "No program: The length of the tool" }).waitFor();
+  assert.ok((await pixels()).count > 300);
+  assert.equal(await textOf(page.locator(".scrub output")), "");
+  assert.deepEqual(await amount(), [0, 0, 0, 0]);
+  // Nothing can be drawn.
+  await give({ format: 1, cycle: { type: "boss", diameter: -5 } });
+  await stamp.filter({ hasText: "No program: Diameter" }).waitFor();
+  assert.ok(await page.locator(PICTURE).isHidden());
+  assert.deepEqual(await amount(), [0, 0, 0, 0]);
+  assert.equal(await page.getByText("last good plan").count(), 0);
+  await field("cycle.diameter").fill("30");
+  await stamp.waitFor({ state: "detached" });
+  const good = await amount();
+  assert.ok(good.every((n) => n > 0));
+  // A later error of the same job leaves its last good plan to look at; another cycle has none of it.
+  await put("stylus.diameter", -1);
+  await stamp.filter({ hasText: "last good plan" }).waitFor();
+  assert.deepEqual(await amount(), good);
+  await field("cycle.type").selectOption("web");
+  await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
+  assert.deepEqual(await amount(), [0, 0, 0, 0]);
+  // After a reload nothing is known of how it was before the error.
+  await page.reload();
+  await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
+  assert.deepEqual(await amount(), [0, 0, 0, 0]);
+  assert.match(await textOf(page.locator("tp-results caption").first()), /No plan can be made of this form/);
 });
 
 test("'Copied' stood beside a program that was not the copied one", async () => {

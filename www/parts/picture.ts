@@ -64,19 +64,19 @@ class PicturePart extends DrawnPart {
   }
 
   override render(): TemplateResult {
-    const { stale } = this.store;
+    const { stale, blank } = this.store;
     const count = this.count;
     const ticks = this.ticks;
     const to = (way: 1 | -1) => () => this.toTouch(way);
     return html`
       ${this.tools(this.t("Picture"))}
-      <div class=${stale && !this.live ? "canvas stale" : "canvas"}>
+      <div class=${!stale || this.live ? "canvas" : blank ? "canvas blank" : "canvas stale"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
           @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave} @click=${this.clicked}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         <canvas class="over" aria-hidden="true"></canvas>
-        ${stale ? html`<p class="stamp" role="status">${this.live ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
+        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
       </div>
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
         <li class="touch">${this.t("touch")}</li><li class="link">${this.t("link, back")}</li><li class="position">${this.t("positioning")}</li><li class="rapid">${this.t("rapid")}</li><li class="ghost">${this.t("overtravel")}</li><li class="actual">${this.t("virtual part")}</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
@@ -130,7 +130,7 @@ class PicturePart extends DrawnPart {
     this.drawing?.use((view) => {
       if (anew) {
         label(view, this.store);
-        // A job that ends in a collision has a path to show, though it has no program.
+        // A job that ends in a collision, or that the control cannot do, has a path to show, though it has no program.
         this.live = stale && view.show(draft);
         if (!this.live) view.show(shown);
         this.times = view.times();
@@ -282,8 +282,9 @@ class PicturePart extends DrawnPart {
 
   /** The move that is pointed at, in words. */
   private says(): string {
-    const { plan, highlight } = this.store;
-    if (this.store.stale && this.live) return this.t("The run ends in the part");
+    const { plan, highlight, stale, blank, findings } = this.store;
+    if (blank || (stale && this.live))
+      return findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
     return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : moveInWords(this.store, highlight);
   }
 

@@ -46,7 +46,7 @@ class ProgramPart extends Part {
     const { stale } = this.store;
     const { program, moves } = this.store.plan;
     const why = stale ? "withheld-program" : nothing;
-    const lines = program.text.replace(/\n$/, "").split("\n");
+    const lines = program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
     const first = program.moveLines[0] ?? 0;
     const head = first > 3 ? first : 0;

@@ -138,7 +138,7 @@ class ResultsPart extends Part {
     const uneven = rows.some(middle);
     return html`
       <table>
-        <caption>${caption}${this.store.stale ? html`<strong>${this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
+        <caption>${caption}${this.store.stale ? html`<strong>${this.store.blank ? this.t("No plan can be made of this form") : this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
         <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Value")}</th>${measured ? nothing : html`<th class="n">${this.t("Deviation")}</th>`}<th class="n">± 2σ</th><th class="n">${measured ? this.t("Measured") : this.t("True")}</th></tr></thead>
         <tbody>
           ${rows.map((r) => this.row(r, measured))}
