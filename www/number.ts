@@ -45,7 +45,12 @@ export function readNumber(text: string, unit: Unit = "none", units: Units = "mm
   const value = mixed(rest) ?? sum(rest);
   if (value === null || !Number.isFinite(value)) return text;
   if (given === null || given === units) return value;
-  return Number((given === "inch" ? value * 25.4 : value / 25.4).toFixed(6));
+  return tidy(given === "inch" ? value * 25.4 : value / 25.4);
+}
+
+/** A worked-out number without the noise of its last digits. A repeatability can be 0.00025 mm: what is this small keeps three decimals more. */
+export function tidy(value: number): number {
+  return Number(value.toFixed(Math.abs(value) < 1e-3 ? 9 : 6));
 }
 
 /** Whether a text says a number by more than its digits: by a sum or a unit. Then the field shows the number once it is accepted. */

@@ -20,6 +20,7 @@ import { programStem, stem } from "./core/names.js";
 import { History } from "./history.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
 import { keep, kept } from "./keep.js";
+import { tidy } from "./number.js";
 import { Outside } from "./outside.js";
 import { Phrases } from "./phrases.js";
 import { type Preset, SECTIONS } from "./presets.js";
@@ -478,7 +479,7 @@ export class Store extends Phrases {
   /** What a field holds where the job says nothing, in the job's units. */
   standIn(field: FieldEntry): unknown {
     const metric = field.unit === "length" || field.unit === "feed";
-    const scaled = (x: number) => (metric && this.units === "inch" ? Number((x / 25.4).toFixed(6)) : x);
+    const scaled = (x: number) => (metric && this.units === "inch" ? tidy(x / 25.4) : x);
     if (typeof field.default === "number") return scaled(field.default);
     return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
   }

@@ -3,7 +3,7 @@
 use crate::form::{Checker, Value};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::default_job_in;
+use crate::job::{Units, default_job_in};
 use crate::text::text;
 
 /// Which parameter is which key of the cycle, and its default on the control.
@@ -73,9 +73,9 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
 /// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
     let blocks = blocks(text);
-    let inch = says_inch(&blocks);
-    let mut job = default_job_in("probing-two-circles", if inch { 25.4 } else { 1.0 }).expect("the cycle is registered");
-    set(&mut job, "units", Value::Text(if inch { "inch" } else { "mm" }.to_owned()));
+    let units = if says_inch(&blocks) { Units::Inch } else { Units::Mm };
+    let mut job = default_job_in("probing-two-circles", units).expect("the cycle is registered");
+    set(&mut job, "units", Value::Text(units.word().to_owned()));
     let mut reader = Reader { job, checker: Checker::default(), extrusion: Value::Null, found: 0, passed_over: 0 };
     blocks.iter().for_each(|block| reader.block(block));
     reader.finish(&blocks)

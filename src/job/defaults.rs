@@ -3,19 +3,20 @@
 use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Kind, Value};
 use crate::job::sections::{FORMAT, SECTIONS, Units};
+use crate::job::units::default_in;
 
 /// A complete, valid job of a type, in mm; none for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
-    default_job_in(key, 1.0)
+    default_job_in(key, Units::Mm)
 }
 
-/// The same with lengths and feeds in units of `scale` mm; the units themselves stay to be set.
-pub fn default_job_in(key: &str, scale: f64) -> Option<Value> {
-    cycle::find(key).map(|def| complete_job(def, scale, true))
+/// The same with lengths and feeds in `units`; the job's own units stay to be set.
+pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
+    cycle::find(key).map(|def| complete_job(def, units, true))
 }
 
-fn complete_job(def: &CycleDef, scale: f64, short: bool) -> Value {
-    let default_values = |fields: &[Field]| default_values(fields, scale, short);
+fn complete_job(def: &CycleDef, units: Units, short: bool) -> Value {
+    let default_values = |fields: &[Field]| default_values(fields, units, short);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
     for (path, fields) in SECTIONS {
         if path.is_empty() {
@@ -51,13 +52,13 @@ fn complete_job(def: &CycleDef, scale: f64, short: bool) -> Value {
 /// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
-    let scale = Units::of(job).scale();
+    let units = Units::of(job);
     let def = cycle::find(key)?;
-    let mut whole = complete_job(def, scale, false);
+    let mut whole = complete_job(def, units, false);
     for section in def.sections {
         // A form inside the form that is there has all its fields.
         if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
-            let values = Value::Map(default_values(section.fields, scale, false));
+            let values = Value::Map(default_values(section.fields, units, false));
             overlay(&mut whole, &Value::Map(vec![("cycle".to_owned(), Value::Map(vec![(section.key.to_owned(), values)]))]));
         }
     }
@@ -79,13 +80,9 @@ fn overlay(under: &mut Value, over: &Value) {
     }
 }
 
-/// Default values in units of `scale` mm: as people write them, or in full.
-fn default_values(fields: &[Field], scale: f64, short: bool) -> Vec<(String, Value)> {
-    let rounded = |x: f64| match (scale == 1.0, short) {
-        (true, _) => x,
-        (false, true) => (x / scale * 1e6).round() / 1e6,
-        (false, false) => x / scale,
-    };
+/// Default values in `units`: as people write them, or in full.
+fn default_values(fields: &[Field], units: Units, short: bool) -> Vec<(String, Value)> {
+    let rounded = |x: f64| if short { default_in(x, units) } else { x / units.scale() };
     let value = |field: &Field| match field.default {
         Default::Number(x) => match field.kind {
             Kind::Length | Kind::Feed | Kind::Nominal => Value::Number(rounded(x)),

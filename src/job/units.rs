@@ -15,15 +15,43 @@ struct Target {
 }
 
 impl Target {
+    const fn of(units: Units) -> Target {
+        match units {
+            Units::Mm => Target { factor: Units::Inch.scale(), decimals: 4 },
+            Units::Inch => Target { factor: 1.0 / Units::Inch.scale(), decimals: 6 },
+        }
+    }
+
+    /// A number of the job itself. The repeatability of a probe can be 0.00025 mm: what is this small keeps three decimals more.
     fn number(self, x: f64) -> f64 {
-        let step = 10f64.powi(self.decimals);
-        let rounded = (x * self.factor * step).round() / step;
-        if rounded.is_finite() { rounded + 0.0 } else { x }
+        let converted = x * self.factor;
+        let rounded = round_to(converted, if converted.abs() < 1e-3 { self.decimals + 3 } else { self.decimals });
+        if rounded.is_finite() { rounded } else { x }
+    }
+
+    /// A number in a text that goes into the program as it stands.
+    fn printed(self, x: f64) -> f64 {
+        let rounded = round_to(x * self.factor, self.decimals);
+        if rounded.is_finite() { rounded } else { x }
     }
 }
 
-/// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch, angles as they are. The job may have errors:
-/// what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
+/// Rounded to so many decimals; zero is not negative.
+fn round_to(x: f64, decimals: i32) -> f64 {
+    let step = 10f64.powi(decimals);
+    (x * step).round() / step + 0.0
+}
+
+/// A default that the catalog gives in mm, in `units`.
+pub(super) fn default_in(mm: f64, units: Units) -> f64 {
+    match units {
+        Units::Mm => mm,
+        Units::Inch => Target::of(units).number(mm),
+    }
+}
+
+/// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch (three more below 0.001), angles as they are. The job
+/// may have errors: what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     let Some(units) = Units::named(units) else {
         let message = text!("Units are \"mm\" or \"inch\"");
@@ -33,10 +61,7 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     if !matches!(job, Value::Map(_)) || Units::of(&job) == units {
         return Ok(job);
     }
-    let to = match units {
-        Units::Mm => Target { factor: Units::Inch.scale(), decimals: 4 },
-        Units::Inch => Target { factor: 1.0 / Units::Inch.scale(), decimals: 6 },
-    };
+    let to = Target::of(units);
     for (path, fields) in SECTIONS {
         let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
         convert_fields(section, fields, to);
@@ -93,7 +118,7 @@ fn convert(value: &mut Value, to: Target) {
     match value {
         Value::Number(x) => *x = to.number(*x),
         Value::Text(text) => {
-            if let Some(converted) = tolerance::convert(text, |x| to.number(x)) {
+            if let Some(converted) = tolerance::convert(text, |x| to.printed(x)) {
                 *text = converted;
             }
         }
@@ -126,6 +151,17 @@ mod tests {
         }
         assert!(convert_units(&Value::Null, "cm").is_err());
         assert_eq!(convert_units(&Value::Null, "inch").unwrap(), Value::Null);
+    }
+
+    #[test]
+    fn a_small_repeatability_comes_back_as_it_was() {
+        for (mm, inch) in [(0.001, 0.00003937), (0.00025, 0.000009843), (0.0001, 0.000003937), (0.03, 0.001181)] {
+            let mut job = default_job("boss").unwrap();
+            put(entry(&mut job, "stylus").unwrap(), "repeatability", Value::Number(mm));
+            let converted = convert_units(&job, "inch").unwrap();
+            assert_eq!(number(&converted, "stylus", "repeatability"), inch);
+            assert_eq!(number(&convert_units(&converted, "mm").unwrap(), "stylus", "repeatability"), mm);
+        }
     }
 
     #[test]

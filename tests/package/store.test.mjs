@@ -84,6 +84,20 @@ test("a cycle that was left comes back with its values, in the present units", (
   assert.equal(store.get("cycle.width1"), 2.5);
 });
 
+test("the repeatability of a good probe was 20 % larger after inch and back", () => {
+  const store = new Store();
+  store.set("stylus.repeatability", 0.00025);
+  store.setUnits("inch");
+  assert.equal(store.get("stylus.repeatability"), 0.000009843);
+  store.setUnits("mm");
+  assert.equal(store.get("stylus.repeatability"), 0.00025);
+  const other = new Store();
+  other.setUnits("inch");
+  const shown = other.get("stylus.repeatability");
+  assert.equal(shown, 0.00003937);
+  assert.equal(other.standIn(other.fieldAt("stylus.repeatability")), shown);
+});
+
 test("the form follows the control, and the control stays where it takes the cycle", () => {
   const store = new Store();
   store.set("control.post", "sinumerik");
@@ -166,6 +180,7 @@ test("a unit after a number is that unit, in a field that has one", () => {
   const cases = [
     ["80 mm", "length", "mm", 80],
     ["80mm", "length", "inch", 3.149606],
+    ["0.00025 mm", "length", "inch", 0.000009843],
     ["1 in", "length", "mm", 25.4],
     ['1 1/2"', "length", "mm", 38.1],
     ["2 inch", "length", "inch", 2],

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
-import { isWorkedOut, readNumber } from "../number.js";
+import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { Part } from "./part.js";
 
 /** A field and where its value stands in the job. */
@@ -82,7 +82,7 @@ export abstract class FieldPart extends Part {
       this.updateComplete.then(() => box.select());
     } else if (step && typeof value === "number" && !event.ctrlKey && !event.altKey && !event.metaKey) {
       const next = value + step * this.step(field, event.shiftKey);
-      this.store.set(path, Number(next.toFixed(6)));
+      this.store.set(path, tidy(next));
       this.updateComplete.then(() => box.select());
     } else return;
     event.preventDefault();

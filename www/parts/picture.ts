@@ -1,6 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3, View } from "../core/browser.js";
 import { deviations, moveInWords, runInWords } from "../in-words.js";
+import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 
@@ -450,7 +451,7 @@ class PicturePart extends DrawnPart {
     const [least, most] = (entry?.range ?? [-Infinity, Infinity]).map((end) => end / scale) as [number, number];
     const rounded = Math.round((value + change) / step) * step;
     const within = Math.min(most, Math.max(least + (entry?.above ? step : 0), rounded));
-    this.store.set(field, Number(within.toFixed(6)));
+    this.store.set(field, tidy(within));
   }
 
   /** A handle is dragged: the form follows. */
