@@ -3,7 +3,20 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { wordsOf } from "../../scripts/words.mjs";
-import { context, field, open, openTab, page, problems, program, put, ready, setUp, textOf } from "./common.mjs";
+import {
+  context,
+  field,
+  open,
+  openTab,
+  openText,
+  page,
+  problems,
+  program,
+  put,
+  ready,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -253,4 +266,48 @@ test("the keys and the question before Reset are in the language, too", async ()
     .getByText(/** @type {string} */ (words["Internal rectangle, protected"]))
     .last()
     .waitFor();
+});
+
+test("the scale of a picture has the decimal sign of the language", async () => {
+  await openIn("de-AT");
+  // What is written into pictures.
+  await page.evaluate(() => {
+    const own = /** @type {any} */ (globalThis);
+    own.written = [];
+    const write = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function (text, x, y) {
+      own.written.push(text);
+      write.call(this, text, x, y);
+    };
+  });
+  /** The scale, looked at so closely that it is less than a millimetre. */
+  const scale = (/** @type {string} */ part) =>
+    inside(`${part} canvas:not(.over)`).evaluate(async (canvas) => {
+      const own = /** @type {any} */ (globalThis);
+      const { x, y, width, height } = canvas.getBoundingClientRect();
+      const at = { clientX: x + width / 2, clientY: y + height / 2, bubbles: true, cancelable: true };
+      let last = "";
+      for (let round = 0; round < 40 && !last.startsWith("0"); round++) {
+        own.written = [];
+        canvas.dispatchEvent(new WheelEvent("wheel", { ...at, deltaY: -300 }));
+        for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
+        last = own.written.findLast((/** @type {string} */ text) => text.endsWith(" mm")) ?? "";
+      }
+      return last;
+    });
+  const speak = async (/** @type {string} */ language) => {
+    await inside("#lang").evaluate((list, language) => {
+      /** @type {HTMLSelectElement} */ (list).value = language;
+      list.dispatchEvent(new Event("change", { bubbles: true }));
+    }, language);
+    await page.locator(`touch-path tp-app[lang=${language}]`).waitFor();
+  };
+  assert.match(await scale("tp-picture"), /^0,\d+ mm$/);
+  await speak("en");
+  assert.match(await scale("tp-picture"), /^0\.\d+ mm$/);
+  await openText("G21 G90 G1 X0 Y0 Z0 F100\nX20 Y10\nM2\n", "plain.ngc");
+  await inside("tp-viewer canvas").first().waitFor();
+  assert.match(await scale("tp-viewer"), /^0\.\d+ mm$/);
+  await speak("ru");
+  assert.match(await scale("tp-viewer"), /^0,\d+ mm$/);
 });

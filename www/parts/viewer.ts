@@ -105,6 +105,7 @@ class ViewerPart extends DrawnPart {
         canvas,
         (view) => {
           view.look(this.look);
+          view.setLabels([], [], this.store.comma);
           view.showProgram(this.viewed.text);
         },
         this.over(),
@@ -112,6 +113,7 @@ class ViewerPart extends DrawnPart {
       this.observer.observe(canvas);
     }
     this.drawing?.use((view) => {
+      view.setLabels([], [], this.store.comma);
       if (this.drawn && this.drawn !== this.viewed) view.showProgram(this.viewed.text);
       view.highlight(this.pointed ?? undefined);
       this.querySelector(".key")?.classList.toggle("solid", view.isLong());

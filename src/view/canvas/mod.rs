@@ -30,6 +30,8 @@ pub struct Marks<'a> {
     pub origin: &'a str,
     /// Where a machine measured the ball's centre.
     pub measured: &'a [Spot],
+    /// Whether the scale has a decimal comma.
+    pub comma: bool,
 }
 
 /// Pixels between the strokes of a hatching, and their length.
@@ -231,7 +233,7 @@ impl Painter {
             self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
         }
         if let Some(unit) = scene.unit {
-            self.scale_bar(camera, unit);
+            self.scale_bar(camera, unit, marks.comma);
         }
     }
 
@@ -497,7 +499,7 @@ impl Painter {
     }
 
     /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
-    fn scale_bar(&self, camera: &Camera, unit: f64) {
+    fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool) {
         let length = camera.bar(unit);
         let right = camera.size[0] - BAR_CORNER;
         let left = right - length * unit * camera.scale;
@@ -506,6 +508,8 @@ impl Painter {
             self.segment(a, b, &self.theme.text, 1.0, &[]);
         }
         let name = if unit == 1.0 { "mm" } else { "inch" };
-        self.label(&format!("{} {name}", crate::num::decimal(length, 6)), [(left + right) / 2.0, y - 10.0]);
+        let number = crate::num::decimal(length, 6);
+        let number = if comma { number.replace('.', ",") } else { number };
+        self.label(&format!("{number} {name}"), [(left + right) / 2.0, y - 10.0]);
     }
 }

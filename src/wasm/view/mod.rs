@@ -166,12 +166,14 @@ impl View {
         self.draw();
     }
 
-    /// What the dimensions of the next job are called, by the paths of their fields, and whether numbers have a comma; what is not named has the form's
-    /// English label.
+    /// What the dimensions of the next job are called, by the paths of their fields; what is not named has the form's English label. `comma` is whether
+    /// numbers have a decimal comma: those of the next job, and the scale's.
     #[wasm_bindgen(js_name = setLabels)]
     pub fn set_labels(&mut self, fields: Vec<String>, labels: Vec<String>, comma: bool) {
         self.labels = fields.into_iter().zip(labels).collect();
-        self.comma = comma;
+        if std::mem::replace(&mut self.comma, comma) != comma {
+            self.draw();
+        }
     }
 
     /// Shows a coded job. One that has errors leaves the picture as it is and gives `false`.
@@ -507,6 +509,7 @@ impl View {
                 field: self.field.as_deref(),
                 names: held.map_or(&[], |held| &held.names),
                 origin: held.map_or("", |held| &held.offset_name),
+                comma: self.comma,
             };
             self.painter.draw(&shown.scene, &self.camera, &marks);
             self.paint_lit();
