@@ -365,6 +365,29 @@ fn a_dialect_is_that_of_its_words() {
     }
 }
 
+/// A tape sign after code ends the program, as LinuxCNC's interpreter has it; a first one begins it, and a name after one ends nothing.
+#[test]
+fn a_tape_sign_ends_the_program() {
+    for text in [
+        "%\nG21 G90\nG0 X1 Y0 Z0\n%\nG0 X2\n",
+        "%\n(a comment)\nG21 G90\nG0 X1 Y0 Z0\nG1 X3 F100\n%\n(below)\nG0 X2\n%\nG0 X4\n",
+        "%\nG21 G90\nG0 X1 Y0 Z0\n % \nG0 X2\nM2\n",
+        "%\nG21 G90\nG0 X1 Y0 Z0\nM2\n%\n",
+    ] {
+        let ran = interpret(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let path = read_program(text, None);
+        let wanted: Vec<_> = ran.moves.iter().map(|made| made.to).collect();
+        assert_eq!(places(&path), wanted, "{text}");
+        let below = text.rsplit_once('%').is_some_and(|(_, rest)| rest.contains('G'));
+        assert_eq!(said(&path), if below { vec!["lines-skipped"] } else { vec![] }, "{text}");
+    }
+    for text in ["(a comment)\n%\nG21\nG0 X1\nM30\n%\n", "G71\nG0 X1\n%_N_SECOND_MPF\nG0 X2\nM30\n", "%100\nG21\nG0 X1\nX2\n%\n"]
+    {
+        let path = read_program(text, None);
+        assert_eq!((path.len(), said(&path).len()), (text.matches('X').count(), 0), "{text}");
+    }
+}
+
 /// Probing moves of other makers were rapids, and a condition around an end hid all that stood below it.
 #[test]
 fn no_probing_move_is_lost() {
@@ -389,7 +412,7 @@ fn no_probing_move_is_lost() {
     let ended = read_program("G21\nG0 X1\nM30\nN9 G0 X2\nX3\n", None);
     assert_eq!(
         (ended.len(), ended.findings[0].message.as_str()),
-        (1, "Lines below the end of the program, M2 or M30, are not followed: 2 times, the first in line 4")
+        (1, "Lines below the end of the program, M2, M30 or %, are not followed: 2 times, the first in line 4")
     );
     // A radius that is computed makes no arc.
     let computed = read_program("G71\nG0 X0 Y0\nG2 X20 Y0 CR=R5 F100\nSTOPRE\n", None);

@@ -42,6 +42,8 @@ pub(super) struct Reader {
     pub conditions: usize,
     /// Whether the block before may jump over this one.
     pub leaps: bool,
+    /// Whether there was any code: a tape sign `%` before it begins the program, one after it ends it.
+    pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
     /// Units of the path in a unit that the program has now.
@@ -81,6 +83,7 @@ impl Reader {
             inside: false,
             conditions: 0,
             leaps: false,
+            begun: false,
             ended: false,
             scale: 1.0,
             feed: f64::NAN,
@@ -98,27 +101,34 @@ impl Reader {
 
     /// Reads one line, into a block that is used again for every line.
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
-        match line.first() {
-            None | Some(b'%' | b';') => return,
-            Some(b'(') if self.ended => return,
+        let Some(&first) = line.first() else { return };
+        if first == b'%' {
+            // `%_N_PART_MPF` and `%100` name a program.
+            self.ended |= self.begun && line[1..].trim_ascii().is_empty();
+            return;
+        }
+        self.begun |= !matches!(first, b'(' | b';');
+        match first {
+            b';' => return,
+            b'(' if self.ended => return,
             _ if self.ended => return count(&mut self.after_end, self.line),
             // O words jump, loop and call; alone they number a program.
-            Some(b'O' | b'o') if !self.sinumerik => return self.o_word(line),
+            b'O' | b'o' if !self.sinumerik => return self.o_word(line),
             _ if self.inside => return,
             // A variable gets a value.
-            Some(b'#') => return count(&mut self.skipped, self.line),
-            Some(_) => {}
+            b'#' => return count(&mut self.skipped, self.line),
+            _ => {}
         }
         let before = self.modes;
         block.empty();
         // A block that may be left out, `/2`, and the number of a main block, `:10`.
-        let mut at = usize::from(matches!(line[0], b'/' | b':'));
+        let mut at = usize::from(matches!(first, b'/' | b':'));
         while at > 0 && line.get(at).is_some_and(u8::is_ascii_digit) {
             at += 1;
         }
         at = at.max(left_out(line));
         let leaped = self.leaps;
-        self.leaps &= line[0] == b'(';
+        self.leaps &= first == b'(';
         while at < line.len() {
             match line[at] {
                 b' ' | b'\t' => at += 1,
@@ -459,7 +469,7 @@ impl Reader {
                 "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
             ),
         );
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2 or M30, are not followed"));
+        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30 or %, are not followed"));
         say(
             self.computed,
             "places-computed",
