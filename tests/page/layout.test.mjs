@@ -177,6 +177,32 @@ for (const locale of ["en-US", "de-DE", "ru-RU"])
     }
   });
 
+for (const locale of ["en-US", "de-DE"])
+  test(`on a small tablet the speed was cut off, and control and work offset could not be read: ${locale}`, async () => {
+    for (const width of [600, 640, 720, 768]) {
+      await open({ viewport: { width, height: 960 }, hasTouch: true, isMobile: true, locale });
+      const cut = await page.evaluate(() => {
+        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
+        const over = [".scrub", ".tabs", ".picture", "header"].filter((part) => {
+          const box = root.querySelector(part);
+          return !box || box.scrollWidth > box.clientWidth;
+        });
+        for (const id of ["f-control.post", "f-control.workOffset"]) {
+          const list = /** @type {HTMLSelectElement} */ (root.getElementById(id));
+          const style = getComputedStyle(list);
+          pen.font = style.font;
+          const room = list.clientWidth - Number.parseFloat(style.paddingLeft) - Number.parseFloat(style.paddingRight);
+          if (pen.measureText(list.selectedOptions[0]?.text ?? "").width > room - 16) over.push(id);
+        }
+        return over;
+      });
+      assert.deepEqual(cut, [], `${width}`);
+      const said = await boxOf(page.locator(".scrub output"));
+      assert.ok(said.width > 200, "a move in words");
+    }
+  });
+
 test("a tap on a dimension left the focus on the picture: it is in the field", async () => {
   await open({ viewport: { width: 1024, height: 768 }, hasTouch: true });
   const spot = await page.evaluate(() => {
