@@ -38,7 +38,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await viewer.waitFor();
   assert.match(await textOf(viewer.locator("p[role=status]")), /6 moves, 1 of them probing; mm; read as ISO/);
   assert.match(await textOf(viewer.locator(".notes")), /not followed: once, in line 8/);
-  assert.match(await textOf(page.locator(".note")), /Its moves are drawn/);
+  assert.match(await textOf(page.locator(".note")), /^The moves of this program are drawn; no job is made of it\. /);
   await viewer.getByRole("button", { name: "front" }).click();
   for (const colour of ["touch", "link", "position"]) assert.ok((await painted("tp-viewer", colour)).count > 0, colour);
   // What is pointed at says its line.

@@ -159,7 +159,9 @@ export class Intake {
       const why = this.store.why(thrown);
       // The job that is there stays.
       if (reading.moves) this.page.showMoves({ text, moves: reading.moves });
-      this.page.tell(reading.moves ? this.store.t("{why}. Its moves are drawn", why) : why);
+      this.page.tell(
+        reading.moves ? this.store.t("The moves of this program are drawn; no job is made of it. {why}", why) : why,
+      );
       return reading.moves !== null;
     }
     const notes = reading.findings.filter((f) => f.level !== "error");
