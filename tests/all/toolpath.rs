@@ -381,7 +381,8 @@ fn a_tape_sign_ends_the_program() {
         let below = text.rsplit_once('%').is_some_and(|(_, rest)| rest.contains('G'));
         assert_eq!(said(&path), if below { vec!["lines-skipped"] } else { vec![] }, "{text}");
     }
-    for text in ["(a comment)\n%\nG21\nG0 X1\nM30\n%\n", "G71\nG0 X1\n%_N_SECOND_MPF\nG0 X2\nM30\n", "%100\nG21\nG0 X1\nX2\n%\n"]
+    for text in
+        ["(a comment)\n%\nG21\nG0 X1\nM30\n%\n", "G71\nG0 X1\n%_N_SECOND_MPF\nG0 X2\nM30\n", "%100\nG21\nG0 X1\nX2\n%\n"]
     {
         let path = read_program(text, None);
         assert_eq!((path.len(), said(&path).len()), (text.matches('X').count(), 0), "{text}");
