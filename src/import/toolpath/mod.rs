@@ -6,6 +6,7 @@
 mod block;
 mod moves;
 mod reader;
+mod words;
 
 use crate::control::iso::lines::{next_line, trimmed};
 use crate::form::Finding;

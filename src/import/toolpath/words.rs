@@ -1,0 +1,195 @@
+//! What each word does: G codes by their number, places, and the names of a SINUMERIK.
+
+use crate::geom::Plane;
+use crate::import::toolpath::block::{Block, Motion, Word, end_of_value, number};
+use crate::import::toolpath::reader::{Reader, count};
+use crate::num::read_digits;
+
+impl Reader {
+    /// Takes the word at `at` and gives where the next one begins; none where it is none.
+    pub(super) fn word(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
+        let letter = line[at].to_ascii_uppercase();
+        let mut next = at + 1;
+        while matches!(line.get(next), Some(b' ' | b'\t')) {
+            next += 1;
+        }
+        let first = *line.get(next)?;
+        let signed = usize::from(matches!(first, b'-' | b'+'));
+        let (word, end) = match first {
+            b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => (Word::Computed, end_of_value(line, next + 1)),
+            b'0'..=b'9' | b'.' | b'-' | b'+' => {
+                let (size, length) = read_digits(line.get(next + signed..)?)?;
+                let (number, end) = (if first == b'-' { -size } else { size }, next + signed + length);
+                match line.get(end) {
+                    // `R1=5` gives a variable a value.
+                    Some(b'=') => return None,
+                    // A label: `L1: G1 X5`.
+                    Some(b':') if self.sinumerik => return Some(end + 1),
+                    _ => {}
+                }
+                (Word::Number(number), end)
+            }
+            b'#' | b'[' => (Word::Computed, end_of_value(line, next)),
+            b'=' if self.sinumerik => {
+                // A number ends where the next word begins: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
+                let end = end_of_value(line, next + 1);
+                let whole = |stop: usize| stop == end || line[stop].is_ascii_alphabetic();
+                match number(line, next + 1).filter(|(_, stop)| whole(*stop)) {
+                    Some((number, stop)) => (Word::Number(number), stop),
+                    None => (Word::Computed, end),
+                }
+            }
+            _ => return self.name(line, at, block),
+        };
+        match (letter, word) {
+            (b'X'..=b'Z', word) => {
+                let axis = letter - b'X';
+                block.given |= 1 << axis;
+                match word {
+                    Word::Number(x) => block.places[usize::from(axis)] = x,
+                    Word::Computed => block.computed |= 1 << axis,
+                }
+            }
+            (b'I'..=b'K', word) => {
+                let axis = letter - b'I';
+                block.centered |= 1 << axis;
+                // A centre that is computed makes no arc.
+                block.center[usize::from(axis)] = if let Word::Number(x) = word { x } else { f64::NAN };
+            }
+            (b'F', word) => block.feed = Some(if let Word::Number(x) = word { x } else { f64::NAN }),
+            (b'R', Word::Number(x)) => block.radius = Some(x),
+            (b'G', Word::Number(x)) => self.code((x * 10.0 + 0.5) as i32, block),
+            (b'G', Word::Computed) => return None,
+            // Another program is called: where the ball is afterwards is not known.
+            (b'M', Word::Number(97.0 | 98.0 | 198.0)) => {
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
+            (b'M', Word::Number(2.0 | 30.0)) => block.ends = true,
+            // A subprogram: L100 P2.
+            (b'L', _) if self.sinumerik => {
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
+            (b'L', Word::Number(x)) => block.l = Some(x),
+            (b'P', Word::Number(x)) => block.p = Some(x),
+            (b'A'..=b'C' | b'U'..=b'W', _) => block.others = true,
+            _ => {}
+        }
+        Some(end)
+    }
+
+    /// A word of more letters: `MEAS=1`, `CR = 5`, `SPOS=0`, a label, and none else.
+    fn name(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
+        if !self.sinumerik {
+            return None;
+        }
+        let past = |mut at: usize, such: fn(&u8) -> bool| {
+            while line.get(at).is_some_and(such) {
+                at += 1;
+            }
+            at
+        };
+        let blank: fn(&u8) -> bool = |b| matches!(b, b' ' | b'\t');
+        let end = past(at, |b| b.is_ascii_alphanumeric() || *b == b'_');
+        let name = &line[at..end];
+        match line.get(past(end, blank)) {
+            Some(b':') if line.get(end) == Some(&b':') => return Some(end + 1),
+            Some(b'=') => {}
+            _ => return None,
+        }
+        let value = past(past(end, blank) + 1, blank);
+        // A number ends where the next word begins: MEAS=1G1X5.
+        let stated = number(line, value);
+        let stop = stated.map_or_else(|| end_of_value(line, value), |(_, end)| end);
+        let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
+        if is(b"MEAS") || is(b"MEAW") {
+            block.once = Some(Motion::Probe);
+        } else if is(b"CR") {
+            block.radius = Some(stated.map_or(f64::NAN, |(radius, _)| radius));
+        } else if !(is(b"SPOS") || is(b"SPOSA")) {
+            return None;
+        }
+        (stop > value).then_some(stop)
+    }
+
+    fn code(&mut self, tenths: i32, block: &mut Block) {
+        match tenths {
+            0 => self.go(Motion::Rapid, block),
+            10 => self.go(Motion::Straight, block),
+            20 => self.go(Motion::Clockwise, block),
+            30 => self.go(Motion::Counter, block),
+            // With its number of a signal, too: G31.1.
+            310..=319 if !self.sinumerik => block.once = Some(Motion::Probe),
+            382..=389 => self.go(Motion::Probe, block),
+            // A thread is cut straight.
+            320 | 330 if !self.sinumerik => self.go(Motion::Straight, block),
+            330 | 340 | 350 | 3310 | 3320 if self.sinumerik => self.go(Motion::Straight, block),
+            50..=52 | 62 if !self.sinumerik => block.once = Some(Motion::Curve),
+            170 => self.turn(Plane::G17),
+            180 => self.turn(Plane::G18),
+            190 => self.turn(Plane::G19),
+            200 | 210 if !self.sinumerik => self.units(tenths == 210),
+            700 | 710 | 7000 | 7100 if self.sinumerik => self.units(matches!(tenths, 710 | 7100)),
+            900 => self.modes.absolute = true,
+            910 => self.modes.absolute = false,
+            901 => self.modes.centers_absolute = true,
+            911 => self.modes.centers_absolute = false,
+            40 => block.dwells = true,
+            930 | 950 => self.by_other = true,
+            940 => self.by_other = false,
+            100 => (block.elsewhere, block.writes) = (true, true),
+            // Tables, zones and what the control measures by itself are no places to go to, nor are a tool's lengths and the end of a scale.
+            220 | 230 | 370 => block.elsewhere = true,
+            431 | 432 | 500 | 501 if !self.sinumerik => block.elsewhere = true,
+            250 | 260 | 1100 | 1110 | 1120 if self.sinumerik => block.elsewhere = true,
+            // Nor are shifts, turns, mirrors, scales and polar places; but what comes after them is another place than it says.
+            160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 if !self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.transformed, self.line);
+            }
+            121 | 1120 if !self.sinumerik => count(&mut self.transformed, self.line),
+            580 | 590 if self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.transformed, self.line);
+            }
+            // A cycle runs here and at every later place; where it leaves the tool is not known.
+            730 | 740 | 760 | 810..=890 if !self.sinumerik => self.modes.cycle = true,
+            800 => self.modes.cycle = false,
+            // A rigid tap comes back to where it began.
+            331 if !self.sinumerik => {
+                block.elsewhere = true;
+                count(&mut self.skipped, self.line);
+            }
+            // A macro that is called, or a cycle of the control's own, moves by itself: where to is not known.
+            120 | 130 | 650 | 660 | 661 | 750 | 1500 if !self.sinumerik => {
+                block.elsewhere = true;
+                self.place = [f64::NAN; 3];
+                count(&mut self.skipped, self.line);
+            }
+            // One work offset is what all is seen in; another one lies elsewhere.
+            540..=599 | 1540 | 5050..=5990 => block.offset = Some(tenths),
+            280 | 300 | 530 | 1530 => block.machine = true,
+            740 | 750 if self.sinumerik => block.machine = true,
+            _ => {}
+        }
+    }
+
+    fn go(&mut self, motion: Motion, block: &mut Block) {
+        (self.modes.motion, self.modes.cycle, block.motion) = (motion, false, true);
+    }
+
+    fn turn(&mut self, plane: Plane) {
+        self.plane.get_or_insert(plane);
+        self.modes.plane = Some(plane);
+    }
+
+    fn units(&mut self, metric: bool) {
+        let first = *self.path.metric.get_or_insert(metric);
+        self.scale = match (first, metric) {
+            (true, false) => 25.4,
+            (false, true) => 1.0 / 25.4,
+            _ => 1.0,
+        };
+    }
+}
