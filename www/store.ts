@@ -545,7 +545,7 @@ export class Store extends Phrases {
       this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
       for (const units of ["mm", "inch"] as const)
         if (typeof points?.[units] === "string") this.points[units] = points[units];
-      this.planned = -1;
+      this.document = ++this.documents;
       this.compute();
       return;
     }

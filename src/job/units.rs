@@ -24,22 +24,21 @@ impl Target {
 
     /// A number of the job itself. The repeatability of a probe can be 0.00025 mm: what is this small keeps three decimals more.
     fn number(self, x: f64) -> f64 {
-        let converted = x * self.factor;
-        let rounded = round_to(converted, if converted.abs() < 1e-3 { self.decimals + 3 } else { self.decimals });
-        if rounded.is_finite() { rounded } else { x }
+        let small = (x * self.factor).abs() < 1e-3;
+        self.rounded(x, if small { self.decimals + 3 } else { self.decimals })
     }
 
     /// A number in a text that goes into the program as it stands.
     fn printed(self, x: f64) -> f64 {
-        let rounded = round_to(x * self.factor, self.decimals);
-        if rounded.is_finite() { rounded } else { x }
+        self.rounded(x, self.decimals)
     }
-}
 
-/// Rounded to so many decimals; zero is not negative.
-fn round_to(x: f64, decimals: i32) -> f64 {
-    let step = 10f64.powi(decimals);
-    (x * step).round() / step + 0.0
+    /// Converted, with so many decimals; zero is not negative. What is too large to be converted stays as it is.
+    fn rounded(self, x: f64, decimals: i32) -> f64 {
+        let step = 10f64.powi(decimals);
+        let rounded = (x * self.factor * step).round() / step;
+        if rounded.is_finite() { rounded + 0.0 } else { x }
+    }
 }
 
 /// A default that the catalog gives in mm, in `units`.

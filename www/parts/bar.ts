@@ -16,9 +16,10 @@ class BarPart extends FieldPart {
 
   override render(): TemplateResult {
     const { store } = this;
+    const away = this.away !== "";
     const withheld = this.away || store.withheld;
     return html`
-      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || this.away !== ""}>
+      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
       ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), this.t("Control"))}
@@ -40,14 +41,14 @@ class BarPart extends FieldPart {
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
-      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || this.away !== ""} @click=${() => store.undo()}>↶</button>
-      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || this.away !== ""} @click=${() => store.redo()}>↷</button>
+      <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
+      <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
       <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
-      ${this.links ? html`<button type="button" class="wide" ?disabled=${this.away !== ""} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
+      ${this.links ? html`<button type="button" class="wide" ?disabled=${away} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
       <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
-      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${this.away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
+      ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }
 
