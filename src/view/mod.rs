@@ -3,6 +3,7 @@
 pub mod camera;
 pub mod dimension;
 pub mod lengths;
+pub mod material;
 pub mod scene;
 mod svg;
 

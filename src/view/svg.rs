@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::num::decimal;
 use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN};
+use crate::view::material;
 use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
@@ -13,8 +14,8 @@ const MARGIN: f64 = 28.0;
 const HIGHEST: f64 = 360.0;
 /// Around lines and dimensions that reach further than the scene.
 const ROOM: f64 = 14.0;
-/// Between the strokes of a hatching, and their length.
-const HATCH: f64 = 7.0;
+/// How deep material is seen behind an edge.
+const BAND: f64 = 22.0;
 
 /// What is said in the picture of a scene.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +41,9 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
          font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"#fff\"/>\n",
         escaped(legend.title)
     );
+    drawing.material(scene, &mut text);
     let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
-    walls.for_each(|wall| drawing.wall(wall, &mut text));
+    walls.for_each(|wall| drawing.wall(wall, scene.material.is_empty(), &mut text));
     let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
     for arc in drawing.camera.angles(scene, None) {
         if let Some(name) = name(arc.angle.field) {
@@ -110,28 +112,47 @@ impl Drawing {
         pair(self.camera.pixel(spot))
     }
 
-    fn wall(&self, wall: &WallShape, text: &mut String) {
-        let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
-        if let Some(([from, to], material)) = wall.edge {
-            let (a, b) = (self.camera.pixel(from), self.camera.pixel(to));
-            let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-            let length = dx.hypot(dy).max(1e-9);
-            let (ux, uy) = (dx / length, dy / length);
-            let mut strokes = String::new();
-            for i in 0..=((length / HATCH) as usize).min(500) {
-                let start = [a[0] + ux * HATCH * i as f64, a[1] + uy * HATCH * i as f64];
-                let end = [start[0] + (material[0] - ux) * HATCH, start[1] + (-material[1] - uy) * HATCH];
-                let _ = write!(strokes, "M{}L{}", pair(start), pair(end));
+    /// The material behind edges, filled and hatched as in a section, and the air of holes.
+    fn material(&self, scene: &Scene, text: &mut String) {
+        let [filled, air] = material::outlines(&scene.material, &self.camera, BAND).map(|outlines| {
+            let mut path = String::new();
+            for outline in outlines {
+                for (k, at) in outline.iter().enumerate() {
+                    path.push(if k == 0 { 'M' } else { 'L' });
+                    path.push_str(&pair(*at));
+                }
+                path.push('Z');
             }
-            let _ = writeln!(text, "<path d=\"{strokes}\" stroke=\"{colour}\" stroke-opacity=\".6\"/>");
-            let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"{colour}\" stroke-width=\"2\"/>", pair(a), pair(b));
+            path
+        });
+        if filled.is_empty() {
+            return;
+        }
+        text.push_str(
+            "<pattern id=\"hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"#8a94a3\" stroke-width=\".75\"/></pattern>\n",
+        );
+        for paint in ["#eef0f2", "url(#hatch)"] {
+            let _ = writeln!(text, "<path d=\"{filled}\" fill=\"{paint}\"/>");
+        }
+        if !air.is_empty() {
+            let _ = writeln!(text, "<path d=\"{air}\" fill=\"#fff\"/>");
+        }
+    }
+
+    /// A wall, its faces `solid`: else they let a section's hatching through.
+    fn wall(&self, wall: &WallShape, solid: bool, text: &mut String) {
+        let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
+        if let Some(ends) = wall.edge {
+            let [a, b] = ends.map(|spot| self.at(spot));
+            let width = if wall.actual { "1.5\" stroke-dasharray=\"7 4" } else { "2" };
+            let _ = writeln!(text, "<path d=\"M{a}L{b}\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
             return;
         }
         let corners: Vec<String> = wall.corners.map(|corner| self.at(corner)).to_vec();
         let stroke = if wall.strip { "none" } else { colour };
         let points = corners.join(" ");
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
-        let fill = match (wall.faces, wall.actual) {
+        let fill = match (wall.faces && solid, wall.actual) {
             (true, false) => "#d9dde2",
             (true, true) => "#b45309\" fill-opacity=\".2",
             (false, _) => "#334\" fill-opacity=\".05",

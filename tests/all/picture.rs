@@ -1,9 +1,10 @@
 //! The picture: what its dimensions say, which walls are seen, how long its moves take.
 
 use touchpath::job;
-use touchpath::path::Path;
+use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
+use touchpath::view::material::outlines;
 use touchpath::view::scene::{Projection, Scene};
 
 use crate::common::{jobs, number_at, planned, with};
@@ -204,7 +205,10 @@ fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
     assert!(!svg.contains("<script") && svg.contains("A&lt;script&gt;"), "{svg}");
     for (name, job) in jobs() {
         let svg = job::svg(&job, Projection::Front).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let opened = svg.matches("<svg").count() + svg.matches("<text").count() + svg.matches("<title").count();
+        let opened = svg.matches("<svg").count()
+            + svg.matches("<text").count()
+            + svg.matches("<title").count()
+            + svg.matches("<pattern").count();
         assert_eq!(opened, svg.matches("</").count(), "{name}");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}: {svg}");
     }
@@ -335,4 +339,56 @@ fn the_line_of_a_dimension_stood_outside_a_small_picture() {
             assert!(inside(from) && inside(to), "{} in {size:?}: {from:?} {to:?}", dimension.field);
         }
     }
+}
+
+/// How often closed outlines run around a spot, counter-clockwise in pixels.
+fn turns(outlines: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> i32 {
+    let mut sum = 0;
+    for outline in outlines {
+        for (k, a) in outline.iter().enumerate() {
+            let b = outline[(k + 1) % outline.len()];
+            let side = (b[0] - a[0]) * (y - a[1]) - (x - a[0]) * (b[1] - a[1]);
+            if a[1] <= y && b[1] > y && side > 0.0 {
+                sum += 1;
+            } else if a[1] > y && b[1] <= y && side < 0.0 {
+                sum -= 1;
+            }
+        }
+    }
+    sum
+}
+
+/// In a section there is material behind every contact and air where the ball comes from; nothing cancels out where outlines share an area.
+#[test]
+fn material_is_drawn_behind_every_contact_and_air_before_it() {
+    let mut seen = [0; 3];
+    for (name, job) in metric() {
+        for (k, view) in [Projection::Top, Projection::Front, Projection::Side].into_iter().enumerate() {
+            let planned = job::planned(&job).expect("the job is sound");
+            let scene = planned.picture(view, 1.0).scene;
+            for scale in [0.7, 4.0, 30.0] {
+                let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
+                let [filled, air] = outlines(&scene.material, &camera, 36.0);
+                for touch in &scene.touches {
+                    // Where the wall is looked at from before, it is no edge.
+                    if (touch.inward[0].hypot(touch.inward[1]) - 1.0).abs() > 1e-9 {
+                        continue;
+                    }
+                    // A round wall is an edge only where it goes furthest to a side.
+                    if view != Projection::Top && planned.path.surfaces.iter().any(|s| matches!(s, Surface::Round(_))) {
+                        continue;
+                    }
+                    // A wall may be drawn down to the touch itself, where a ball is a point: looked at a little higher.
+                    let up = if view == Projection::Top { 0.0 } else { 1e-3 };
+                    let at =
+                        |by: f64| camera.pixel([0, 1].map(|i| touch.contact[i] + by * touch.inward[i] / scale + up * i as f64));
+                    let solid = |spot| turns(&filled, spot) != 0 && turns(&air, spot) == 0;
+                    assert!(solid(at(-2.0)), "{name}, {view:?}: no material behind {:?}", touch.contact);
+                    assert!(!solid(at(2.0)), "{name}, {view:?}: material before {:?}", touch.contact);
+                    seen[k] += 1;
+                }
+            }
+        }
+    }
+    assert!(seen.iter().all(|seen| *seen > 60), "{seen:?}");
 }

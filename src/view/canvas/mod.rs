@@ -11,6 +11,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
 use crate::view::lengths::Arrow;
+use crate::view::material;
 use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
@@ -34,8 +35,12 @@ pub struct Marks<'a> {
     pub comma: bool,
 }
 
-/// Pixels between the strokes of a hatching, and their length.
-const HATCH: f64 = 7.0;
+/// Pixels between the strokes of a hatching.
+const HATCH: f64 = 9.0;
+
+/// How deep material is seen behind an edge, pixels; the same in a small picture.
+const BAND: f64 = 36.0;
+const SMALL_BAND: f64 = 8.0;
 
 /// Pixels of a touch's disc, and how far behind its contact that stands.
 const DISC: f64 = 9.0;
@@ -178,8 +183,9 @@ impl Painter {
         self.begin(camera, "600 12px system-ui, sans-serif");
         c.set_line_cap("round");
         c.set_line_join("round");
+        self.material(scene, camera);
         for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
-            self.wall(wall, camera);
+            self.wall(wall, camera, scene.material.is_empty());
         }
         // Beneath the moves, the touches and the dimensions.
         let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
@@ -266,29 +272,72 @@ impl Painter {
         }
     }
 
-    fn wall(&self, wall: &WallShape, camera: &Camera) {
+    /// The material behind edges, filled and hatched as in a section.
+    fn material(&self, scene: &Scene, camera: &Camera) {
+        if scene.material.is_empty() {
+            return;
+        }
+        let c = &self.context;
+        let most = if self.small { SMALL_BAND } else { BAND };
+        c.save();
+        c.begin_path();
+        let [filled, air] = material::outlines(&scene.material, camera, most);
+        filled.iter().for_each(|outline| self.outline(outline));
+        c.set_fill_style_str(&self.theme.wall);
+        c.set_global_alpha(0.12);
+        c.fill();
+        c.clip();
+        // The strokes lie still against the part while the picture is moved.
+        let [width, height] = camera.size;
+        let [x, y] = camera.pixel([0.0, 0.0]);
+        let first = (x + y).rem_euclid(HATCH);
+        c.begin_path();
+        for k in 0..=((width + height) / HATCH) as usize {
+            let at = first + HATCH * k as f64;
+            c.move_to(at, 0.0);
+            c.line_to(at - height, height);
+        }
+        c.set_global_alpha(0.4);
+        c.set_stroke_style_str(&self.theme.wall);
+        c.set_line_width(0.75);
+        self.dash(&[]);
+        c.stroke();
+        c.restore();
+        c.begin_path();
+        air.iter().for_each(|outline| self.outline(outline));
+        c.set_fill_style_str(&self.theme.background);
+        c.fill();
+    }
+
+    /// A closed outline, pixels, as a part of the current path.
+    fn outline(&self, outline: &[Spot]) {
+        let c = &self.context;
+        for (k, [x, y]) in outline.iter().enumerate() {
+            if k == 0 { c.move_to(*x, *y) } else { c.line_to(*x, *y) }
+        }
+        c.close_path();
+    }
+
+    /// A wall, its faces `solid`: else they let a section's hatching through, and are no darker than it.
+    fn wall(&self, wall: &WallShape, camera: &Camera, solid: bool) {
         let c = &self.context;
         let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
-        if let Some(([from, to], material)) = wall.edge {
-            let (from, to) = (camera.pixel(from), camera.pixel(to));
-            self.hatch(from, to, [material[0], -material[1]], colour);
-            self.segment(from, to, colour, if wall.actual { 1.5 } else { 2.0 }, &[]);
+        if let Some(ends) = wall.edge {
+            let [from, to] = ends.map(|spot| camera.pixel(spot));
+            let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
+            self.segment(from, to, colour, width, dash);
             return;
         }
         c.begin_path();
-        for (i, corner) in wall.corners.iter().enumerate() {
-            let p = camera.pixel(*corner);
-            if i == 0 { c.move_to(p[0], p[1]) } else { c.line_to(p[0], p[1]) }
-        }
-        c.close_path();
+        self.outline(&wall.corners.map(|corner| camera.pixel(corner)));
         // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
-        if wall.faces && !wall.actual {
+        if wall.faces && !wall.actual && solid {
             c.set_fill_style_str(&self.theme.background);
             c.set_global_alpha(0.8);
             c.fill();
         }
         c.set_fill_style_str(colour);
-        c.set_global_alpha(if wall.faces { 0.2 } else { 0.05 });
+        c.set_global_alpha(if wall.faces && solid { 0.2 } else { 0.05 });
         c.fill();
         c.set_global_alpha(if wall.faces { 0.8 } else { 0.35 });
         c.set_stroke_style_str(colour);
@@ -302,28 +351,6 @@ impl Painter {
                 c.line_to(to[0], to[1]);
             }
         }
-        c.stroke();
-        c.set_global_alpha(1.0);
-    }
-
-    /// Short strokes behind a line, on the side of the material.
-    fn hatch(&self, from: Spot, to: Spot, material: Spot, colour: &str) {
-        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        let length = dx.hypot(dy);
-        let (ux, uy) = (dx / length.max(1e-9), dy / length.max(1e-9));
-        let count = ((length / HATCH) as usize).min(2000);
-        let c = &self.context;
-        c.begin_path();
-        for i in 0..=count {
-            let x = from[0] + ux * HATCH * i as f64;
-            let y = from[1] + uy * HATCH * i as f64;
-            c.move_to(x, y);
-            c.line_to(x + (material[0] - ux) * HATCH, y + (material[1] - uy) * HATCH);
-        }
-        c.set_global_alpha(0.6);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(1.0);
-        self.dash(&[]);
         c.stroke();
         c.set_global_alpha(1.0);
     }
@@ -381,11 +408,7 @@ impl Painter {
     fn square(&self, at: Spot) {
         let c = &self.context;
         c.begin_path();
-        for (i, [x, y]) in [[0.0, -7.0], [7.0, 0.0], [0.0, 7.0], [-7.0, 0.0]].into_iter().enumerate() {
-            let p = [at[0] + x, at[1] + y];
-            if i == 0 { c.move_to(p[0], p[1]) } else { c.line_to(p[0], p[1]) }
-        }
-        c.close_path();
+        self.outline(&[[0.0, -7.0], [7.0, 0.0], [0.0, 7.0], [-7.0, 0.0]].map(|[x, y]| [at[0] + x, at[1] + y]));
         c.set_stroke_style_str(&self.theme.highlight);
         c.set_line_width(2.0);
         self.dash(&[]);

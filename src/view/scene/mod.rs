@@ -6,6 +6,7 @@ use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
+use crate::view::material::{Material, material};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -94,8 +95,8 @@ pub struct Line {
 pub struct WallShape {
     /// Its four corners, in order.
     pub corners: [Spot; 4],
-    /// Seen edge-on: the line, and which way the material lies. Else none.
-    pub edge: Option<([Spot; 2], Spot)>,
+    /// Seen edge-on: the line. Else none.
+    pub edge: Option<[Spot; 2]>,
     /// Whether it is of the actual part; else of the nominal one.
     pub actual: bool,
     /// Whether it is one strip of a round wall, whose sides are no edges.
@@ -150,6 +151,8 @@ pub struct DrawnAngle {
 pub struct Scene {
     /// The walls; the actual ones first, so that they lie behind.
     pub walls: Vec<WallShape>,
+    /// The nominal material behind the walls that are seen edge-on.
+    pub material: Vec<Material>,
     /// The path.
     pub lines: Vec<Line>,
     /// The touches.
@@ -225,7 +228,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
             for (corner, from) in real.corners.iter_mut().zip(nominal.corners) {
                 *corner = stretch(from, *corner);
             }
-            if let (Some((ends, _)), Some((from, _))) = (&mut real.edge, nominal.edge) {
+            if let (Some(ends), Some(from)) = (&mut real.edge, nominal.edge) {
                 *ends = [0, 1].map(|i| stretch(from[i], ends[i]));
             }
         }
@@ -273,8 +276,18 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     let circles = path.feature.two_circles();
     let basis = setup.plane.basis();
     let names = setup.plane.axes().map(|axis| AXIS_NAMES[axis]);
+    // Isometric, walls are seen as faces.
+    let seen = if view == Projection::Isometric { &[][..] } else { &path.surfaces };
+    let material = material(
+        seen,
+        spot,
+        |wall| wall_shape(wall, path.frame.w, &spot, false).edge,
+        |round| strips(round, path.frame.w, path.frame.u),
+        view == Projection::Top,
+    );
     Scene {
         walls: walls.collect(),
+        material,
         lines,
         touches: touches.collect(),
         ends: path.moves.iter().map(|m| spot(m.to)).collect(),
@@ -367,13 +380,11 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
     let corners = [start + raised, end + raised, end - down, start - down].map(spot);
     let area: f64 = (0..4).map(|i| cross(corners[i], corners[(i + 1) % 4])).sum::<f64>().abs() / 2.0;
     let edge = (area < 1e-6 * (1.0 + length(sub(corners[0], corners[2])).powi(2))).then(|| {
-        let material = spot(-wall.normal);
-        let line = if length(sub(corners[0], corners[1])) > length(sub(corners[1], corners[2])) {
+        if length(sub(corners[0], corners[1])) > length(sub(corners[1], corners[2])) {
             [corners[0], corners[1]]
         } else {
             [corners[1], corners[2]]
-        };
-        (line, material)
+        }
     });
     WallShape { corners, edge, actual, strip: false, faces: true }
 }

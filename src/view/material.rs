@@ -1,0 +1,195 @@
+//! The material behind what is seen edge-on, as a section shows it: filled and hatched. Air stays empty.
+
+use crate::path::{Round, Surface, Wall};
+use crate::view::camera::Camera;
+use crate::view::scene::Spot;
+
+/// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Material {
+    /// Behind a line.
+    Behind {
+        /// The line.
+        ends: [Spot; 2],
+        /// The way into the material, of length one.
+        into: Spot,
+        /// Which ends meet another line: there the material continues past the end, so that no corner is left out.
+        meets: [bool; 2],
+        /// The other lines of the same body, each as a point and the way into the material: it lies behind all of them.
+        bounds: Vec<(Spot, Spot)>,
+    },
+    /// Around a hole, as far as its plate reaches.
+    Around {
+        /// The middle of the hole.
+        center: Spot,
+        /// Its radius.
+        radius: f64,
+        /// From the middle to the end of the plate.
+        reach: f64,
+    },
+    /// A stud.
+    Within {
+        /// Its middle.
+        center: Spot,
+        /// Its radius.
+        radius: f64,
+    },
+}
+
+/// Longer than any part, mm: where a body is bounded on two opposite sides, it is filled from one to the other.
+const FAR: f64 = 1e6;
+
+/// Corners of a drawn circle.
+const CORNERS: usize = 96;
+
+/// A wall that is seen edge-on.
+#[derive(Clone, Copy)]
+struct Edge {
+    ends: [Spot; 2],
+    into: Spot,
+    /// What it bounds: of two surfaces only flat ones can bound the same body.
+    body: (usize, usize),
+}
+
+/// The material of the surfaces. `edge` gives the line of a wall that is seen edge-on; `strips` the flat strips of a round one; `circles` says whether
+/// round walls are seen as circles.
+pub fn material(
+    surfaces: &[Surface],
+    spot: impl Fn(crate::geom::Vec3) -> Spot,
+    edge: impl Fn(&Wall) -> Option<[Spot; 2]>,
+    strips: impl Fn(&Round) -> Vec<Wall>,
+    circles: bool,
+) -> Vec<Material> {
+    let mut all = Vec::new();
+    let mut edges: Vec<Edge> = Vec::new();
+    let mut add = |wall: &Wall, body| {
+        if let Some(ends) = edge(wall) {
+            edges.push(Edge { ends, into: spot(-wall.normal), body });
+        }
+    };
+    for (k, surface) in surfaces.iter().enumerate() {
+        match surface {
+            Surface::Flat(wall) => add(wall, (0, wall.body)),
+            Surface::Round(round) if circles => {
+                let (center, radius) = (spot(round.center), round.radius);
+                all.push(if round.hole {
+                    Material::Around { center, radius, reach: round.plate.unwrap_or(f64::INFINITY) }
+                } else {
+                    Material::Within { center, radius }
+                });
+            }
+            // The two sides of a hole bound nothing together; those of a stud do.
+            Surface::Round(round) => {
+                for (side, wall) in strips(round).iter().enumerate() {
+                    add(wall, (k + 1, if round.hole { side } else { 0 }));
+                }
+            }
+            Surface::Unknown => {}
+        }
+    }
+    let behind = edges.iter().enumerate().map(|(k, own)| {
+        let others = || edges.iter().enumerate().filter(move |(j, _)| *j != k).map(|(_, other)| other);
+        Material::Behind {
+            ends: own.ends,
+            into: own.into,
+            meets: own.ends.map(|end| others().any(|other| other.ends.iter().any(|at| same(*at, end)))),
+            bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
+        }
+    });
+    all.extend(behind);
+    all
+}
+
+fn same(a: Spot, b: Spot) -> bool {
+    (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6
+}
+
+fn dot(a: Spot, b: Spot) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+impl Material {
+    /// Gives what is filled of it, at most so many pixels deep: outlines in pixels, all of one sense, so that what two of them share is filled once.
+    /// The air within a hole turns the other way round.
+    fn outlines(&self, camera: &Camera, most: f64, out: &mut Vec<Vec<Spot>>) {
+        let deep = most / camera.scale;
+        match self {
+            Material::Around { center, radius, reach } => {
+                out.push(circle(*center, (radius + deep).min(*reach).max(*radius)));
+                let mut within = circle(*center, *radius);
+                within.reverse();
+                out.push(within);
+            }
+            Material::Within { center, radius } => out.push(circle(*center, *radius)),
+            Material::Behind { ends, into, meets, bounds } => {
+                let whole = bounds.iter().any(|(_, other)| dot(*into, *other) < -0.999);
+                let [a, b] = *ends;
+                let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
+                let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+                let at = |from: Spot, by: f64, depth: f64| [0, 1].map(|i| from[i] + along[i] * by + into[i] * depth);
+                let [before, past] = meets.map(|meets| if meets { deep } else { 0.0 });
+                let deep = if whole { FAR } else { deep };
+                let mut outline = vec![at(a, -before, 0.0), at(b, past, 0.0), at(b, past, deep), at(a, -before, deep)];
+                for (point, way) in bounds {
+                    outline = behind(&outline, *point, *way);
+                }
+                if area(&outline) < 0.0 {
+                    outline.reverse();
+                }
+                out.push(outline);
+            }
+        }
+    }
+}
+
+/// The outlines of all material, pixels, and those of the air in holes: whatever reaches into them from elsewhere is taken out again.
+pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Spot>>; 2] {
+    let (mut filled, mut air) = (Vec::new(), Vec::new());
+    for material in all {
+        material.outlines(camera, most, &mut filled);
+        if let Material::Around { center, radius, .. } = material {
+            air.push(circle(*center, *radius));
+        }
+    }
+    for at in filled.iter_mut().chain(&mut air).flatten() {
+        *at = camera.pixel(*at);
+    }
+    [filled, air]
+}
+
+/// What of an outline lies behind a line, which is a point and the way into the material.
+fn behind(outline: &[Spot], point: Spot, way: Spot) -> Vec<Spot> {
+    let depth = |at: Spot| dot([at[0] - point[0], at[1] - point[1]], way);
+    let mut kept = Vec::with_capacity(outline.len() + 1);
+    for (k, from) in outline.iter().enumerate() {
+        let to = outline[(k + 1) % outline.len()];
+        let (here, there) = (depth(*from), depth(to));
+        if here >= 0.0 {
+            kept.push(*from);
+        }
+        if (here >= 0.0) != (there >= 0.0) {
+            let part = here / (here - there);
+            kept.push([0, 1].map(|i| from[i] + (to[i] - from[i]) * part));
+        }
+    }
+    kept
+}
+
+/// Counter-clockwise.
+fn circle(center: Spot, radius: f64) -> Vec<Spot> {
+    let corner = |k: usize| {
+        let (sin, cos) = (k as f64 * std::f64::consts::TAU / CORNERS as f64).sin_cos();
+        [center[0] + radius * cos, center[1] + radius * sin]
+    };
+    (0..CORNERS).map(corner).collect()
+}
+
+/// Twice the area, positive where the outline turns counter-clockwise.
+fn area(outline: &[Spot]) -> f64 {
+    (0..outline.len())
+        .map(|k| {
+            let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
+            a[0] * b[1] - a[1] * b[0]
+        })
+        .sum()
+}
