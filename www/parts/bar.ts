@@ -52,8 +52,14 @@ class BarPart extends FieldPart {
     `;
   }
 
+  /** Under their source, whose name would leave no room for theirs: `ENCY/SprutCAM type 7` says the source and the number in it. */
   private cycles() {
-    return this.store.catalog.cycles.map((c) => ({ value: c.type, label: `${c.title} (${c.source})` }));
+    const last = Number.POSITIVE_INFINITY;
+    const sorted = [...this.store.catalog.cycles].sort((a, b) => (a.number ?? last) - (b.number ?? last));
+    return sorted.map(({ type, title, source }) => {
+      const [under = "", ...number] = source.split(" ");
+      return { value: type, under, label: `${title} · ${number.join(" ")}` };
+    });
   }
 
   /** Controls that do not take this cycle are shown, with the reason, and cannot be chosen. */

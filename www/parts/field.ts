@@ -15,6 +15,19 @@ interface Choice {
   label: string;
   /** Why it cannot be chosen here; it can still be shown. */
   not?: string;
+  /** The heading that it stands under; choices under the same one follow each other. */
+  under?: string;
+}
+
+/** Choices by their headings, in order. */
+function headed(choices: Choice[]): [string, Choice[]][] {
+  const runs: [string, Choice[]][] = [];
+  for (const choice of choices) {
+    const { under = "" } = choice;
+    if (runs.at(-1)?.[0] !== under) runs.push([under, []]);
+    runs.at(-1)?.[1].push(choice);
+  }
+  return runs;
 }
 
 /** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
@@ -109,7 +122,13 @@ export abstract class FieldPart extends Part {
         aria-invalid=${this.isBad(path) ? "true" : "false"} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => take((e.target as HTMLSelectElement).value)}>
         ${known ? nothing : html`<option value=${String(value)} .selected=${live(true)} disabled>${String(value)}</option>`}
-        ${choices.map((c) => html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} .selected=${live(c.value === value)}>${c.label}</option>`)}
+        ${headed(choices).map(([under, those]) => {
+          const options = those.map(
+            (c) =>
+              html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} .selected=${live(c.value === value)}>${c.label}</option>`,
+          );
+          return under ? html`<optgroup label=${under}>${options}</optgroup>` : options;
+        })}
       </select></span>`;
   }
 
