@@ -60,11 +60,26 @@ pub struct Arc<'a> {
     pub name: Option<Spot>,
 }
 
-/// The middle of a dimension's name, and half the room that it takes: along an upright line it is written upright.
-fn room_of_name([start, end]: [Spot; 2]) -> [Spot; 2] {
-    let upright = (end[1] - start[1]).abs() > (end[0] - start[0]).abs();
-    let half = if upright { [NAME[1], NAME[0]] } else { NAME };
-    [[(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0], half]
+/// The name of a dimension that comes with the focus stands beyond the end of a line that is shorter than this, pixels: on the line it would cover it
+/// and what it measures. Those that are always drawn stand outside the part.
+const SHORT: f64 = 70.0;
+
+/// Whether the name of a dimension's line is written upright, as on a drawing.
+pub fn is_upright([start, end]: [Spot; 2]) -> bool {
+    (end[1] - start[1]).abs() > (end[0] - start[0]).abs()
+}
+
+/// The middle of a dimension's name: on its line, or beyond it.
+pub fn middle_of_name(drawn: &Drawn, [start, end]: [Spot; 2]) -> Spot {
+    let along = [end[0] - start[0], end[1] - start[1]];
+    let length = along[0].hypot(along[1]);
+    let beyond = if drawn.on_demand && length < SHORT { (length / 2.0 + NAME[0] + 8.0) / length.max(1e-9) } else { 0.0 };
+    [0, 1].map(|i| (start[i] + end[i]) / 2.0 + along[i] * beyond)
+}
+
+/// The middle of a dimension's name, and half the room that it takes.
+fn room_of_name(drawn: &Drawn, line: [Spot; 2]) -> [Spot; 2] {
+    [middle_of_name(drawn, line), if is_upright(line) { [NAME[1], NAME[0]] } else { NAME }]
 }
 
 impl Camera {
@@ -89,8 +104,8 @@ impl Camera {
         let unit = scene.unit.unwrap_or(1.0);
         let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
         let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
-        for (_, [.., start, end]) in self.dimensions(scene, None) {
-            let [[x, y], half] = room_of_name([start, end]);
+        for (drawn, [.., start, end]) in self.dimensions(scene, None) {
+            let [[x, y], half] = room_of_name(drawn, [start, end]);
             top = top.min(y - half[1]).min(start[1]).min(end[1]);
             if x - half[0] < axes[0] {
                 under = under.max(y + half[1] - axes[1]);
@@ -129,17 +144,17 @@ impl Camera {
             let far = d.aside.1 * self.scale + STANDS_OFF[usize::from(d.on_demand)];
             let line_at = |far: f64| [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
             let clear = |far: &f64| {
-                let name = room_of_name(line_at(*far));
+                let name = room_of_name(d, line_at(*far));
                 names.iter().all(|other| (0..2).any(|i| (name[0][i] - other[0][i]).abs() >= name[1][i] + other[1][i]))
             };
             let seen = |far: f64| {
-                let [middle, half] = room_of_name(line_at(far));
+                let [middle, half] = room_of_name(d, line_at(far));
                 (0..2).all(|i| middle[i] >= half[i] && middle[i] + half[i] <= self.size[i])
             };
             // A name that would lie on another one stands further out, but not out of the picture.
             let mut places = successors(Some(far), |far| Some(far + 2.0 * NAME[1] + 4.0)).take(1 + 2 * names.len());
             let line = line_at(places.find(|place| clear(place) && (seen(*place) || !seen(far))).unwrap_or(far));
-            names.push(room_of_name(line));
+            names.push(room_of_name(d, line));
             shown.push((d, [from, to, line[0], line[1]]));
         }
         shown

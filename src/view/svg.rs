@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::num::decimal;
-use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN};
+use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN, is_upright, middle_of_name};
 use crate::view::material;
-use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::scene::{Drawn, Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -55,7 +55,7 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
     for (dimension, ends) in drawing.camera.dimensions(scene, None) {
         if let Some(name) = name(dimension.field) {
-            drawing.dimension(ends, name, &mut text);
+            drawing.dimension(dimension, ends, name, &mut text);
         }
     }
     text.push_str("</svg>\n");
@@ -201,7 +201,7 @@ impl Drawing {
     }
 
     /// A dimension: extension lines, its line with arrow heads, and what it says.
-    fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, text: &mut String) {
+    fn dimension(&self, drawn: &Drawn, [from, to, start, end]: [Spot; 4], name: &str, text: &mut String) {
         let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
         let length = dx.hypot(dy).max(1e-9);
         let (ux, uy) = (dx / length, dy / length);
@@ -214,9 +214,7 @@ impl Drawing {
             head(start, [-ux, -uy], text);
             head(end, [ux, uy], text);
         }
-        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
-        // An upright dimension is written upright, as on a drawing.
-        said(middle, dy.abs() > dx.abs(), name, text);
+        said(middle_of_name(drawn, [start, end]), is_upright([start, end]), name, text);
     }
 
     /// An angle: its sides, its arc with arrow heads, and what it says.

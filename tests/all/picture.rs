@@ -2,7 +2,7 @@
 
 use touchpath::job;
 use touchpath::path::{Path, Surface};
-use touchpath::view::camera::Camera;
+use touchpath::view::camera::{Camera, middle_of_name};
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
 use touchpath::view::scene::{Projection, Scene};
@@ -391,4 +391,37 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
         }
     }
     assert!(seen.iter().all(|seen| *seen > 60), "{seen:?}");
+}
+
+/// A dimension that comes with the focus is often shorter than its name: that stands beyond it then, and in the picture on the line's own direction.
+#[test]
+fn the_name_of_a_short_dimension_in_focus_does_not_cover_its_line() {
+    let (mut short, mut long) = (0, 0);
+    for (name, job) in metric() {
+        for view in [Projection::Top, Projection::Front] {
+            let (scene, _) = built(&job, view);
+            for field in scene.dimensions.iter().filter(|d| d.on_demand).map(|d| d.field) {
+                for scale in [2.0, 30.0] {
+                    let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
+                    let shown = camera.dimensions(&scene, Some(field));
+                    let (drawn, [_, _, from, to]) =
+                        *shown.iter().find(|(drawn, _)| drawn.field == field).expect("it is drawn in focus");
+                    let [x, y] = middle_of_name(drawn, [from, to]);
+                    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                    let along = ((x - from[0]) * (to[0] - from[0]) + (y - from[1]) * (to[1] - from[1])) / length;
+                    let aside = ((x - from[0]) * (to[1] - from[1]) - (y - from[1]) * (to[0] - from[0])) / length;
+                    assert!(aside.abs() < 1e-6, "{name}: {field}");
+                    if length < 70.0 {
+                        // Half a name is 58 pixels wide.
+                        assert!(along > length + 58.0, "{name}: {field} at {along} of {length}");
+                        short += 1;
+                    } else {
+                        assert!((along - length / 2.0).abs() < 1e-6, "{name}: {field} at {along} of {length}");
+                        long += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(short > 40 && long > 40, "{short} {long}");
 }

@@ -142,13 +142,15 @@ impl Painter {
         }
     }
 
-    /// Begins a picture: fills the canvas with the background, and sets the font.
+    /// Begins a picture: fills the canvas with the background, and sets the font; texts stand about their middle.
     fn begin(&self, camera: &Camera, font: &'static str) {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
         c.set_fill_style_str(&self.theme.background);
         c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
         self.font(font);
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
     }
 
     /// Empties a canvas that lies over that of a picture.
@@ -228,15 +230,17 @@ impl Painter {
             return;
         }
         if !self.still {
-            self.handles(scene, camera);
+            let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
+            self.handles(scene, camera, held);
         }
         self.axes(scene, camera, marks.origin);
+        self.numbers(scene, camera);
         // The touches of a job have their balls.
         if scene.touches.is_empty() {
             self.dots(scene, camera);
         }
         for (drawn, line) in camera.dimensions(scene, marks.field) {
-            self.dimension(line, name(drawn.field), marks.field == Some(drawn.field));
+            self.dimension(drawn, line, name(drawn.field), marks.field == Some(drawn.field));
         }
         if let Some(unit) = scene.unit {
             self.scale_bar(camera, unit, marks.comma);
@@ -245,10 +249,7 @@ impl Painter {
 
     /// Draws arrows from one origin.
     pub fn draw_arrows(&self, arrows: &[(Arrow, String, Spot)], camera: &Camera) {
-        let c = &self.context;
         self.begin(camera, "600 13px system-ui, sans-serif");
-        c.set_text_align("center");
-        c.set_text_baseline("middle");
         let origin = camera.pixel([0.0, 0.0]);
         for (kind, name, tip) in arrows {
             let (colour, width, dash): (&str, f64, &[f64]) = match kind {
@@ -374,26 +375,33 @@ impl Painter {
     }
 
     fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool) {
-        let c = &self.context;
-        c.set_text_align("center");
-        c.set_text_baseline("middle");
         let radius = scene.radius * camera.scale;
-        let mut written: Vec<Spot> = Vec::new();
-        for (k, touch) in scene.touches.iter().enumerate() {
-            self.circle(camera.pixel(touch.ball), radius, &self.theme.ball, 1.0);
+        for touch in &scene.touches {
+            let ball = camera.pixel(touch.ball);
+            self.context.set_global_alpha(0.1);
+            self.disc(ball, radius, &self.theme.ball);
+            self.context.set_global_alpha(1.0);
+            self.circle(ball, radius, &self.theme.ball, 1.0);
             if let Some(trigger) = touch.trigger.filter(|_| deviates) {
                 let p = camera.pixel(trigger);
                 self.circle(p, radius, &self.theme.actual, 1.0);
                 self.segment([p[0] - 4.0, p[1]], [p[0] + 4.0, p[1]], &self.theme.actual, 1.5, &[]);
                 self.segment([p[0], p[1] - 4.0], [p[0], p[1] + 4.0], &self.theme.actual, 1.5, &[]);
             }
+            self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
+        }
+    }
+
+    /// The numbers of the touches, over everything that may lie at their contacts.
+    fn numbers(&self, scene: &Scene, camera: &Camera) {
+        let c = &self.context;
+        let mut written: Vec<Spot> = Vec::new();
+        for (k, touch) in scene.touches.iter().enumerate() {
+            // Behind the surface, where the path is not: beside it where that is looked at from before. Numbers on the same spot stand side by side.
             let contact = camera.pixel(touch.contact);
-            self.disc(contact, 3.5, &self.theme.touch);
-            if self.small {
-                continue;
-            }
-            // Behind the surface, where the path is not; numbers on the same spot stand side by side.
-            let mut place = [contact[0] - touch.inward[0] * BEHIND, contact[1] + touch.inward[1] * BEHIND];
+            let [x, y] = touch.inward;
+            let [x, y] = if x.hypot(y) < 0.1 { [-0.7, -0.7] } else { [x, y] };
+            let mut place = [contact[0] - x * BEHIND, contact[1] + y * BEHIND];
             while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 2.0 * DISC) {
                 place[0] += 2.0 * DISC + 1.0;
             }
@@ -449,33 +457,40 @@ impl Painter {
         }
     }
 
-    /// What can be gripped: the angles of the touches, and the virtual part.
-    fn handles(&self, scene: &Scene, camera: &Camera) {
+    /// What can be gripped: the angles of the touches, and the virtual part, faintly while it is not `held` to lie elsewhere.
+    fn handles(&self, scene: &Scene, camera: &Camera, held: bool) {
         if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
             let center = camera.pixel(center);
             for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
                 self.segment(center, handle, &self.theme.ball, 1.0, &[2.0, 4.0]);
-                self.disc(handle, HANDLE, &self.theme.background);
-                self.circle(handle, HANDLE, &self.theme.ball, width);
+                // No circle: those are balls.
+                self.grip(handle, HANDLE * 0.8, &self.theme.ball, width);
             }
         }
         if let Some((origin, direction)) = scene.handle {
+            self.context.set_global_alpha(if held { 1.0 } else { 0.35 });
             self.handle(camera.pixel(origin), direction);
+            self.context.set_global_alpha(1.0);
         }
     }
 
-    fn handle(&self, at: Spot, direction: Spot) {
+    /// A square to be gripped.
+    fn grip(&self, [x, y]: Spot, half: f64, colour: &str, width: f64) {
         let c = &self.context;
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(x - half, y - half, 2.0 * half, 2.0 * half);
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(&[]);
+        c.stroke_rect(x - half, y - half, 2.0 * half, 2.0 * half);
+    }
+
+    fn handle(&self, at: Spot, direction: Spot) {
         let end = [at[0] + direction[0] * ARM, at[1] - direction[1] * ARM];
         self.segment(at, end, &self.theme.actual, 1.0, &[3.0, 3.0]);
         self.disc(end, HANDLE, &self.theme.background);
         self.circle(end, HANDLE, &self.theme.actual, 2.0);
-        c.set_fill_style_str(&self.theme.background);
-        c.fill_rect(at[0] - HANDLE, at[1] - HANDLE, 2.0 * HANDLE, 2.0 * HANDLE);
-        c.set_stroke_style_str(&self.theme.actual);
-        c.set_line_width(2.0);
-        self.dash(&[]);
-        c.stroke_rect(at[0] - HANDLE, at[1] - HANDLE, 2.0 * HANDLE, 2.0 * HANDLE);
+        self.grip(at, HANDLE, &self.theme.actual, 2.0);
     }
 
     /// The work origin as a quartered disc with the name of its offset, or at the edge of the picture an arrow to it.
@@ -490,7 +505,7 @@ impl Painter {
         c.set_text_align("left");
         if away > 0.0 {
             self.head(inside, [dx / away, dy / away], 12.0, &self.theme.text);
-            self.label(name, [inside[0].min(width - 60.0) + 10.0, inside[1].min(height - 30.0) + 16.0]);
+            self.label(name, [inside[0].min(width - 100.0) + 10.0, inside[1].min(height - 30.0) + 16.0]);
             c.set_text_align("center");
             return;
         }
@@ -509,7 +524,18 @@ impl Painter {
 
     /// The work axes as arrows in the corner, and the work origin.
     fn axes(&self, scene: &Scene, camera: &Camera, name: &str) {
-        self.origin(scene, camera, name);
+        // `G54 X0 Y0`: of the axes that are seen.
+        let mut place = name.to_owned();
+        for (axis, direction) in scene.axes {
+            if direction[0].hypot(direction[1]) >= 0.1 {
+                if !place.is_empty() {
+                    place.push(' ');
+                }
+                place.push_str(axis);
+                place.push('0');
+            }
+        }
+        self.origin(scene, camera, &place);
         let corner = axes_corner(camera);
         for (name, direction) in scene.axes {
             if direction[0].hypot(direction[1]) < 0.1 {

@@ -1,8 +1,8 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
 use super::Painter;
-use crate::view::camera::Arc;
-use crate::view::scene::Spot;
+use crate::view::camera::{Arc, is_upright, middle_of_name};
+use crate::view::scene::{Drawn, Spot};
 
 impl Painter {
     /// A filled arrow head with its tip at a place.
@@ -20,7 +20,7 @@ impl Painter {
     }
 
     /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
-    pub(super) fn dimension(&self, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
+    pub(super) fn dimension(&self, drawn: &Drawn, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
         let colour = &self.theme.ball;
         let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
         let far = dx.hypot(dy).max(1e-9);
@@ -36,9 +36,7 @@ impl Painter {
             self.head(start, [-ux, -uy], 8.0, colour);
             self.head(end, [ux, uy], 8.0, colour);
         }
-        let middle = [(start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0];
-        // An upright dimension is written upright, as on a drawing.
-        self.name(middle, dy.abs() > dx.abs(), name, lit);
+        self.name(middle_of_name(drawn, [start, end]), is_upright([start, end]), name, lit);
     }
 
     /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
@@ -65,8 +63,6 @@ impl Painter {
     pub(super) fn name(&self, middle: Spot, upright: bool, name: &str, lit: bool) {
         let c = &self.context;
         let colour = &self.theme.ball;
-        c.set_text_align("center");
-        c.set_text_baseline("middle");
         let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
         c.save();
         let _ = c.translate(middle[0], middle[1]);

@@ -308,7 +308,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         dimensions: drawn(path, setup.plane, view),
         angles: drawn_angles(path, setup.plane, view),
         // What is drawn larger than it is cannot be dragged by it.
-        handle: (view == Projection::Top && actual.magnify == 1.0).then(|| (spot(actual.origin), spot(actual.direction))),
+        handle: (view == Projection::Top && actual.magnify == 1.0 && !path.touches.is_empty())
+            .then(|| (spot(actual.origin), spot(actual.direction))),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::Legend;
-use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
+use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN, is_upright, middle_of_name};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
@@ -49,6 +49,9 @@ pub struct View {
     /// What `paint` draws; none where every change is drawn at once.
     due: Option<Cell<Due>>,
 }
+
+/// The paths of a feature's place.
+const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2]"];
 
 /// What has changed since the picture was drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -182,8 +185,12 @@ impl View {
         let Some(last) = crate::wasm::planned(codes, text) else {
             return false;
         };
+        let cycle = |view: &Self| view.held().map(|held| held.last.planned.job.def.key);
+        let before = cycle(self);
         self.shown = Some(self.build(last));
-        self.refit();
+        if before != cycle(self) || !self.suits() {
+            self.refit();
+        }
         self.draw();
         true
     }
@@ -249,22 +256,37 @@ impl View {
 
     fn place(&mut self) {
         if let Some(shown) = &self.shown {
-            let margin = match &shown.scene {
-                _ if self.painter.small => SMALL_MARGIN,
-                scene if scene.dimensions.is_empty() => MARGIN,
-                // Room for the lines of the dimensions.
-                _ => crate::num::within(
-                    self.camera.size[0].min(self.camera.size[1]) * 0.2,
-                    DIMENSION_MARGIN * 0.7,
-                    DIMENSION_MARGIN,
-                ),
-            };
-            self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), margin);
+            self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), self.margin(&shown.scene));
             if !self.painter.small {
                 self.camera.clear_corners(&shown.scene);
             }
         }
         self.moved = false;
+    }
+
+    /// Room around a fitted scene, pixels.
+    fn margin(&self, scene: &Scene) -> f64 {
+        if self.painter.small {
+            SMALL_MARGIN
+        } else if scene.dimensions.is_empty() {
+            MARGIN
+        } else {
+            // Room for the lines of the dimensions.
+            let least = self.camera.size[0].min(self.camera.size[1]);
+            crate::num::within(least * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
+        }
+    }
+
+    /// Whether what is shown still suits the picture as it lies: whole, with room around, and not small in it. What is edited then keeps its scale.
+    fn suits(&self) -> bool {
+        let Some(shown) = &self.shown else { return false };
+        let margin = self.margin(&shown.scene);
+        let [low, high] = shown.scene.bounds();
+        let fitted = Camera::fit(self.camera.size, [low, high], margin);
+        let ([left, bottom], [right, top]) = (self.camera.pixel(low), self.camera.pixel(high));
+        let [width, height] = self.camera.size;
+        let room = (left.min(top)).min(width - right).min(height - bottom);
+        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.6
     }
 
     /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
@@ -342,14 +364,23 @@ impl View {
         }
     }
 
-    /// From where the dimension of a field is seen in its true length: where it is seen now, no other; nothing for a field without one.
+    /// From where the dimension of a field is seen in its true length, or the place and the rotation are that it says: where it is seen now, no other;
+    /// nothing for any other field.
     #[wasm_bindgen(js_name = lookFor)]
     pub fn look_for(&self, field: &str) -> Option<String> {
         let held = self.held()?;
         let (path, plane) = (&held.last.planned.path, held.plane);
+        // A direction is seen in its true length where the picture has room for all of it.
+        let flat = |view: Projection, along: crate::geom::Vec3| {
+            let [x, y] = view.spot(plane, along);
+            x.hypot(y) > 0.999
+        };
+        let basis = crate::geom::Vec3::AXES;
         let sees = |view| {
             scene::drawn(path, plane, view).iter().any(|d| d.field == field)
                 || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
+                || (field == "cycle.rotation" && view == Projection::Top)
+                || (0..3).any(|i| field == ORIGIN[i] && flat(view, basis[i]))
         };
         let names = ["top", "front", "side"];
         let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
@@ -365,12 +396,9 @@ impl View {
             let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
             (middle[0] - x).abs() <= wide && (middle[1] - y).abs() <= high
         };
-        let on_line = |[_, _, a, b]: [Spot; 4]| {
-            let middle = [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0];
-            near(middle, (b[1] - a[1]).abs() > (b[0] - a[0]).abs())
-        };
+        let on_line = |drawn: &scene::Drawn, [_, _, a, b]: [Spot; 4]| near(middle_of_name(drawn, [a, b]), is_upright([a, b]));
         let dimensions = self.camera.dimensions(scene, self.field.as_deref());
-        let found = dimensions.into_iter().find(|(_, line)| on_line(*line)).map(|(drawn, _)| drawn.field);
+        let found = dimensions.into_iter().find(|(drawn, line)| on_line(drawn, *line)).map(|(drawn, _)| drawn.field);
         let angle = || {
             let mut angles = self.camera.angles(scene, self.field.as_deref());
             angles.find(|arc| arc.name.is_some_and(|name| near(name, false))).map(|arc| arc.angle.field)
