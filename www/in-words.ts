@@ -13,18 +13,37 @@ const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
   rapid: w("rapid"),
 };
 
-/** A move of the plan. */
-export function moveInWords(store: Store, index: number, numbered = true): string {
-  const { moves } = store.plan;
-  const { kind, touch, to, step, feed } = moves[index] as Plan["moves"][number];
+/** What a move is, as the legend of the picture names its line, and where it ends. */
+function parts(store: Store, { kind, touch, to, feed }: Plan["moves"][number]): { what: Said; place: string } {
   const what: Said = {
-    position: [w("positioning")] as Said,
+    position: [feed === "longLink" ? w("link") : w("positioning")] as Said,
     touch: [w("touch {touch}"), String((touch ?? 0) + 1)] as Said,
     back: [w("back")] as Said,
   }[kind];
   const place = ["X", "Y", "Z"].map((axis, i) => axis + store.number(String(Number((to[i] as number).toFixed(4)))));
-  const said: Said = [w("step {step}, {what}, {feed}, to {place}"), String(step), what, [FEEDS[feed]], place.join(" ")];
+  return { what, place: place.join(" ") };
+}
+
+/** A move of the plan. */
+export function moveInWords(store: Store, index: number, numbered = true): string {
+  const { moves } = store.plan;
+  const move = moves[index] as Plan["moves"][number];
+  const { what, place } = parts(store, move);
+  const said: Said = [w("step {step}, {what}, {feed}, to {place}"), String(move.step), what, [FEEDS[move.feed]], place];
   return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
+}
+
+/** The same where room is short: `touch 1 · X37 Y0 Z-10 · work`. */
+export function moveInShort(store: Store, index: number): string {
+  const move = store.plan.moves[index] as Plan["moves"][number];
+  const { what, place } = parts(store, move);
+  return [store.say(what), place, store.say([FEEDS[move.feed]])].join(" · ");
+}
+
+/** Minutes and seconds. */
+export function clockOf(seconds: number): string {
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
 /** Abscissa, ordinate and tool axis of each plane. */
@@ -49,9 +68,8 @@ export function resultInWords(store: Store, { code, said }: ResultRow): string {
 /** The run of the plan in a line: moves, length, minutes and seconds. */
 export function runInWords(store: Store): string {
   const { moves, length, time } = store.plan;
-  const seconds = Math.round(time * 60);
-  const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, "0")}`;
-  return store.t("{count} moves · {length} · {time}", moves.length, `${length.toFixed(0)} ${store.units}`, clock);
+  const way = `${length.toFixed(0)} ${store.units}`;
+  return store.t("{count} moves · {length} · {time}", moves.length, way, clockOf(time * 60));
 }
 
 /** How the virtual part lies other than the drawing says; empty where it does not. */

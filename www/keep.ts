@@ -17,14 +17,20 @@ export function keep(state: unknown): void {
   }
 }
 
-/** What was kept: this tab's own state first, then that of the last tab. */
+/** What was kept: this tab's own state first, then that of the last tab; what is there and cannot be read is `null`. */
 export function kept(): unknown[] {
   return places().flatMap(([storage, key]) => {
+    let text: string | null = null;
     try {
-      const text = storage().getItem(key);
-      return text === null ? [] : [JSON.parse(text) as unknown];
+      text = storage().getItem(key);
     } catch {
-      return [];
+      // No storage.
+    }
+    if (text === null) return [];
+    try {
+      return [JSON.parse(text) as unknown];
+    } catch {
+      return [null];
     }
   });
 }

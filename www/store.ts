@@ -73,6 +73,7 @@ interface State {
   draft: Draft;
   typed: [string, string][];
   points?: Points;
+  left?: [string, Left][];
 }
 
 export class Store extends Phrases {
@@ -497,7 +498,7 @@ export class Store extends Phrases {
 
   private keep(): void {
     if (!this.local) return;
-    const state: State = { draft: this.draft, typed: [...this.typed], points: this.points };
+    const state: State = { draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] };
     keep(state);
   }
 
@@ -533,7 +534,7 @@ export class Store extends Phrases {
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
   private restore(): void {
     for (const state of kept()) {
-      const { draft, typed, points } = (isObject(state) ? state : {}) as Partial<State>;
+      const { draft, typed, points, left } = (isObject(state) ? state : {}) as Partial<State>;
       const problem = this.unusable(draft);
       if (problem) {
         this.notice = [w("What was kept in this browser cannot be used: {problem}"), problem];
@@ -545,10 +546,20 @@ export class Store extends Phrases {
       this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
       for (const units of ["mm", "inch"] as const)
         if (typeof points?.[units] === "string") this.points[units] = points[units];
+      this.left = new Map(Array.isArray(left) ? left.filter((one) => this.isLeft(one)) : []);
       this.document = ++this.documents;
       this.compute();
       return;
     }
+  }
+
+  /** Whether something kept is a form of a cycle that can be shown again. */
+  private isLeft(one: unknown): one is [string, Left] {
+    const [type, left] = Array.isArray(one) ? one : [];
+    if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points)) return false;
+    const texts = Object.values(left.points as Draft).every((text) => typeof text === "string");
+    const job = { format: 1, units: left.units, cycle: left.cycle };
+    return texts && ["mm", "inch"].includes(String(left.units)) && left.cycle.type === type && !this.unusable(job);
   }
 
   private moment(): Moment {

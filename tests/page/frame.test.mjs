@@ -414,7 +414,7 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
 test("the timeline: play, pause, touch by touch, and the move in words with its place", async () => {
   const said = () => textOf(page.locator(".scrub output"));
   await page.getByRole("button", { name: "Next touch" }).click();
-  assert.match(await said(), /^5 of 27: step 4, touch 1, work, to X37 Y0 Z-10$/);
+  assert.match(await said(), /^touch 1 · X37 Y0 Z-10 · work$/);
   await page.getByRole("button", { name: "Next touch" }).click();
   assert.match(await said(), /touch 2/);
   await page.getByRole("button", { name: "Touch before" }).click();
@@ -552,7 +552,8 @@ test("the setup sheet says what must be so before the start, and promises no rep
 });
 
 test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
-  // A nominal part is not drawn: of its colour there is the handle alone.
+  // A nominal part is not drawn: of its colour there is the handle alone, which stands out while a field of the part has the focus.
+  await field("part.offset[0]").focus();
   const handle = async (/** @type {string} */ part) => (await painted(part, "actual")).count;
   assert.ok((await handle("tp-picture")) > 20);
   await page.getByRole("button", { name: "Setup sheet" }).click();

@@ -179,7 +179,7 @@ export class App extends LitElement {
     this.addEventListener("paste", intake.refuse);
     this.addEventListener("drop", intake.refuse);
     this.addEventListener("dragover", intake.welcome);
-    this.addEventListener("keydown", this.shortcut);
+    this.keys.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
     this.around.host.addEventListener("update-ready", this.offer);
@@ -196,7 +196,7 @@ export class App extends LitElement {
     this.removeEventListener("paste", intake.refuse);
     this.removeEventListener("drop", intake.refuse);
     this.removeEventListener("dragover", intake.welcome);
-    this.removeEventListener("keydown", this.shortcut);
+    this.keys.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
     this.around.host.removeEventListener("update-ready", this.offer);
@@ -212,6 +212,7 @@ export class App extends LitElement {
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
+    const role = panels.length < 2 ? nothing : "tabpanel";
     const shape = [none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
@@ -260,10 +261,10 @@ export class App extends LitElement {
             aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}</button>`,
           )}
         </div>
-        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
-        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
-        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
-        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
+        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
+        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
+        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
+        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
@@ -342,13 +343,13 @@ export class App extends LitElement {
   }
 
   /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
-  private readonly shortcut = (event: KeyboardEvent): void => {
+  private readonly shortcut = (event: Event): void => {
+    if (!(event instanceof KeyboardEvent)) return;
     if (event.key === "Escape") this.escape(event);
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
     const key = letterOf(event);
     const at = event.composedPath()[0] as Element;
-    // What the page around has put into a slot is its own.
-    if (!this.contains(at)) return;
+    if (!this.owns(at)) return;
     if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
     if (key === "s") {
@@ -364,10 +365,20 @@ export class App extends LitElement {
     else this.store.undo();
   };
 
+  /** Where keys are heard: on Touchpath's own page everywhere, so that a click beside everything does not make them dead. */
+  private get keys(): EventTarget {
+    return this.around.links ? document : this;
+  }
+
+  /** Whether keys that are pressed here are the job's: what the page around has put into a slot is its own. */
+  private owns(at: Element): boolean {
+    return this.contains(at) || (this.around.links && at.contains(this.around.host));
+  }
+
   /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
-    if (this.tool === "cycles" || event.defaultPrevented || !this.contains(at)) return;
+    if (this.tool === "cycles" || event.defaultPrevented || !this.owns(at)) return;
     if (at.matches("input, select, textarea") || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
     event.preventDefault();
     this.use("cycles");

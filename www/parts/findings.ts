@@ -42,7 +42,7 @@ class FindingsPart extends Part {
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
       ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : html`<span class="gap"></span>`}
-      ${stale ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
+      ${stale || this.panels.includes("stage") ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
       ${this.saves ? saveButton(this.store, this.store.withheld, () => this.ask("save")) : nothing}
     `;

@@ -25,8 +25,12 @@ const TOUCH: FieldEntry = {
 
 /** What stands in the bar, not in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
+/** What a folded group says first. */
+const FIRST = new Set(["feeds.work", "stylus.diameter"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
+/** What only touches need. */
+const OF_TOUCHES = /^(stylus|feeds|part|overtravel|control\.protection)\b/;
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
@@ -71,11 +75,13 @@ class FormPart extends FieldPart {
   /** Fields under their headings: the cycle's own first, then what stands around it. */
   private groups(): [string, Placed[]][] {
     this.optional.clear();
-    const own = this.store.cycle.ownFeeds;
+    const { ownFeeds: own, maxTouches } = this.store.cycle;
     const { post } = this.store;
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
+      // A cycle that touches nothing has no use for these; where something is said of one, it is there to be mended.
+      if (maxTouches === 0 && OF_TOUCHES.test(path) && this.levels(path).length === 0) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);
@@ -155,8 +161,8 @@ class FormPart extends FieldPart {
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
     if (name === VIRTUAL) return deviations(this.store).join(" · ") || this.t("nominal");
-    // What is at fault first, and the feed that the probe meets the part with.
-    const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : path === "feeds.work" ? 1 : 2);
+    // What is at fault first, then the feed that the probe meets the part with, and its ball.
+    const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : FIRST.has(path) ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
     // In German a noun has its capital anywhere.
     const inside = (label: string) => (this.store.lang === "en" ? label.toLowerCase() : label);
@@ -168,6 +174,7 @@ class FormPart extends FieldPart {
       if (value === null) return field.null ? [`${inside(field.label)} ${field.null}`] : [];
       const choice = this.choices({ field, path }).find((c) => c.value === value);
       if (choice) return [choice.label];
+      if (field.kind === "text") return [String(value)];
       return [`${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`];
     });
     return words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "");
@@ -283,9 +290,9 @@ class FormPart extends FieldPart {
   /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
   private nullable({ field, path }: Placed): TemplateResult {
     const off = this.store.get(path) === null;
-    return html`<span class="line">${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value="–" disabled /></span>` : this.number(field, path)}
-      <label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
-        @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label></span>`;
+    return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
+        @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>
+      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value="–" disabled /></span>` : this.number(field, path)}</span>`;
   }
 
   /** A rate to start from where one was not wanted before. */

@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from "lit";
-import { type CycleEntry, defaultJob } from "../core/browser.js";
+import { type CycleEntry, defaultJob, plan } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
@@ -27,6 +27,9 @@ function groupOf(cycle: CycleEntry): string {
   if (cycle.steps.length === 0) return "still";
   return WORDS.find(([word]) => word.test(cycle.type))?.[1] ?? "others";
 }
+
+/** The touches of each cycle's default job. */
+const COUNTS = new Map<string, number>();
 
 /** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
@@ -66,7 +69,7 @@ class GalleryPart extends Part {
           <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
             ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">${this.t("rows of the table, no motion")}</span>`}
             <b>${cycle.title}</b>
-            <small>${cycle.source}</small>
+            <small>${cycle.source}${this.touches(cycle)}</small>
           </button></li>`,
         )}</ul></section>`;
       })}
@@ -75,7 +78,16 @@ class GalleryPart extends Part {
 
   protected override firstUpdated(): void {
     this.paint();
-    this.querySelector<HTMLInputElement>("input")?.focus();
+    // Where fingers point, a focus would bring the keyboard up over the pictures.
+    if (matchMedia("(pointer: fine)").matches) this.querySelector<HTMLInputElement>("input")?.focus();
+  }
+
+  /** How many touches a cycle makes as it is chosen. */
+  private touches({ type, steps }: CycleEntry): string {
+    if (steps.length === 0) return "";
+    const known = COUNTS.get(type) ?? plan(defaultJob(type)).touches.length;
+    COUNTS.set(type, known);
+    return ` · ${known === 1 ? this.t("1 touch") : this.t("{count} touches", known)}`;
   }
 
   /** A number is a type's; words must all be in the name or the source. */

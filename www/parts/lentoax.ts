@@ -2,6 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
 import { AXES_OF } from "../in-words.js";
 import { readNumber } from "../number.js";
+import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { CanvasPart } from "./drawn.js";
@@ -27,6 +28,14 @@ type Step = NonNullable<LentoaxQuery["frame"]>[number];
 
 type Words = ReturnType<typeof lentoaxWords>;
 
+/** What was asked last, by the page's state: who comes back finds the question again. */
+const ASKED = new WeakMap<Store, Question>();
+
+interface Question {
+  query: Required<LentoaxQuery>;
+  typed: Map<string, string>;
+}
+
 /** The second tool: which tool length acts on which axis. */
 class LentoaxPart extends CanvasPart {
   protected override follows: string[] = [];
@@ -42,6 +51,15 @@ class LentoaxPart extends CanvasPart {
   };
   private typed = new Map<string, string>();
   private told = "";
+
+  override connectedCallback(): void {
+    const asked = ASKED.get(this.store);
+    if (asked) {
+      this.query = asked.query;
+      this.typed = asked.typed;
+    } else ASKED.set(this.store, { query: this.query, typed: this.typed });
+    super.connectedCallback();
+  }
 
   protected override updated(): void {
     this.dress();

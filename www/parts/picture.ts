@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3, View } from "../core/browser.js";
-import { deviations, moveInWords, runInWords } from "../in-words.js";
+import { clockOf, deviations, moveInShort, moveInWords, runInWords } from "../in-words.js";
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
@@ -25,6 +25,12 @@ interface End {
 /** How near to the end of a dimension's line it is gripped, pixels. */
 const NEAR = 12;
 
+/** The width of the timeline's thumb, pixels; the style sheet knows the same width. */
+const THUMB = 16;
+
+/** A turn that is drawn larger stays below this, degrees: more would look like another part. */
+const MOST_TURNED = 20;
+
 /** The picture with its tools: views, zoom, dimensions to type into, and a timeline over the moves. */
 class PicturePart extends DrawnPart {
   protected override follows = ["change", "focus"];
@@ -45,7 +51,7 @@ class PicturePart extends DrawnPart {
   /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
   private times: Float64Array = new Float64Array();
   private clock: number | null = null;
-  private speed: (typeof SPEEDS)[number] = 4;
+  private speed: (typeof SPEEDS)[number] = 1;
   private magnified: (typeof MAGNIFIED)[number] = 1;
   private frameAsked = 0;
 
@@ -67,7 +73,6 @@ class PicturePart extends DrawnPart {
   override render(): TemplateResult {
     const { stale, blank } = this.store;
     const count = this.count;
-    const ticks = this.ticks;
     const to = (way: 1 | -1) => () => this.toTouch(way);
     return html`
       ${this.tools(this.t("Picture"))}
@@ -77,7 +82,10 @@ class PicturePart extends DrawnPart {
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         <canvas class="over" aria-hidden="true"></canvas>
-        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : this.deviates()}
+        <div class="stamps">
+        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : nothing}
+        ${this.deviates()}
+        </div>
       </div>
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
         <li class="touch">${this.t("touch")}</li><li class="link">${this.t("link, back")}</li><li class="position">${this.t("positioning")}</li><li class="rapid">${this.t("rapid")}</li><li class="ghost">${this.t("overtravel")}</li><li class="actual">${this.t("virtual part")}</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
@@ -87,10 +95,9 @@ class PicturePart extends DrawnPart {
         <button type="button" class="icon play" aria-label=${this.clock === null ? this.t("Play") : this.t("Pause")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
         <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} @click=${to(1)}>▶|</button>
         <span class="track">
-          <input id="scrub" type="range" min="0" max=${count} list="ticks" aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
-          <datalist id="ticks">${ticks.map((t) => html`<option value=${t}></option>`)}</datalist>
+          <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
         </span>
-        <output for="scrub"></output>
+        <output for="scrub"></output><span class="clock" aria-hidden="true"></span>
         <button type="button" class="quiet" aria-label=${this.t("Speed: {times} times", this.speed)} title=${this.t("Speed")} @click=${this.faster}>${this.speed}×</button>
       </div>
     `;
@@ -123,7 +130,8 @@ class PicturePart extends DrawnPart {
       this.observer.observe(canvas);
     }
     // A nominal part has nothing to draw larger, and its handle is there again.
-    if (deviations(this.store).length === 0 && !this.grip) this.magnified = 1;
+    if (!this.grip && (deviations(this.store).length === 0 || !this.offered.includes(this.magnified)))
+      this.magnified = 1;
     const now = `${revision} ${this.store.lang}`;
     const anew = this.drawn !== now;
     const before = this.live;
@@ -141,6 +149,7 @@ class PicturePart extends DrawnPart {
       view.magnify(this.magnified);
     });
     this.drawn = now;
+    this.tick();
     this.light();
     if (before !== this.live) this.requestUpdate();
     if (focused !== this.turnedFor) this.face(focused);
@@ -161,18 +170,36 @@ class PicturePart extends DrawnPart {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
     return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
-      <button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button></p>`;
+      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
+  }
+
+  /** Whether there is no run to step through: of a form with errors, its last good plan is there to be seen only. */
+  private get stopped(): boolean {
+    return this.store.stale;
   }
 
   /** How many moves the timeline has. */
   private get count(): number {
-    return this.store.stale && this.live ? 0 : this.store.plan.moves.length;
+    return this.stopped ? 0 : this.store.plan.moves.length;
   }
 
   /** The touches among the moves, counted from 1. */
   private get ticks(): number[] {
     return this.store.plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
   }
+
+  /** Marks the touches on the rail of the timeline, where its thumb stands at them. */
+  private tick(): void {
+    const { count } = this;
+    const track = this.querySelector<HTMLElement>(".track");
+    const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
+    const marks = this.stopped ? "" : this.ticks.map(mark).join(", ");
+    if (!track || marks === this.marks) return;
+    this.marks = marks;
+    track.style.background = marks;
+  }
+
+  private marks = "";
 
   /** To the next touch, or the one before; from the last one to the end. */
   private toTouch(way: 1 | -1): void {
@@ -187,17 +214,34 @@ class PicturePart extends DrawnPart {
     const { highlight, stale } = this.store;
     if (this.clock === null)
       this.drawing?.use((view) => view.highlight(stale && this.live ? undefined : (highlight ?? undefined)));
-    const says = this.says();
     const scrub = this.querySelector<HTMLInputElement>("#scrub");
     const words = this.querySelector("output");
     if (!scrub || !words) return;
-    scrub.value = String(highlight === null ? 0 : highlight + 1);
-    scrub.setAttribute("aria-valuetext", says);
-    words.textContent = says;
+    scrub.value = String(highlight === null || this.stopped ? 0 : highlight + 1);
+    scrub.setAttribute("aria-valuetext", this.says(moveInWords));
+    words.textContent = this.says(moveInShort);
+    this.showClock();
+  }
+
+  /** How many seconds of the run are over, while it plays or where a move is pointed at. */
+  private showClock(): void {
+    const clock = this.querySelector(".clock");
+    const { highlight } = this.store;
+    if (!clock) return;
+    const sum = (moves: Float64Array) => moves.reduce((all, seconds) => all + seconds, 0);
+    const at = highlight === null || this.stopped ? null : (this.clock ?? sum(this.times.subarray(0, highlight + 1)));
+    clock.textContent = at === null ? "" : `${clockOf(at)} / ${clockOf(sum(this.times))}`;
+  }
+
+  /** How many times as large deviations can be drawn here. */
+  private get offered(): readonly (typeof MAGNIFIED)[number][] {
+    const turn = Math.abs(Number(this.store.get("part.rotation") ?? 0));
+    return MAGNIFIED.filter((times) => times === 1 || turn * times <= MOST_TURNED);
   }
 
   private readonly magnify = (): void => {
-    const next = MAGNIFIED[(MAGNIFIED.indexOf(this.magnified) + 1) % MAGNIFIED.length];
+    const { offered } = this;
+    const next = offered[(offered.indexOf(this.magnified) + 1) % offered.length];
     this.magnified = next as (typeof MAGNIFIED)[number];
     this.requestUpdate();
   };
@@ -228,8 +272,8 @@ class PicturePart extends DrawnPart {
       this.pause();
       return;
     }
-    const { highlight, plan, stale } = this.store;
-    if (plan.moves.length === 0 || (stale && this.live)) return;
+    const { highlight, plan } = this.store;
+    if (plan.moves.length === 0 || this.stopped) return;
     const from = highlight === null || highlight >= plan.moves.length - 1 ? 0 : highlight + 1;
     this.clock = this.times.subarray(0, from).reduce((sum, t) => sum + t, 0);
     let before = performance.now();
@@ -253,6 +297,7 @@ class PicturePart extends DrawnPart {
       }
       this.store.pin(move);
       // Where motion is not wanted the ball is shown at the ends of the moves only.
+      this.showClock();
       this.drawing?.use((view) => view.play(move, still ? 1 : left / (this.times[move] as number)));
       this.frameAsked = requestAnimationFrame(tick);
     };
@@ -282,11 +327,11 @@ class PicturePart extends DrawnPart {
   }
 
   /** The move that is pointed at, in words. */
-  private says(): string {
-    const { plan, highlight, stale, blank, findings } = this.store;
-    if (blank || (stale && this.live))
+  private says(inWords: typeof moveInShort): string {
+    const { plan, highlight, findings } = this.store;
+    if (this.stopped)
       return findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
-    return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : moveInWords(this.store, highlight);
+    return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : inWords(this.store, highlight);
   }
 
   private at(event: PointerEvent | WheelEvent): Spot {
@@ -340,6 +385,7 @@ class PicturePart extends DrawnPart {
         const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
         const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.grippable(view, at));
         this.canvas().style.cursor = grips ? "grab" : over;
+        this.canvas().title = ["shift", "turn"].includes(view.handleAt(at.x, at.y) ?? "") ? this.t("Virtual part") : "";
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;

@@ -72,13 +72,13 @@ class ProgramPart extends Part {
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
         ${this.finder.render(this.comparing)}
-        <select class=${this.comparing ? "compares chosen" : "compares"} aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
+        <select class="compares" aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
           <option value="">⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null}>${this.t("the one saved last")}</option>
           ${this.others().map((post) => html`<option value=${post.id}>${post.title}</option>`)}
         </select>
-        ${head > 0 && !this.comparing ? html`<button type="button" class="quiet" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}>${this.unfolded ? "▾" : "▸"} ${this.t("header ({count})", head)}</button>` : nothing}
       </div>
+      ${head > 0 && !this.comparing ? html`<button type="button" class="head" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}><span aria-hidden="true">${this.unfolded ? "▾" : "▸"}</span> ${this.t("header ({count})", head)}</button>` : nothing}
       ${withheld(this.store, "withheld-program")}
       ${this.comparing ? this.differences() : nothing}
       <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" lang="en" translate="no" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}

@@ -85,7 +85,7 @@ class SheetPart extends Part {
           <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
         </table>
         </div>
-        <p>${checked(this.store)}.</p>
+        <p>${checked(this.store)}.${plan.safety.filter((rule) => rule.holds === null).map((rule) => ` ${this.store.say(rule.said)}.`)}</p>
         ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${head.join("\n")}</div>` : nothing}
         ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>${this.t("Warning:")}</b> ${this.message(f)}</p>`)}
         <p class="hash">${this.t("SHA-256 of the program:")} <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
@@ -99,7 +99,12 @@ class SheetPart extends Part {
     const held = this.store.get(path);
     const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
     if (value === null || value === undefined || field.group.startsWith("Postprocessor")) return nothing;
-    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map((x) => (typeof x === "number" ? this.store.number(String(x)) : String(x))).join(" ")}${field.unit === "angle" ? "°" : ""}</td><td><code>${field.code ?? ""}</code></td></tr>`;
+    const words = (x: unknown) => {
+      if (typeof x === "boolean") return x ? this.t("on") : this.t("off");
+      const choice = field.choices.find((c) => c.value === x)?.label;
+      return choice ?? (typeof x === "number" ? this.store.number(String(x)) : String(x));
+    };
+    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map(words).join(" ")}${field.unit === "angle" ? "°" : ""}</td><td><code>${field.code ?? ""}</code></td></tr>`;
   }
 
   override disconnectedCallback(): void {

@@ -1,0 +1,176 @@
+// What was seen on the page by someone who did not know it, and is mended: a test each.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { defaultJob } from "touchpath";
+import { field, held, more, open, page, pixels, put, ready, setUp, textOf } from "./common.mjs";
+
+setUp({ width: 1440, height: 900 });
+
+/** The lines of the dimensions, pixels of the picture, by field. */
+const lines = () =>
+  page.evaluate(() => {
+    const root = document.querySelector("touch-path")?.shadowRoot;
+    const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
+    return /** @type {[string, number, number, number, number][]} */ (
+      picture.drawing.use((/** @type {any} */ view) => [...view.dimensionLines()].map((line) => [...line]))
+    );
+  });
+const lengthOf = async (/** @type {string} */ path) => {
+  const [, x, y, u, v] = (await lines()).find(([field]) => field === path) ?? ["", 0, 0, 0, 0];
+  return Math.hypot(u - x, v - y);
+};
+
+test("a key was dead where nothing had the focus: Ctrl+S saves there, Ctrl+Z takes back", async () => {
+  await field("cycle.width1").fill("70");
+  await page.locator("footer").click({ position: { x: 300, y: 8 } });
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+  const download = page.waitForEvent("download");
+  await page.keyboard.press("Control+s");
+  assert.equal((await download).suggestedFilename(), "PROBE.ngc");
+  await page.keyboard.press("Control+z");
+  assert.equal(await held("cycle.width1"), 80);
+});
+
+test("the picture was fitted anew at each keystroke: what is edited keeps its scale while it fits, and is fitted where it does not", async () => {
+  const scale = (await lengthOf("cycle.width1")) / 80;
+  for (const width of [79, 82, 70]) {
+    await field("cycle.width1").fill(String(width));
+    const now = await lengthOf("cycle.width1");
+    assert.ok(Math.abs(now - width * scale) < 0.01, `${width}: ${now} pixels, ${width * scale} wanted`);
+  }
+  for (const width of [400, 20]) {
+    await field("cycle.width1").fill(String(width));
+    const now = await lengthOf("cycle.width1");
+    assert.ok(now > 60 && now < 800 && Math.abs(now - width * scale) > 10, `${width}: ${now} pixels`);
+  }
+});
+
+test("a part that lies elsewhere was not said beside an error", async () => {
+  await put("part.rotation", 20);
+  await field("cycle.width1").fill("10");
+  await page.locator(".stamp").waitFor();
+  assert.match(await textOf(page.locator(".trial")), /turned 20°/);
+  const [stamp, trial] = await Promise.all([
+    page.locator(".stamp").boundingBox(),
+    page.locator(".trial").boundingBox(),
+  ]);
+  assert.ok(stamp && trial && (stamp.y + stamp.height <= trial.y || stamp.x + stamp.width <= trial.x), "side by side");
+});
+
+test("a turn of 20° was drawn as one of 200°: it is not drawn larger", async () => {
+  const button = page.getByRole("button", { name: /Deviations are drawn/ });
+  await put("part.rotation", 1);
+  await button.click();
+  assert.equal(await textOf(button), "×10");
+  await button.click();
+  assert.equal(await textOf(button), "×1", "a hundred times would be 100°");
+  await button.click();
+  await put("part.rotation", 3);
+  assert.equal(await button.count(), 0, "and it is drawn as it is again");
+});
+
+test("the timeline of a form with an error still told moves, length and time of the last good one", async () => {
+  const said = () => textOf(page.locator(".scrub output"));
+  assert.match(await said(), /^27 moves/);
+  await field("cycle.width1").fill("10");
+  await page.locator(".stamp").waitFor();
+  assert.equal(await said(), "");
+  assert.equal(await page.getByRole("button", { name: "Play" }).isDisabled(), true);
+  assert.equal(await page.locator("#scrub").getAttribute("max"), "0");
+});
+
+test("the clock of the timeline follows the moves", async () => {
+  const clock = () => textOf(page.locator(".clock"));
+  assert.equal(await clock(), "");
+  await page.getByRole("button", { name: "Next touch" }).click();
+  // Down from 30 to 10 at F2000, to touch 1 along 32 and 20 at F1000, 5 at F150: 0.6 + 3.12 + 2 s.
+  assert.match(await clock(), /^0:0[56] \/ 0:32$/);
+  await page.locator("#scrub").fill("27");
+  assert.equal(await clock(), "0:32 / 0:32");
+});
+
+test("forms of cycles that were left were gone after a reload", async () => {
+  await field("cycle.width1").fill("99");
+  await field("cycle.type").selectOption("boss");
+  await page.reload();
+  await ready();
+  assert.equal(await held("cycle.type"), "boss");
+  await field("cycle.type").selectOption("internal-rectangle-protected");
+  assert.equal(await held("cycle.width1"), 99);
+});
+
+test("a kept form that is no such form is left out, and the rest is there", async () => {
+  const job = defaultJob("boss");
+  const points = { mm: "", inch: "" };
+  const left = [
+    ["hole", { units: "mm", cycle: { type: "hole", touches: "abc" }, points }],
+    ["web", { units: "mm", cycle: { type: "groove", width: 3 }, points }],
+    ["groove", { units: "mm", cycle: { ...defaultJob("groove").cycle, width: 33 }, points }],
+    ["surface", null],
+    7,
+  ];
+  await page.evaluate(
+    (state) => {
+      sessionStorage.clear();
+      localStorage.setItem("touchpath.job.1", state);
+    },
+    JSON.stringify({ draft: job, typed: [], left }),
+  );
+  await page.reload();
+  await ready();
+  assert.equal(await held("cycle.type"), "boss");
+  for (const [type, key, value] of /** @type {const} */ ([
+    ["groove", "cycle.width", 33],
+    ["web", "cycle.width", 30],
+    ["hole", "cycle.diameter", 40],
+  ])) {
+    await field("cycle.type").selectOption(type);
+    assert.equal(await held(key), value, type);
+  }
+});
+
+test("kept text that cannot be read was passed over in silence", async () => {
+  await page.evaluate(() => {
+    sessionStorage.clear();
+    localStorage.setItem("touchpath.job.1", "{");
+  });
+  await page.reload();
+  await ready();
+  assert.match(await textOf(page.locator(".note")), /What was kept in this browser cannot be used/);
+  assert.equal(await held("cycle.width1"), 80);
+});
+
+test("a cycle that touches nothing asks for no probe, feeds or part, and has nothing to drag", async () => {
+  const groups = () => page.locator("tp-form .fold b").allTextContents();
+  assert.ok((await groups()).includes("Feeds"));
+  await field("cycle.type").selectOption("probe-on-off");
+  assert.deepEqual(await groups(), ["Program", "Control", "Postprocessor"]);
+  const drawn = await pixels();
+  await put("part.rotation", 3);
+  assert.ok((await groups()).length >= 3, "the page stands");
+  assert.ok(drawn.count > 0, "the work origin is drawn");
+});
+
+test("what is asked of the tool lengths is there again", async () => {
+  await more("Tool lengths");
+  await page.locator("#l-plane").selectOption("G18");
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  await more("Tool lengths");
+  assert.equal(await page.locator("#l-plane").inputValue(), "G18");
+});
+
+test("on a phone on its side the picture could not be turned", async () => {
+  await open({ viewport: { width: 844, height: 390 }, hasTouch: true });
+  await page.getByRole("button", { name: "isometric" }).click();
+  assert.equal(await page.getByRole("button", { name: "isometric" }).getAttribute("aria-pressed"), "true");
+});
+
+test("buttons of the picture and the timeline are as wide as a finger on a phone", async () => {
+  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  for (const button of await page
+    .locator(".picture .tools button:visible, .scrub button:visible, .icon:visible")
+    .all()) {
+    const box = await button.boundingBox();
+    assert.ok(box && box.width >= 44 && box.height >= 44, `${await textOf(button)}: ${box?.width} × ${box?.height}`);
+  }
+});
