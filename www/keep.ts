@@ -5,8 +5,29 @@ const TAB = "touchpath.tab.1";
 /** The last state that any tab wrote: the start of a new tab. */
 const START = "touchpath.job.1";
 
+/** So long the writing waits for further changes, milliseconds: it goes to the disk, and a keystroke does not wait for that. */
+const WAIT = 300;
+
+/** What is to be kept, while it waits. */
+let due: (() => unknown) | null = null;
+
+/** Keeps a state soon, and in any case before the page is left or hidden: `state` is asked for it then. */
+export function keepSoon(state: () => unknown): void {
+  if (!due) setTimeout(write, WAIT);
+  due = state;
+  // Both do nothing the second time.
+  addEventListener("pagehide", write);
+  document.addEventListener("visibilitychange", write);
+}
+
+function write(): void {
+  const state = due;
+  due = null;
+  if (state) keep(state());
+}
+
 /** Keeps a state. Without storage the page works, but forgets. */
-export function keep(state: unknown): void {
+function keep(state: unknown): void {
   const text = JSON.stringify(state);
   for (const [storage, key] of places()) {
     try {

@@ -19,7 +19,7 @@ import {
 import { programStem, stem } from "./core/names.js";
 import { History } from "./history.js";
 import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
-import { keep, kept } from "./keep.js";
+import { keepSoon, kept } from "./keep.js";
 import { tidy } from "./number.js";
 import { Outside } from "./outside.js";
 import { Phrases } from "./phrases.js";
@@ -498,8 +498,7 @@ export class Store extends Phrases {
 
   private keep(): void {
     if (!this.local) return;
-    const state: State = { draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] };
-    keep(state);
+    keepSoon((): State => ({ draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] }));
   }
 
   private compute(): void {

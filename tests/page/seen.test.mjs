@@ -174,3 +174,11 @@ test("buttons of the picture and the timeline are as wide as a finger on a phone
     assert.ok(box && box.width >= 44 && box.height >= 44, `${await textOf(button)}: ${box?.width} × ${box?.height}`);
   }
 });
+
+test("what was typed last is there after a reload, though it is written a moment later", async () => {
+  await field("cycle.width1").fill("71");
+  assert.equal(await page.evaluate(() => sessionStorage.length), 0, "a keystroke does not wait for the disk");
+  await page.reload();
+  await ready();
+  assert.equal(await held("cycle.width1"), 71);
+});
