@@ -102,7 +102,7 @@ class ResultsPart extends Part {
     const own = measured?.get(r.code);
     // As the form names it, where that has the same.
     const field = this.store.cycle.fields.find((f) => f.key === r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${field?.label ?? resultInWords(this.store, r)} <code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></td>`;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${field?.label ?? resultInWords(this.store, r)} <small><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`

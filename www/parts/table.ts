@@ -59,13 +59,13 @@ class TablePart extends Part {
       ${withheld(this.store, "withheld-table")}
       <div class=${stale ? "scroll stale" : "scroll"} tabindex="0" role="region" aria-label=${this.t("Parameter table")}>
         <table>
-          <thead><tr><th>${this.t("Code")}</th><th>${this.t("Type")}</th><th class="n">${this.t("Value")}</th><th>${this.t("Meaning")}</th></tr></thead>
+          <thead><tr><th>${this.t("Code")} · ${this.t("Type")}</th><th class="n">${this.t("Value")}</th><th>${this.t("Meaning")}</th></tr></thead>
           ${groups
             .filter((group) => group.rows.length > 0)
             .map(({ name, rows }) => {
               const open = wanted !== "" || !this.closed.has(name);
               return html`<tbody @mouseleave=${() => this.store.point(null)}>
-                <tr class="group"><th colspan="4" scope="rowgroup"><button type="button" aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name)}
+                <tr class="group"><th colspan="3" scope="rowgroup"><button type="button" aria-expanded=${open ? "true" : "false"} @click=${() => this.fold(name)}
                   >${open ? "▾" : "▸"} ${this.t(name)} <small>${rows.length}</small></button></th></tr>
                 ${open ? rows.map((row) => this.row(row)) : nothing}
               </tbody>`;
@@ -96,7 +96,7 @@ class TablePart extends Part {
     const move =
       touch === null ? null : this.store.plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
     return html`<tr data-touch=${touch ?? nothing} @mouseenter=${() => this.store.point(move)}>
-      <td><code>${row.code}</code></td><td>${row.type}</td><td class="n">${String(row.value)}</td>
+      <td><code>${row.code}</code> <small>${row.type}</small></td><td class="n">${String(row.value)}</td>
       <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${this.meaning(row)}</a>` : this.meaning(row)}</td>
     </tr>`;
   }
