@@ -75,12 +75,14 @@ export function runInWords(store: Store): string {
 /** How the virtual part lies other than the drawing says; empty where it does not. */
 export function deviations(store: Store): string[] {
   const part = store.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
-  const signed = (x: unknown) => store.number(typeof x === "number" && x > 0 ? `+${x}` : String(x));
-  const shifts = (part?.offset ?? []).flatMap((x, i) => (x === 0 ? [] : [`${"XYZ"[i]} ${signed(x)}`]));
-  const turn = part?.rotation ?? 0;
+  const signed = (x: number) => store.number(x > 0 ? `+${x}` : String(x));
+  // What is no number is said as an error of its field.
+  const off = (x: unknown): x is number => typeof x === "number" && x !== 0;
+  const shifts = (part?.offset ?? []).flatMap((x, i) => (off(x) ? [`${"XYZ"[i]} ${signed(x)}`] : []));
+  const turn = off(part?.rotation) ? part.rotation : 0;
   const sizes = store.cycle.fields.flatMap(({ key, label }) => {
     const value = part?.sizes?.[key] ?? 0;
-    return value === 0 ? [] : [`${label} ${signed(value)}`];
+    return off(value) ? [`${label} ${signed(value)}`] : [];
   });
   return [...shifts, ...(turn === 0 ? [] : [store.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
 }

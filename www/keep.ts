@@ -9,10 +9,13 @@ const START = "touchpath.job.1";
 const WAIT = 300;
 
 /** What is to be kept, while it waits. */
-let due: (() => unknown) | null = null;
+let due: (() => Kept) | null = null;
+
+/** A state, and what of it is least missed. */
+type Kept = object & { left?: unknown };
 
 /** Keeps a state soon, and in any case before the page is left or hidden: `state` is asked for it then. */
-export function keepSoon(state: () => unknown): void {
+export function keepSoon(state: () => Kept): void {
   if (!due) setTimeout(write, WAIT);
   due = state;
   // Both do nothing the second time.
@@ -21,19 +24,18 @@ export function keepSoon(state: () => unknown): void {
 }
 
 function write(): void {
-  const state = due;
+  const state = due?.();
   due = null;
-  if (state) keep(state());
-}
-
-/** Keeps a state. Without storage the page works, but forgets. */
-function keep(state: unknown): void {
-  const text = JSON.stringify(state);
+  if (!state) return;
   for (const [storage, key] of places()) {
-    try {
-      storage().setItem(key, text);
-    } catch {
-      // No storage, or a full one.
+    // Where there is no room for everything, the job itself is kept.
+    for (const kept of [state, { ...state, left: undefined }]) {
+      try {
+        storage().setItem(key, JSON.stringify(kept));
+        break;
+      } catch {
+        // No storage, or a full one: without it the page works, but forgets.
+      }
     }
   }
 }

@@ -17,6 +17,8 @@ pub enum Material {
         meets: [bool; 2],
         /// The other lines of the same body, each as a point and the way into the material: it lies behind all of them.
         bounds: Vec<(Spot, Spot)>,
+        /// How far behind the line the material reaches.
+        reach: f64,
     },
     /// Around a hole, as far as its plate reaches.
     Around {
@@ -49,6 +51,8 @@ struct Edge {
     into: Spot,
     /// What it bounds: of two surfaces only flat ones can bound the same body.
     body: (usize, usize),
+    /// How far behind it the material reaches.
+    reach: f64,
 }
 
 /// The material of the surfaces. `edge` gives the line of a wall that is seen edge-on; `strips` the flat strips of a round one; `circles` says whether
@@ -62,14 +66,14 @@ pub fn material(
 ) -> Vec<Material> {
     let mut all = Vec::new();
     let mut edges: Vec<Edge> = Vec::new();
-    let mut add = |wall: &Wall, body| {
+    let mut add = |wall: &Wall, body, reach| {
         if let Some(ends) = edge(wall) {
-            edges.push(Edge { ends, into: spot(-wall.normal), body });
+            edges.push(Edge { ends, into: spot(-wall.normal), body, reach });
         }
     };
     for (k, surface) in surfaces.iter().enumerate() {
         match surface {
-            Surface::Flat(wall) => add(wall, (0, wall.body)),
+            Surface::Flat(wall) => add(wall, (0, wall.body), f64::INFINITY),
             Surface::Round(round) if circles => {
                 let (center, radius) = (spot(round.center), round.radius);
                 all.push(if round.hole {
@@ -81,7 +85,8 @@ pub fn material(
             // The two sides of a hole bound nothing together; those of a stud do.
             Surface::Round(round) => {
                 for (side, wall) in strips(round).iter().enumerate() {
-                    add(wall, (k + 1, if round.hole { side } else { 0 }));
+                    let reach = (round.plate.unwrap_or(f64::INFINITY) - round.radius).max(0.0);
+                    if round.hole { add(wall, (k + 1, side), reach) } else { add(wall, (k + 1, 0), f64::INFINITY) }
                 }
             }
             Surface::Unknown => {}
@@ -89,11 +94,15 @@ pub fn material(
     }
     let behind = edges.iter().enumerate().map(|(k, own)| {
         let others = || edges.iter().enumerate().filter(move |(j, _)| *j != k).map(|(_, other)| other);
+        // A line that lies on the same one is no corner.
+        let meets =
+            |end| others().any(|other| dot(own.into, other.into).abs() < 0.999 && other.ends.iter().any(|at| same(*at, end)));
         Material::Behind {
             ends: own.ends,
             into: own.into,
-            meets: own.ends.map(|end| others().any(|other| other.ends.iter().any(|at| same(*at, end)))),
+            meets: own.ends.map(meets),
             bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
+            reach: own.reach,
         }
     });
     all.extend(behind);
@@ -121,14 +130,14 @@ impl Material {
                 out.push(within);
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
-            Material::Behind { ends, into, meets, bounds } => {
+            Material::Behind { ends, into, meets, bounds, reach } => {
                 let whole = bounds.iter().any(|(_, other)| dot(*into, *other) < -0.999);
                 let [a, b] = *ends;
                 let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
                 let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
                 let at = |from: Spot, by: f64, depth: f64| [0, 1].map(|i| from[i] + along[i] * by + into[i] * depth);
                 let [before, past] = meets.map(|meets| if meets { deep } else { 0.0 });
-                let deep = if whole { FAR } else { deep };
+                let deep = if whole { FAR } else { deep.min(*reach) };
                 let mut outline = vec![at(a, -before, 0.0), at(b, past, 0.0), at(b, past, deep), at(a, -before, deep)];
                 for (point, way) in bounds {
                     outline = behind(&outline, *point, *way);

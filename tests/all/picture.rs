@@ -425,3 +425,47 @@ fn the_name_of_a_short_dimension_in_focus_does_not_cover_its_line() {
     }
     assert!(short > 40 && long > 40, "{short} {long}");
 }
+
+/// Seen from the side, a hole is hatched beside itself, not above its mouth or below its floor, and not within another one.
+#[test]
+fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
+    let mut seen = 0;
+    let close = of("probing-two-circles");
+    let close = with(&close, "cycle.point1", crate::common::job("[0, 0, -10]"));
+    let close = with(&close, "cycle.point2", crate::common::job("[24, 0, -10]"));
+    for (name, job) in metric().chain([("close".to_owned(), close)]) {
+        for view in [Projection::Front, Projection::Side] {
+            let planned = job::planned(&job).expect("the job is sound");
+            let scene = planned.picture(view, 1.0).scene;
+            let holes: Vec<_> =
+                planned.path.surfaces.iter().filter_map(|s| if let Surface::Round(r) = s { Some(*r) } else { None }).collect();
+            if planned.job.setup.plane != touchpath::geom::Plane::G17 || holes.is_empty() || holes.iter().any(|r| !r.hole) {
+                continue;
+            }
+            let scale = 4.0;
+            let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
+            let [filled, air] = outlines(&scene.material, &camera, 36.0);
+            let solid = |spot: [f64; 2]| turns(&filled, camera.pixel(spot)) != 0 && turns(&air, camera.pixel(spot)) == 0;
+            for hole in &holes {
+                let [across, top] = view.spot(planned.job.setup.plane, hole.center);
+                let floor = top - hole.drawn_depth;
+                let edge = hole.radius + 1.0 / scale;
+                let within =
+                    |x: f64| holes.iter().any(|r| (view.spot(planned.job.setup.plane, r.center)[0] - x).abs() < r.radius);
+                for x in [across - edge, across + edge].into_iter().filter(|x| !within(*x)) {
+                    assert!(solid([x, (top + floor) / 2.0]), "{name}, {view:?}: material beside the hole at {across}");
+                    assert!(!solid([x, top + 0.5]), "{name}, {view:?}: above the mouth of the hole at {across}");
+                    assert!(!solid([x, floor - 0.5]), "{name}, {view:?}: below the floor of the hole at {across}");
+                    seen += 1;
+                }
+                if name == "close" && view == Projection::Front {
+                    for part in [-0.95, 0.0, 0.95] {
+                        let x = across + part * hole.radius;
+                        assert!(!solid([x, (top + floor) / 2.0]), "material at {x} within the hole at {across}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen > 20, "{seen}");
+}

@@ -43,7 +43,42 @@ test("the picture was fitted anew at each keystroke: what is edited keeps its sc
     const now = await lengthOf("cycle.width1");
     assert.ok(now > 60 && now < 800 && Math.abs(now - width * scale) > 10, `${width}: ${now} pixels`);
   }
+  // There and back again it is about as large as it was, and a part that is moved far is near the middle again.
+  await field("cycle.width1").fill("140");
+  await field("cycle.width1").fill("80");
+  assert.ok(Math.abs((await lengthOf("cycle.width1")) / 80 / scale - 1) < 0.3);
+  await field("cycle.origin[0]").fill("30");
+  const [, x, , u] = (await lines()).find(([field]) => field === "cycle.width1") ?? ["", 0, 0, 0, 0];
+  const { width } = (await page.locator("tp-picture canvas").first().boundingBox()) ?? { width: 0 };
+  assert.ok(Math.abs((x + u) / 2 - width / 2) < 0.2 * width, `${x} to ${u} of ${width}`);
 });
+
+test("another cycle was not fitted after the picture had been moved: it was out of sight", async () => {
+  await page.locator("tp-picture canvas").first().hover();
+  for (let i = 0; i < 8; i++) await page.mouse.wheel(0, -300);
+  await field("cycle.type").selectOption("hole");
+  const across = await lengthOf("cycle.diameter");
+  assert.ok(across > 100 && across < 700, `${across} pixels`);
+});
+
+for (const [width, height] of /** @type {const} */ ([
+  [390, 844],
+  [844, 390],
+]))
+  test(`what is said of the picture is not under its tools, and the timeline fits: ${width} by ${height}`, async () => {
+    await open({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    await put("part.offset[0]", 0.2);
+    await page.getByRole("button", { name: "Next touch" }).click();
+    const trial = await page.locator(".trial").boundingBox();
+    assert.ok(trial);
+    for (const button of await page.locator(".picture .tools button:visible").all()) {
+      const box = await button.boundingBox();
+      assert.ok(box && (box.y + box.height <= trial.y || box.x >= trial.x + trial.width), await textOf(button));
+    }
+    const speed = await page.getByRole("button", { name: /^Speed/ }).boundingBox();
+    assert.ok(speed && speed.x + speed.width <= width, `${speed?.x}`);
+    assert.match(await textOf(page.locator(".scrub output:visible")), /^touch 1 · X37 Y0 Z-10/);
+  });
 
 test("a part that lies elsewhere was not said beside an error", async () => {
   await put("part.rotation", 20);
@@ -75,7 +110,8 @@ test("the timeline of a form with an error still told moves, length and time of 
   await field("cycle.width1").fill("10");
   await page.locator(".stamp").waitFor();
   assert.equal(await said(), "");
-  assert.equal(await page.getByRole("button", { name: "Play" }).isDisabled(), true);
+  for (const name of ["Play", "Next touch", "Touch before"])
+    assert.equal(await page.getByRole("button", { name }).isDisabled(), true, name);
   assert.equal(await page.locator("#scrub").getAttribute("max"), "0");
 });
 
@@ -145,10 +181,27 @@ test("a cycle that touches nothing asks for no probe, feeds or part, and has not
   assert.ok((await groups()).includes("Feeds"));
   await field("cycle.type").selectOption("probe-on-off");
   assert.deepEqual(await groups(), ["Program", "Control", "Postprocessor"]);
-  const drawn = await pixels();
-  await put("part.rotation", 3);
-  assert.ok((await groups()).length >= 3, "the page stands");
-  assert.ok(drawn.count > 0, "the work origin is drawn");
+  assert.ok((await pixels()).count > 0, "the work origin is drawn");
+  const grips = await page.evaluate(() => {
+    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture"));
+    const { clientWidth, clientHeight } = picture.querySelector("canvas");
+    const found = new Set();
+    for (let x = 0; x < clientWidth; x += 8)
+      for (let y = 0; y < clientHeight; y += 8) found.add(picture.drawing.view.handleAt(x, y) ?? "none");
+    return [...found];
+  });
+  assert.deepEqual(grips, ["none"]);
+});
+
+test("a group that is there for its error stays until what is typed into it is done", async () => {
+  await put("stylus.diameter", -1);
+  await field("cycle.type").selectOption("probe-on-off");
+  const ball = field("stylus.diameter");
+  await page.getByRole("button", { name: "Go to it" }).click();
+  await ball.fill("");
+  await ball.pressSequentially("6.5");
+  assert.equal(await held("stylus.diameter"), 6.5);
+  assert.equal(await ball.inputValue(), "6.5");
 });
 
 test("what is asked of the tool lengths is there again", async () => {
@@ -165,19 +218,36 @@ test("on a phone on its side the picture could not be turned", async () => {
   assert.equal(await page.getByRole("button", { name: "isometric" }).getAttribute("aria-pressed"), "true");
 });
 
+for (const locale of ["de-DE", "ru-RU", "zh-TW"])
+  test(`the tools of the picture fit a phone: ${locale}`, async () => {
+    await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
+    for (const button of await page.locator(".picture .tools button:visible").all()) {
+      const box = await button.boundingBox();
+      const over = await button.evaluate((node) => node.scrollWidth - node.clientWidth);
+      assert.ok(
+        box && box.x >= 0 && box.x + box.width <= 390 && over <= 0,
+        `${await textOf(button)}: ${box?.x}, ${over}`,
+      );
+    }
+  });
+
 test("buttons of the picture and the timeline are as wide as a finger on a phone", async () => {
   await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  for (const button of await page
-    .locator(".picture .tools button:visible, .scrub button:visible, .icon:visible")
-    .all()) {
+  const buttons = await page.locator(".picture .tools button:visible, .scrub button:visible, .icon:visible").all();
+  assert.ok(buttons.length >= 11, `${buttons.length}`);
+  for (const button of buttons) {
     const box = await button.boundingBox();
     assert.ok(box && box.width >= 44 && box.height >= 44, `${await textOf(button)}: ${box?.width} × ${box?.height}`);
   }
 });
 
 test("what was typed last is there after a reload, though it is written a moment later", async () => {
+  // Of the page's clock no time passes: only leaving the page writes.
+  await page.clock.install();
+  await page.clock.pauseAt(Date.now() + 60_000);
   await field("cycle.width1").fill("71");
   assert.equal(await page.evaluate(() => sessionStorage.length), 0, "a keystroke does not wait for the disk");
+  await page.clock.resume();
   await page.reload();
   await ready();
   assert.equal(await held("cycle.width1"), 71);

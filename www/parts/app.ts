@@ -248,7 +248,7 @@ export class App extends LitElement {
           (name) =>
             name === "stage"
               ? html`<section class="picture" part="stage" aria-label=${this.t("Picture")}><tp-picture .store=${store}></tp-picture></section>`
-              : html`<section class="setup" part="form" id="panel-setup" aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
+              : html`<section class="setup" part="form" id="panel-setup" role=${panels.includes("setup") ? role : nothing} aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
           <tp-form .store=${store}></tp-form>
           <tp-help .store=${store}></tp-help>
         </section>`,

@@ -80,8 +80,9 @@ class FormPart extends FieldPart {
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
-      // A cycle that touches nothing has no use for these; where something is said of one, it is there to be mended.
-      if (maxTouches === 0 && OF_TOUCHES.test(path) && this.levels(path).length === 0) return;
+      // A cycle that touches nothing has no use for these; one that something is said of is there to be mended, until it is left.
+      const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
+      if (maxTouches === 0 && OF_TOUCHES.test(path) && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);

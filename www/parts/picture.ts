@@ -4,6 +4,7 @@ import { clockOf, deviations, moveInShort, moveInWords, runInWords } from "../in
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
+import { kind } from "./legend.js";
 
 const SPEEDS = [1, 4, 16] as const;
 /** A place on the canvas, pixels of the page. */
@@ -50,6 +51,8 @@ class PicturePart extends DrawnPart {
   private pulled: Spot | null = null;
   /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
   private times: Float64Array = new Float64Array();
+  /** Their sum. */
+  private whole = 0;
   private clock: number | null = null;
   private speed: (typeof SPEEDS)[number] = 1;
   private magnified: (typeof MAGNIFIED)[number] = 1;
@@ -88,12 +91,12 @@ class PicturePart extends DrawnPart {
         </div>
       </div>
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
-        <li class="touch">${this.t("touch")}</li><li class="link">${this.t("link, back")}</li><li class="position">${this.t("positioning")}</li><li class="rapid">${this.t("rapid")}</li><li class="ghost">${this.t("overtravel")}</li><li class="actual">${this.t("virtual part")}</li>${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
+        ${kind("touch", this.t("touch"))}${kind("link", this.t("link, back"))}${kind("position", this.t("positioning"))}${kind("rapid", this.t("rapid"))}${kind("ghost", this.t("overtravel"))}${kind("actual", this.t("virtual part"))}${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
       </ul>
       <div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.timelineKey}>
-        <button type="button" class="icon before" aria-label=${this.t("Touch before")} title=${`${this.t("Touch before")} (Ctrl+←)`} @click=${to(-1)}>|◀</button>
+        <button type="button" class="icon before" aria-label=${this.t("Touch before")} title=${`${this.t("Touch before")} (Ctrl+←)`} ?disabled=${count === 0} @click=${to(-1)}>|◀</button>
         <button type="button" class="icon play" aria-label=${this.clock === null ? this.t("Play") : this.t("Pause")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
-        <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} @click=${to(1)}>▶|</button>
+        <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} ?disabled=${count === 0} @click=${to(1)}>▶|</button>
         <span class="track">
           <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
         </span>
@@ -143,6 +146,7 @@ class PicturePart extends DrawnPart {
         this.live = stale && view.show(draft);
         if (!this.live) view.show(shown);
         this.times = view.times();
+        this.whole = this.until(this.times.length);
       }
       view.focus(this.lit);
       view.measure(this.store.measured);
@@ -173,14 +177,9 @@ class PicturePart extends DrawnPart {
       ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
   }
 
-  /** Whether there is no run to step through: of a form with errors, its last good plan is there to be seen only. */
-  private get stopped(): boolean {
-    return this.store.stale;
-  }
-
-  /** How many moves the timeline has. */
+  /** How many moves the timeline has: of a form with errors the last good plan is there to be seen, and not to be stepped through. */
   private get count(): number {
-    return this.stopped ? 0 : this.store.plan.moves.length;
+    return this.store.stale ? 0 : this.store.plan.moves.length;
   }
 
   /** The touches among the moves, counted from 1. */
@@ -188,18 +187,19 @@ class PicturePart extends DrawnPart {
     return this.store.plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
   }
 
+  /** The marks of the touches, as they stand on the rail. */
+  private marks = "";
+
   /** Marks the touches on the rail of the timeline, where its thumb stands at them. */
   private tick(): void {
     const { count } = this;
     const track = this.querySelector<HTMLElement>(".track");
     const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
-    const marks = this.stopped ? "" : this.ticks.map(mark).join(", ");
+    const marks = this.store.stale ? "" : this.ticks.map(mark).join(", ");
     if (!track || marks === this.marks) return;
     this.marks = marks;
     track.style.background = marks;
   }
-
-  private marks = "";
 
   /** To the next touch, or the one before; from the last one to the end. */
   private toTouch(way: 1 | -1): void {
@@ -217,10 +217,16 @@ class PicturePart extends DrawnPart {
     const scrub = this.querySelector<HTMLInputElement>("#scrub");
     const words = this.querySelector("output");
     if (!scrub || !words) return;
-    scrub.value = String(highlight === null || this.stopped ? 0 : highlight + 1);
+    scrub.value = String(highlight === null || stale ? 0 : highlight + 1);
+    words.classList.toggle("rest", highlight === null || stale);
     scrub.setAttribute("aria-valuetext", this.says(moveInWords));
     words.textContent = this.says(moveInShort);
     this.showClock();
+  }
+
+  /** The seconds of the first so many moves. */
+  private until(moves: number): number {
+    return this.times.subarray(0, moves).reduce((sum, seconds) => sum + seconds, 0);
   }
 
   /** How many seconds of the run are over, while it plays or where a move is pointed at. */
@@ -228,9 +234,8 @@ class PicturePart extends DrawnPart {
     const clock = this.querySelector(".clock");
     const { highlight } = this.store;
     if (!clock) return;
-    const sum = (moves: Float64Array) => moves.reduce((all, seconds) => all + seconds, 0);
-    const at = highlight === null || this.stopped ? null : (this.clock ?? sum(this.times.subarray(0, highlight + 1)));
-    clock.textContent = at === null ? "" : `${clockOf(at)} / ${clockOf(sum(this.times))}`;
+    const at = highlight === null || this.store.stale ? null : (this.clock ?? this.until(highlight + 1));
+    clock.textContent = at === null ? "" : `${clockOf(at)} / ${clockOf(this.whole)}`;
   }
 
   /** How many times as large deviations can be drawn here. */
@@ -272,10 +277,10 @@ class PicturePart extends DrawnPart {
       this.pause();
       return;
     }
-    const { highlight, plan } = this.store;
-    if (plan.moves.length === 0 || this.stopped) return;
+    const { highlight, plan, stale } = this.store;
+    if (plan.moves.length === 0 || stale) return;
     const from = highlight === null || highlight >= plan.moves.length - 1 ? 0 : highlight + 1;
-    this.clock = this.times.subarray(0, from).reduce((sum, t) => sum + t, 0);
+    this.clock = this.until(from);
     let before = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const tick = (now: number) => {
@@ -328,9 +333,8 @@ class PicturePart extends DrawnPart {
 
   /** The move that is pointed at, in words. */
   private says(inWords: typeof moveInShort): string {
-    const { plan, highlight, findings } = this.store;
-    if (this.stopped)
-      return findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
+    const { plan, highlight, stale, findings } = this.store;
+    if (stale) return findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
     return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : inWords(this.store, highlight);
   }
 
@@ -544,6 +548,7 @@ class PicturePart extends DrawnPart {
   }
 
   private leave(event: PointerEvent): void {
+    this.canvas().title = "";
     if (!this.pointers.has(event.pointerId) && event.pointerType === "mouse") this.store.point(null);
   }
 

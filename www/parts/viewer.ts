@@ -6,6 +6,7 @@ import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
+import { kind } from "./legend.js";
 import { Listing } from "./listing.js";
 
 /** What the kinds of moves are called. */
@@ -43,7 +44,7 @@ class ViewerPart extends DrawnPart {
         </div>
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
         <ul class="key" aria-label=${this.t("Colours")}>
-          <li class="touch">${this.t("probing")}</li><li class="link">${this.t("feed")}</li><li class="rapid">${this.t("rapid")}</li>
+          ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
         ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>

@@ -188,7 +188,9 @@ impl View {
         let cycle = |view: &Self| view.held().map(|held| held.last.planned.job.def.key);
         let before = cycle(self);
         self.shown = Some(self.build(last));
-        if before != cycle(self) || !self.suits() {
+        if before != cycle(self) && !self.held {
+            self.place();
+        } else if !self.suits() {
             self.refit();
         }
         self.draw();
@@ -277,7 +279,8 @@ impl View {
         }
     }
 
-    /// Whether what is shown still suits the picture as it lies: whole, with room around, and not small in it. What is edited then keeps its scale.
+    /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
+    /// keeps its scale.
     fn suits(&self) -> bool {
         let Some(shown) = &self.shown else { return false };
         let margin = self.margin(&shown.scene);
@@ -285,8 +288,9 @@ impl View {
         let fitted = Camera::fit(self.camera.size, [low, high], margin);
         let ([left, bottom], [right, top]) = (self.camera.pixel(low), self.camera.pixel(high));
         let [width, height] = self.camera.size;
-        let room = (left.min(top)).min(width - right).min(height - bottom);
-        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.6
+        let room = left.min(top).min(width - right).min(height - bottom);
+        let off = [0, 1].map(|i| (fitted.middle[i] - self.camera.middle[i]) * self.camera.scale);
+        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off[0].hypot(off[1]) < width.min(height) * 0.2
     }
 
     /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
