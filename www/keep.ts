@@ -5,7 +5,7 @@ const TAB = "touchpath.tab.1";
 /** The last state that any tab wrote: the start of a new tab. */
 const START = "touchpath.job.1";
 
-/** So long the writing waits for further changes, milliseconds: it goes to the disk, and a keystroke does not wait for that. */
+/** Changes are gathered for so many milliseconds before they are written: that goes to the disk, and a keystroke does not wait for it. */
 const WAIT = 300;
 
 /** What is to be kept, while it waits. */

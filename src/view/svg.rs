@@ -129,9 +129,9 @@ impl Drawing {
             return;
         }
         text.push_str(
-            "<pattern id=\"hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"#8a94a3\" stroke-width=\".75\"/></pattern>\n",
+            "<pattern id=\"touchpath-hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"#8a94a3\" stroke-width=\".75\"/></pattern>\n",
         );
-        for paint in ["#eef0f2", "url(#hatch)"] {
+        for paint in ["#eef0f2", "url(#touchpath-hatch)"] {
             let _ = writeln!(text, "<path d=\"{filled}\" fill=\"{paint}\"/>");
         }
         if !air.is_empty() {

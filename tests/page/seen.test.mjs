@@ -125,6 +125,19 @@ test("the clock of the timeline follows the moves", async () => {
   assert.equal(await clock(), "0:32 / 0:32");
 });
 
+test("only keys went move by move", async () => {
+  const move = () => page.locator("#scrub").inputValue();
+  await page.getByRole("button", { name: "Next move" }).click();
+  await page.getByRole("button", { name: "Next move" }).click();
+  assert.equal(await move(), "2");
+  assert.match(await textOf(page.locator(".scrub output")), /^positioning · X0 Y0 Z10 · approach$/);
+  await page.getByRole("button", { name: "Move before" }).click();
+  assert.equal(await move(), "1");
+  await page.getByRole("button", { name: "Move before" }).click();
+  await page.getByRole("button", { name: "Move before" }).click();
+  assert.equal(await move(), "0");
+});
+
 test("forms of cycles that were left were gone after a reload", async () => {
   await field("cycle.width1").fill("99");
   await field("cycle.type").selectOption("boss");

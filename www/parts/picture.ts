@@ -77,6 +77,7 @@ class PicturePart extends DrawnPart {
     const { stale, blank } = this.store;
     const count = this.count;
     const to = (way: 1 | -1) => () => this.toTouch(way);
+    const by = (way: 1 | -1) => () => this.toMove(way);
     return html`
       ${this.tools(this.t("Picture"))}
       <div class=${!stale || this.live ? "canvas" : blank ? "canvas blank" : "canvas stale"}>
@@ -95,7 +96,9 @@ class PicturePart extends DrawnPart {
       </ul>
       <div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.timelineKey}>
         <button type="button" class="icon before" aria-label=${this.t("Touch before")} title=${`${this.t("Touch before")} (Ctrl+←)`} ?disabled=${count === 0} @click=${to(-1)}>|◀</button>
+        <button type="button" class="icon single" aria-label=${this.t("Move before")} title=${`${this.t("Move before")} (←)`} ?disabled=${count === 0} @click=${by(-1)}>◀</button>
         <button type="button" class="icon play" aria-label=${this.clock === null ? this.t("Play") : this.t("Pause")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
+        <button type="button" class="icon single" aria-label=${this.t("Next move")} title=${`${this.t("Next move")} (→)`} ?disabled=${count === 0} @click=${by(1)}>▶</button>
         <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} ?disabled=${count === 0} @click=${to(1)}>▶|</button>
         <span class="track">
           <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
@@ -207,6 +210,13 @@ class PicturePart extends DrawnPart {
     const now = highlight === null ? 0 : highlight + 1;
     const next = way > 0 ? this.ticks.find((t) => t > now) : this.ticks.findLast((t) => t < now);
     this.step(next ?? (way > 0 ? this.count : 0));
+  }
+
+  /** One move on or back; before the first one there is none. */
+  private toMove(way: 1 | -1): void {
+    const { highlight } = this.store;
+    const now = highlight === null ? 0 : highlight + 1;
+    this.step(Math.max(0, Math.min(this.count, now + way)));
   }
 
   /** The move that is pointed at: in the picture, on the timeline and in words. */

@@ -374,7 +374,7 @@ impl View {
     pub fn look_for(&self, field: &str) -> Option<String> {
         let held = self.held()?;
         let (path, plane) = (&held.last.planned.path, held.plane);
-        // A direction is seen in its true length where the picture has room for all of it.
+        // Whether a direction is seen in its true length.
         let flat = |view: Projection, along: crate::geom::Vec3| {
             let [x, y] = view.spot(plane, along);
             x.hypot(y) > 0.999
