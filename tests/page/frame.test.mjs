@@ -436,7 +436,7 @@ test("the timeline: play, pause, touch by touch, and the move in words with its 
 test("the times of the moves are the plan's time", async () => {
   const [sum, time] = await page.evaluate(() => {
     const app = /** @type {any} */ (document.querySelector("touch-path"));
-    const times = app.shadowRoot.querySelector("tp-picture").times;
+    const times = app.shadowRoot.querySelector("tp-picture").timeline.times;
     return [times.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0), app.store.plan.time];
   });
   assert.ok(Math.abs(sum / 60 - time) < 1e-9, `${sum} s against ${time} min`);
@@ -635,7 +635,8 @@ test("nothing plays that is not seen", async () => {
   await page.waitForTimeout(100);
   const clock = () =>
     page.evaluate(
-      () => /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector("tp-picture").clock,
+      () =>
+        /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector("tp-picture").timeline.clock,
     );
   assert.equal(await clock(), null);
 });

@@ -1,12 +1,12 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Vec3, View } from "../core/browser.js";
-import { clockOf, deviations, moveInShort, moveInWords, runInWords } from "../in-words.js";
+import { deviations } from "../in-words.js";
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 import { kind } from "./legend.js";
+import { Timeline } from "./timeline.js";
 
-const SPEEDS = [1, 4, 16] as const;
 /** A place on the canvas, pixels of the page. */
 type Spot = { x: number; y: number };
 /** A dimension's line: the path of its field, and the pixels of its ends. */
@@ -25,9 +25,6 @@ interface End {
 
 /** How near to the end of a dimension's line it is gripped, pixels. */
 const NEAR = 12;
-
-/** The width of the timeline's thumb, pixels; the style sheet knows the same width. */
-const THUMB = 16;
 
 /** A turn that is drawn larger stays below this, degrees: more would look like another part. */
 const MOST_TURNED = 20;
@@ -49,14 +46,13 @@ class PicturePart extends DrawnPart {
   /** The frame until which a drag has made its plan, and where the pointer has been moved to since. */
   private planned = 0;
   private pulled: Spot | null = null;
-  /** The seconds that each move takes, and those of the job's run that are over; null where nothing plays. */
-  private times: Float64Array = new Float64Array();
-  /** Their sum. */
-  private whole = 0;
-  private clock: number | null = null;
-  private speed: (typeof SPEEDS)[number] = 1;
+  private readonly timeline = new Timeline(
+    this,
+    () => this.store,
+    (act) => this.drawing?.use(act),
+    () => this.requestUpdate(),
+  );
   private magnified: (typeof MAGNIFIED)[number] = 1;
-  private frameAsked = 0;
 
   /** The field whose dimension is lit: that which is dragged, though the picture has the focus then. */
   private get lit(): string | undefined {
@@ -75,9 +71,6 @@ class PicturePart extends DrawnPart {
 
   override render(): TemplateResult {
     const { stale, blank } = this.store;
-    const count = this.count;
-    const to = (way: 1 | -1) => () => this.toTouch(way);
-    const by = (way: 1 | -1) => () => this.toMove(way);
     return html`
       ${this.tools(this.t("Picture"))}
       <div class=${!stale || this.live ? "canvas" : blank ? "canvas blank" : "canvas stale"}>
@@ -94,24 +87,13 @@ class PicturePart extends DrawnPart {
       <ul class="key" aria-label=${this.t("Kinds of lines")}>
         ${kind("touch", this.t("touch"))}${kind("link", this.t("link, back"))}${kind("position", this.t("positioning"))}${kind("rapid", this.t("rapid"))}${kind("ghost", this.t("overtravel"))}${kind("actual", this.t("virtual part"))}${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
       </ul>
-      <div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.timelineKey}>
-        <button type="button" class="icon before" aria-label=${this.t("Touch before")} title=${`${this.t("Touch before")} (Ctrl+←)`} ?disabled=${count === 0} @click=${to(-1)}>|◀</button>
-        <button type="button" class="icon single" aria-label=${this.t("Move before")} title=${`${this.t("Move before")} (←)`} ?disabled=${count === 0} @click=${by(-1)}>◀</button>
-        <button type="button" class="icon play" aria-label=${this.clock === null ? this.t("Play") : this.t("Pause")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.clock === null ? "▶" : "❚❚"}</button>
-        <button type="button" class="icon single" aria-label=${this.t("Next move")} title=${`${this.t("Next move")} (→)`} ?disabled=${count === 0} @click=${by(1)}>▶</button>
-        <button type="button" class="icon next" aria-label=${this.t("Next touch")} title=${`${this.t("Next touch")} (Ctrl+→)`} ?disabled=${count === 0} @click=${to(1)}>▶|</button>
-        <span class="track">
-          <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
-        </span>
-        <output for="scrub"></output><span class="clock" aria-hidden="true"></span>
-        <button type="button" class="quiet" aria-label=${this.t("Speed: {times} times", this.speed)} title=${this.t("Speed")} @click=${this.faster}>${this.speed}×</button>
-      </div>
+      ${this.timeline.render()}
     `;
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.pause();
+    this.timeline.pause();
     this.pointers.clear();
     this.release();
     this.drawn = "";
@@ -141,22 +123,21 @@ class PicturePart extends DrawnPart {
     const now = `${revision} ${this.store.lang}`;
     const anew = this.drawn !== now;
     const before = this.live;
-    if (anew) this.pause();
+    if (anew) this.timeline.pause();
     this.drawing?.use((view) => {
       if (anew) {
         label(view, this.store);
         // A job that ends in a collision, or that the control cannot do, has a path to show, though it has no program.
         this.live = stale && view.show(draft);
         if (!this.live) view.show(shown);
-        this.times = view.times();
-        this.whole = this.until(this.times.length);
+        this.timeline.take(view.times());
       }
       view.focus(this.lit);
       view.measure(this.store.measured);
       view.magnify(this.magnified);
     });
     this.drawn = now;
-    this.tick();
+    this.timeline.mark();
     this.light();
     if (before !== this.live) this.requestUpdate();
     if (focused !== this.turnedFor) this.face(focused);
@@ -180,72 +161,12 @@ class PicturePart extends DrawnPart {
       ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
   }
 
-  /** How many moves the timeline has: of a form with errors the last good plan is there to be seen, and not to be stepped through. */
-  private get count(): number {
-    return this.store.stale ? 0 : this.store.plan.moves.length;
-  }
-
-  /** The touches among the moves, counted from 1. */
-  private get ticks(): number[] {
-    return this.store.plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
-  }
-
-  /** The marks of the touches, as they stand on the rail. */
-  private marks = "";
-
-  /** Marks the touches on the rail of the timeline, where its thumb stands at them. */
-  private tick(): void {
-    const { count } = this;
-    const track = this.querySelector<HTMLElement>(".track");
-    const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
-    const marks = this.store.stale ? "" : this.ticks.map(mark).join(", ");
-    if (!track || marks === this.marks) return;
-    this.marks = marks;
-    track.style.background = marks;
-  }
-
-  /** To the next touch, or the one before; from the last one to the end. */
-  private toTouch(way: 1 | -1): void {
-    const { highlight } = this.store;
-    const now = highlight === null ? 0 : highlight + 1;
-    const next = way > 0 ? this.ticks.find((t) => t > now) : this.ticks.findLast((t) => t < now);
-    this.step(next ?? (way > 0 ? this.count : 0));
-  }
-
-  /** One move on or back; before the first one there is none. */
-  private toMove(way: 1 | -1): void {
-    const { highlight } = this.store;
-    const now = highlight === null ? 0 : highlight + 1;
-    this.step(Math.max(0, Math.min(this.count, now + way)));
-  }
-
   /** The move that is pointed at: in the picture, on the timeline and in words. */
   protected override light(): void {
     const { highlight, stale } = this.store;
-    if (this.clock === null)
+    if (!this.timeline.plays)
       this.drawing?.use((view) => view.highlight(stale && this.live ? undefined : (highlight ?? undefined)));
-    const scrub = this.querySelector<HTMLInputElement>("#scrub");
-    const words = this.querySelector("output");
-    if (!scrub || !words) return;
-    scrub.value = String(highlight === null || stale ? 0 : highlight + 1);
-    words.classList.toggle("rest", highlight === null || stale);
-    scrub.setAttribute("aria-valuetext", this.says(moveInWords));
-    words.textContent = this.says(moveInShort);
-    this.showClock();
-  }
-
-  /** The seconds of the first so many moves. */
-  private until(moves: number): number {
-    return this.times.subarray(0, moves).reduce((sum, seconds) => sum + seconds, 0);
-  }
-
-  /** How many seconds of the run are over, while it plays or where a move is pointed at. */
-  private showClock(): void {
-    const clock = this.querySelector(".clock");
-    const { highlight } = this.store;
-    if (!clock) return;
-    const at = highlight === null || this.store.stale ? null : (this.clock ?? this.until(highlight + 1));
-    clock.textContent = at === null ? "" : `${clockOf(at)} / ${clockOf(this.whole)}`;
+    this.timeline.light();
   }
 
   /** How many times as large deviations can be drawn here. */
@@ -261,72 +182,6 @@ class PicturePart extends DrawnPart {
     this.requestUpdate();
   };
 
-  /** To a move, counted from 1; 0 is none. */
-  private step(count: number): void {
-    this.pause();
-    this.store.pin(count === 0 ? null : count - 1);
-  }
-
-  private readonly timelineKey = (event: KeyboardEvent): void => {
-    const target = event.target as HTMLElement;
-    if (event.key === "Escape") this.store.pin(null);
-    else if (event.key === " " && target.id === "scrub") this.toggle();
-    else if (event.ctrlKey && event.key === "ArrowRight") this.querySelector<HTMLElement>(".scrub .next")?.click();
-    else if (event.ctrlKey && event.key === "ArrowLeft") this.querySelector<HTMLElement>(".scrub .before")?.click();
-    else return;
-    event.preventDefault();
-  };
-
-  private readonly faster = (): void => {
-    this.speed = SPEEDS[(SPEEDS.indexOf(this.speed) + 1) % SPEEDS.length] as (typeof SPEEDS)[number];
-    this.requestUpdate();
-  };
-
-  private readonly toggle = (): void => {
-    if (this.clock !== null) {
-      this.pause();
-      return;
-    }
-    const { highlight, plan, stale } = this.store;
-    if (plan.moves.length === 0 || stale) return;
-    const from = highlight === null || highlight >= plan.moves.length - 1 ? 0 : highlight + 1;
-    this.clock = this.until(from);
-    let before = performance.now();
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const tick = (now: number) => {
-      if (this.clock === null) return;
-      // Nothing plays that is not seen.
-      if (this.closest("[hidden]")) {
-        this.pause();
-        return;
-      }
-      this.clock += ((now - before) / 1000) * this.speed;
-      before = now;
-      let left = this.clock;
-      let move = 0;
-      while (move < this.times.length && left >= (this.times[move] as number)) left -= this.times[move++] as number;
-      if (move >= this.times.length) {
-        this.pause();
-        this.store.pin(this.times.length - 1);
-        return;
-      }
-      this.store.pin(move);
-      // Where motion is not wanted the ball is shown at the ends of the moves only.
-      this.showClock();
-      this.drawing?.use((view) => view.play(move, still ? 1 : left / (this.times[move] as number)));
-      this.frameAsked = requestAnimationFrame(tick);
-    };
-    this.frameAsked = requestAnimationFrame(tick);
-    this.requestUpdate();
-  };
-
-  private pause(): void {
-    if (this.clock === null) return;
-    cancelAnimationFrame(this.frameAsked);
-    this.clock = null;
-    this.requestUpdate();
-  }
-
   private frame(): HTMLElement {
     return this.querySelector(".canvas") as HTMLElement;
   }
@@ -339,13 +194,6 @@ class PicturePart extends DrawnPart {
       plan.moves.length,
       plan.touches.length,
     );
-  }
-
-  /** The move that is pointed at, in words. */
-  private says(inWords: typeof moveInShort): string {
-    const { plan, highlight, stale, findings } = this.store;
-    if (stale) return findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
-    return highlight === null || !plan.moves[highlight] ? runInWords(this.store) : inWords(this.store, highlight);
   }
 
   private at(event: PointerEvent | WheelEvent): Spot {

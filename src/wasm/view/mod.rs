@@ -1,5 +1,6 @@
 //! The picture for JavaScript.
 
+mod dimensions;
 mod drag;
 
 use std::cell::Cell;
@@ -49,9 +50,6 @@ pub struct View {
     /// What `paint` draws; none where every change is drawn at once.
     due: Option<Cell<Due>>,
 }
-
-/// The paths of a feature's place.
-const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2]"];
 
 /// What has changed since the picture was drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -266,33 +264,6 @@ impl View {
         self.moved = false;
     }
 
-    /// Room around a fitted scene, pixels.
-    fn margin(&self, scene: &Scene) -> f64 {
-        if self.painter.small {
-            SMALL_MARGIN
-        } else if scene.dimensions.is_empty() {
-            MARGIN
-        } else {
-            // Room for the lines of the dimensions.
-            let least = self.camera.size[0].min(self.camera.size[1]);
-            crate::num::within(least * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
-        }
-    }
-
-    /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
-    /// keeps its scale.
-    fn suits(&self) -> bool {
-        let Some(shown) = &self.shown else { return false };
-        let margin = self.margin(&shown.scene);
-        let [low, high] = shown.scene.bounds();
-        let fitted = Camera::fit(self.camera.size, [low, high], margin);
-        let ([left, bottom], [right, top]) = (self.camera.pixel(low), self.camera.pixel(high));
-        let [width, height] = self.camera.size;
-        let room = left.min(top).min(width - right).min(height - bottom);
-        let off = [0, 1].map(|i| (fitted.middle[i] - self.camera.middle[i]) * self.camera.scale);
-        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off[0].hypot(off[1]) < width.min(height) * 0.2
-    }
-
     /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
     /// pointer. Let go, it is not fitted again until the next job or size.
     pub fn hold(&mut self, on: bool) {
@@ -368,61 +339,6 @@ impl View {
         }
     }
 
-    /// From where the dimension of a field is seen in its true length, or the place and the rotation are that it says: where it is seen now, no other;
-    /// nothing for any other field.
-    #[wasm_bindgen(js_name = lookFor)]
-    pub fn look_for(&self, field: &str) -> Option<String> {
-        let held = self.held()?;
-        let (path, plane) = (&held.last.planned.path, held.plane);
-        // Whether a direction is seen in its true length.
-        let flat = |view: Projection, along: crate::geom::Vec3| {
-            let [x, y] = view.spot(plane, along);
-            x.hypot(y) > 0.999
-        };
-        let basis = crate::geom::Vec3::AXES;
-        let sees = |view| {
-            scene::drawn(path, plane, view).iter().any(|d| d.field == field)
-                || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
-                || (field == "cycle.rotation" && view == Projection::Top)
-                || (0..3).any(|i| field == ORIGIN[i] && flat(view, basis[i]))
-        };
-        let names = ["top", "front", "side"];
-        let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
-        let found = now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(sees));
-        found.map(str::to_owned)
-    }
-
-    /// The path of the field whose dimension or angle is written at a pixel.
-    #[wasm_bindgen(js_name = dimensionAt)]
-    pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
-        let scene = &self.shown.as_ref()?.scene;
-        let near = |middle: Spot, upright: bool| {
-            let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
-            (middle[0] - x).abs() <= wide && (middle[1] - y).abs() <= high
-        };
-        let on_line = |drawn: &scene::Drawn, [_, _, a, b]: [Spot; 4]| near(middle_of_name(drawn, [a, b]), is_upright([a, b]));
-        let dimensions = self.camera.dimensions(scene, self.field.as_deref());
-        let found = dimensions.into_iter().find(|(drawn, line)| on_line(drawn, *line)).map(|(drawn, _)| drawn.field);
-        let angle = || {
-            let mut angles = self.camera.angles(scene, self.field.as_deref());
-            angles.find(|arc| arc.name.is_some_and(|name| near(name, false))).map(|arc| arc.angle.field)
-        };
-        found.or_else(angle).map(str::to_owned)
-    }
-
-    /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
-    #[wasm_bindgen(js_name = dimensionLines)]
-    pub fn dimension_lines(&self) -> Array {
-        self.shown.as_ref().map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
-    }
-
-    /// The same of another coded job, as it would be seen here: where they would move to. Nothing for a job with errors.
-    #[wasm_bindgen(js_name = dimensionLinesCoded)]
-    pub fn dimension_lines_of(&self, codes: &[f64], text: &str) -> Array {
-        let other = crate::wasm::planned(codes, text).map(|last| self.build(last));
-        other.map_or_else(Array::new, |other| self.lines_of(&other.scene))
-    }
-
     /// The view that a click on the drawn axes asks for: along the axis at the pixel, `isometric` beside them; nothing elsewhere.
     #[wasm_bindgen(js_name = axisAt)]
     pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
@@ -445,6 +361,33 @@ impl View {
         if !self.moved && !self.held {
             self.place();
         }
+    }
+
+    /// Room around a fitted scene, pixels.
+    fn margin(&self, scene: &Scene) -> f64 {
+        if self.painter.small {
+            SMALL_MARGIN
+        } else if scene.dimensions.is_empty() {
+            MARGIN
+        } else {
+            // Room for the lines of the dimensions.
+            let least = self.camera.size[0].min(self.camera.size[1]);
+            crate::num::within(least * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
+        }
+    }
+
+    /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
+    /// keeps its scale.
+    fn suits(&self) -> bool {
+        let Some(shown) = &self.shown else { return false };
+        let margin = self.margin(&shown.scene);
+        let [low, high] = shown.scene.bounds();
+        let fitted = Camera::fit(self.camera.size, [low, high], margin);
+        let ([left, bottom], [right, top]) = (self.camera.pixel(low), self.camera.pixel(high));
+        let [width, height] = self.camera.size;
+        let room = left.min(top).min(width - right).min(height - bottom);
+        let off = [0, 1].map(|i| (fitted.middle[i] - self.camera.middle[i]) * self.camera.scale);
+        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off[0].hypot(off[1]) < width.min(height) * 0.2
     }
 
     /// The scene again, of what is shown.
@@ -491,18 +434,6 @@ impl View {
             What::Job(held) => Some(held),
             What::Program(_) => None,
         }
-    }
-
-    fn lines_of(&self, scene: &Scene) -> Array {
-        let lines = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
-        let list = |(drawn, [_, _, a, b]): (&scene::Drawn, [Spot; 4])| {
-            let list = Array::of1(&JsValue::from_str(drawn.field));
-            for x in [a[0], a[1], b[0], b[1]] {
-                list.push(&JsValue::from_f64(x));
-            }
-            list
-        };
-        lines.map(list).collect()
     }
 
     fn draw(&self) {
