@@ -6,7 +6,7 @@ const TAB = "touchpath.tab.1";
 const START = "touchpath.job.1";
 
 /** Changes are gathered for so many milliseconds before they are written: that goes to the disk, and a keystroke does not wait for it. */
-const WAIT = 300;
+const WAIT = 50;
 
 /** What is to be kept, while it waits. */
 let due: (() => Kept) | null = null;

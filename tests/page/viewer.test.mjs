@@ -253,7 +253,9 @@ test("a program of very many moves froze the page while it was drawn: it is draw
     return { touch, inked, strokes: await page.evaluate(() => /** @type {any} */ (globalThis).strokes) };
   };
   const feeds = () =>
-    page.locator("tp-viewer .key .link").evaluate((row) => getComputedStyle(row, "::before").borderTopStyle);
+    page
+      .locator("tp-viewer .key .link line")
+      .evaluate((line) => (getComputedStyle(line).strokeDasharray === "none" ? "solid" : "dashed"));
   const short = await seen(`G21 G17 G90\nG0 Z5\n${round}M2\n`);
   assert.equal(await feeds(), "dashed");
   const long = await seen(`G21 G17 G90\nG0 Z5\n${round.repeat(3000)}M2\n`);
