@@ -160,6 +160,19 @@ export function ensureFirefox() {
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
+/** The driver of WebKit, and a screen that nobody sees for it. */
+export function ensureWebKit() {
+  const driver = process.env.WEBKITDRIVER ?? "WebKitWebDriver";
+  const screen = process.env.XVFB_RUN ?? "xvfb-run";
+  const there = () => works(screen, ["--help"]) && works(driver, ["--help"]);
+  if (!there()) {
+    aptUpdate();
+    apt("install", "-y", "--no-install-recommends", "webkit2gtk-driver", "xvfb", "xauth");
+  }
+  if (!there()) throw new Error("WebKitWebDriver and xvfb-run are needed: set WEBKITDRIVER and XVFB_RUN");
+  return { driver: absolute(driver), screen: absolute(screen) };
+}
+
 function absolute(/** @type {string} */ command) {
   if (command.includes("/")) return command;
   const places = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, command));

@@ -11,6 +11,7 @@ import {
   ensurePackages,
   ensureTarget,
   ensureWasmPack,
+  ensureWebKit,
   fuzz,
   pathWith,
   root,
@@ -64,6 +65,7 @@ const tools = await stage("Set-up", () => {
     rs274: ensureInterpreter(),
     chromium: ensureChromium(),
     firefox: ensureFirefox(),
+    webkit: ensureWebKit(),
     bindgen: ensureBindgen(),
     wasmPack: ensureWasmPack(),
   };
@@ -122,8 +124,16 @@ if (tools && !only) {
     ),
   );
   await stage("Package tests", () => run("node", [...patient, ...tests("package")]));
-  const { chromium, firefox } = tools;
-  const browser = { env: { CHROMIUM: chromium.browser, FIREFOX: firefox.browser, GECKODRIVER: firefox.driver } };
+  const { chromium, firefox, webkit } = tools;
+  const browser = {
+    env: {
+      CHROMIUM: chromium.browser,
+      FIREFOX: firefox.browser,
+      GECKODRIVER: firefox.driver,
+      WEBKITDRIVER: webkit.driver,
+      XVFB_RUN: webkit.screen,
+    },
+  };
   await stage("Project tests", () => run("node", [...patient, ...tests("projects")], browser));
   await stage("Page tests", () => run("node", [...patient, ...tests("page")], browser));
 }
