@@ -119,6 +119,10 @@ export const saveButton = () => page.getByRole("button", { name: /^(Save )?\S+\.
 /** A field by its path in the job. */
 export const field = (/** @type {string} */ path, tab = page) => tab.locator(`[id="f-${path}"]`);
 
+/** Chooses the units of the job. */
+export const chooseUnits = (/** @type {string} */ units) =>
+  page.getByRole("radio", { name: units, exact: true }).check();
+
 /** What a locator shows, as text. */
 export const textOf = async (/** @type {import("playwright-core").Locator} */ locator) =>
   (await locator.textContent()) ?? "";

@@ -193,7 +193,7 @@ for (const locale of ["en-US", "de-DE"])
           const style = getComputedStyle(list);
           pen.font = style.font;
           const room = list.clientWidth - Number.parseFloat(style.paddingLeft) - Number.parseFloat(style.paddingRight);
-          if (pen.measureText(list.selectedOptions[0]?.text ?? "").width > room - 16) over.push(id);
+          if (pen.measureText(list.selectedOptions[0]?.text ?? "").width > room) over.push(id);
         }
         return over;
       });

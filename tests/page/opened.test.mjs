@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { plan } from "touchpath";
 import {
+  chooseUnits,
   context,
   field,
   held,
@@ -98,8 +99,9 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.diameter").inputValue(), "true");
   assert.equal(await field("cycle.rotation").inputValue(), "", "null is not the default");
+  assert.equal(await page.locator("tp-bar [type=radio]:checked + span").textContent(), "cm");
+  assert.ok(await page.locator('[id="e-units"]').isVisible());
   for (const [path, shown] of [
-    ["units", "cm"],
     ["control.post", "mazatrol"],
     ["control.workOffset", "G54"],
     ["cycle.variant", "7"],
@@ -109,7 +111,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
   }
   assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: undefined }, "no other job's program");
   // Each can be put right where it stands.
-  await field("units").selectOption("mm");
+  await chooseUnits("mm");
   await field("control.post").selectOption("linuxcnc");
   await field("control.workOffset").selectOption({ index: 1 });
   await field("cycle.variant").selectOption("0");
@@ -131,7 +133,7 @@ test("the page could not leave a job that says only its cycle", async () => {
   assert.match(await program(), /type 3:/);
   await field("cycle.type").selectOption("boss");
   assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: "5" });
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   assert.match(await program(), /G20/);
 });
 
@@ -191,9 +193,9 @@ test("measured points stayed across a change of cycle and units: they belong to 
   assert.doesNotMatch(await textOf(page.locator("tp-results")), /points are given/);
   await field("cycle.type").selectOption("internal-rectangle-protected");
   assert.equal(await box.inputValue(), points, "they come back with their form");
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   assert.equal(await box.inputValue(), "", "in inches they would be other points");
-  await field("units").selectOption("mm");
+  await chooseUnits("mm");
   assert.equal(await box.inputValue(), points);
   await page.reload();
   await ready();
@@ -256,7 +258,7 @@ test("texts with tolerances stayed as they were when the units changed: ten mill
       (/** @type {any} */ t) => t.point,
     );
   const before = await places();
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   assert.equal(await page.locator("tp-findings .error").count(), 0);
   const after = await places();
   assert.equal(after.length, before.length);
@@ -265,9 +267,9 @@ test("texts with tolerances stayed as they were when the units changed: ten mill
       assert.ok(Math.abs(after[k][i] * 25.4 - mm) < 1e-3, `touch ${k + 1}: ${after[k]} against ${point}`);
     }
   });
-  await field("units").selectOption("mm");
+  await chooseUnits("mm");
   await field("cycle.diameter1").fill("ten");
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   assert.equal(await held("cycle.diameter1"), "ten", "what is no number stays as it is");
 });
 

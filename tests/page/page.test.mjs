@@ -6,6 +6,7 @@ import { AxeBuilder } from "@axe-core/playwright";
 import { catalog } from "touchpath";
 import {
   boxOf,
+  chooseUnits,
   field,
   focusedId,
   held,
@@ -86,11 +87,11 @@ test("an error stands beside its field, the last good plan stays and is marked, 
 });
 
 test("units convert what is shown, not the part", async () => {
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   assert.equal(await field("cycle.width1").inputValue(), "3.149606");
   assert.match(await program(), /G20/);
   assert.match(await program(), /G38\.2 X1\.65354/);
-  await field("units").selectOption("mm");
+  await chooseUnits("mm");
   assert.equal(await field("cycle.width1").inputValue(), "80");
   assert.match(await program(), /G38\.2 X42 Y0 Z-10 F150/);
 });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { field, held, more, openTab, page, program, ready, setUp, textOf } from "./common.mjs";
+import { chooseUnits, field, held, more, openTab, page, program, ready, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -30,7 +30,7 @@ test("a preset brings stylus, feeds and control back, in other units and after a
   await ready();
   assert.equal(await held("stylus.diameter"), 6);
   await field("cycle.width1").fill("66");
-  await field("units").selectOption("inch");
+  await chooseUnits("inch");
   await more("Presets");
   await dialog().getByRole("button", { name: "Use Mill 2 <b>" }).click();
   await close();
@@ -39,7 +39,7 @@ test("a preset brings stylus, feeds and control back, in other units and after a
     ["inch", 0.11811, 3.149606, "sinumerik"],
   );
   assert.match(await program(), /MEAS=1/);
-  await field("units").selectOption("mm");
+  await chooseUnits("mm");
   assert.ok(Math.abs(Number(await held("cycle.width1")) - 66) < 1e-4, "the part is the job's");
   await page.getByRole("button", { name: "Undo" }).click();
   await page.getByRole("button", { name: "Undo" }).click();

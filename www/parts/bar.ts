@@ -29,15 +29,7 @@ class BarPart extends FieldPart {
         (n) => store.put("control.workOffset", n === "" ? null : Number(n)),
         this.t("Work offset"),
       )}
-      ${this.select(
-        "units",
-        [
-          { value: "mm", label: "mm" },
-          { value: "inch", label: "inch" },
-        ],
-        (units) => store.setUnits(units as "mm" | "inch"),
-        this.t("Units"),
-      )}
+      ${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>

@@ -132,6 +132,17 @@ export abstract class FieldPart extends Part {
       </select></span>`;
   }
 
+  /** A choice of a few short words that are all seen; a value that is none of them is shown beside them. */
+  protected radios(path: string, words: string[], take: (word: string) => void, name: string): TemplateResult {
+    const value = String(this.store.get(path) ?? this.fallback(path));
+    const shown = words.includes(value) ? words : [...words, value];
+    return html`<span class=${`switch ${this.level(path)}`} role="radiogroup" aria-label=${name}>${shown.map(
+      (word) => html`<label><input type="radio" id=${word === value ? `f-${path}` : nothing} name=${path} value=${word} .checked=${live(word === value)}
+        aria-describedby=${`e-${path}`} aria-invalid=${word === value && this.isBad(path) ? "true" : "false"}
+        @focus=${() => this.store.focus(path)} @change=${() => take(word)} /><span>${word}</span></label>`,
+    )}</span>`;
+  }
+
   private fallback(path: string): unknown {
     const [section, key] = path.split(".");
     const fields = this.store.catalog.sections.find((s) => s.path === (key ? section : ""))?.fields;
