@@ -63,16 +63,27 @@ const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 pub struct Followed<'t> {
     /// The program.
     pub script: Script<'t>,
-    /// Where the ball was taken to be before it.
-    pub start: Place,
+    /// How it was taken to begin.
+    pub begin: Run,
     /// From above the first place to the end.
     pub trace: Trace,
-    /// From below the first place, or below where the job says that the stylus is, up to the first place; none where nothing moves.
-    pub below: Option<Trace>,
+    /// From below the first place, or below where the job says that the stylus is, up to the first place.
+    pub below: Below,
     /// The triggers that the touches were given, by their order.
     triggers: Vec<Vec3>,
     /// What the path asks of it.
     expected: Expected,
+}
+
+/// What a program does where the stylus stands lower than it should.
+#[derive(Clone, Debug)]
+pub enum Below {
+    /// Nothing ever moves.
+    NoMoves,
+    /// It moves, or stops before.
+    Followed(Trace),
+    /// It takes the stylus to be where the job says, and does not ask.
+    NotAsked,
 }
 
 /// What a program is followed on.
@@ -96,7 +107,10 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
-    let run = Run { start: away(AWAY[2]), deflected: false, until: None, may_stop: false };
+    // A job that says where the stylus stands has its program begin there.
+    let stated = request.path.start.map(|start| expected.written(start));
+    let start = stated.unwrap_or_else(|| away(AWAY[2]));
+    let run = Run { start, deflected: false, until: None, may_stop: false, known: stated.is_some(), strict: true };
     let mut next = 0;
     let trace = machine::run(&script, run, &mut |step: &Step| {
         if part == Part::Unknown {
@@ -116,16 +130,19 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     .map_err(|t| faults(vec![t]))?;
     let below = match request.path.moves.first() {
         Some(step) => {
-            let start = request.path.start.map_or(away(-AWAY[2]), |start| expected.place(start - w * AWAY[2]));
-            let run = Run { start, may_stop: true, until: Some((expected.place(step.to), expected.digit)), ..run };
-            Some(
-                machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown })
-                    .map_err(|t| faults(vec![t]))?,
-            )
+            let start = request.path.start.map_or(away(-AWAY[2]), |start| expected.written(start - w * AWAY[2]));
+            let until = Some((expected.place(step.to), expected.digit));
+            let run = Run { start, may_stop: true, until, known: false, ..run };
+            match machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown }) {
+                Ok(trace) => Below::Followed(trace),
+                // Its blocks are right from where the job says that the stylus stands, and only there.
+                Err(_) if stated.is_some() => Below::NotAsked,
+                Err(trouble) => return Err(faults(vec![trouble])),
+            }
         }
-        None => None,
+        None => Below::NoMoves,
     };
-    Ok(Followed { start: run.start, script, trace, below, triggers, expected })
+    Ok(Followed { begin: run, script, trace, below, triggers, expected })
 }
 
 /// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
@@ -195,6 +212,12 @@ impl Expected {
 
     fn place(&self, place: Vec3) -> Place {
         (place / self.scale).to_array()
+    }
+
+    /// The place as the program writes it, to its last digit.
+    fn written(&self, place: Vec3) -> Place {
+        let steps = 0.5 / self.digit;
+        self.place(place).map(|x| (x * steps).round() / steps)
     }
 
     /// Equal but for the last digit.

@@ -2,8 +2,9 @@
 
 use crate::control::Request;
 use crate::control::iso::machine::{self, Run};
+use crate::control::iso::script::Modes;
 use crate::control::iso::writer::highest;
-use crate::control::prove::Followed;
+use crate::control::prove::{Below, Followed};
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
@@ -269,24 +270,36 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
         (words!("centres of arcs"), !arcs || modes.arcs_incremental == Some(true)),
         (words!("work offset"), modes.offset == case.request.work_offset),
     ];
-    right
+    let mut breaks: Vec<Break> = right
         .iter()
         .filter(|(_, right)| !right)
         .map(|(what, _)| (Some(first.line), text!("This moves before its {modes} are stated as the job has them", *what)))
-        .collect()
+        .collect();
+    if modes.length == Some(false) {
+        breaks.push((Some(first.line), text!("This moves with the length of the tool cancelled")));
+    }
+    // The spindle has a rule of its own.
+    let changed = |now: Modes| Modes { spindle: None, ..now } != Modes { spindle: None, ..modes };
+    let moved = case.followed.trace.changed.iter().filter(|(_, now)| changed(*now));
+    breaks.extend(moved.map(|(line, _)| {
+        (Some(*line), text!("This moves in other modes than the program has stated before its first motion"))
+    }));
+    breaks
 }
 
 fn spindle_off(case: &Case<'_>) -> Vec<Break> {
     let Some(first) = case.steps().first() else { return Vec::new() };
-    if case.followed.trace.modes.spindle == Some(false) {
-        return Vec::new();
+    let trace = &case.followed.trace;
+    if trace.modes.spindle != Some(false) {
+        return vec![(Some(first.line), text!("This moves before the spindle is switched off"))];
     }
-    vec![(Some(first.line), text!("This moves before the spindle is switched off"))]
+    let turning = trace.changed.iter().filter(|(_, now)| now.spindle != Some(false));
+    turning.map(|(line, _)| (Some(*line), text!("This moves after the spindle is switched on"))).collect()
 }
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {
     let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else { return Vec::new() };
-    let run = Run { start: case.followed.start, deflected: true, until: None, may_stop: false };
+    let run = Run { deflected: true, ..case.followed.begin };
     match machine::deflected(&case.followed.script, run) {
         Ok(Ending::ControlStops) => Vec::new(),
         Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
@@ -306,18 +319,19 @@ fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
 }
 
 fn low_start(case: &Case<'_>) -> Vec<Break> {
-    let (Some(below), Some(first)) = (&case.followed.below, case.request.path.moves.first()) else { return Vec::new() };
+    let Some(first) = case.request.path.moves.first() else { return Vec::new() };
+    let says = || text!("From below the first place this moves in the plane");
+    let below = match &case.followed.below {
+        Below::Followed(below) => below,
+        Below::NotAsked => return vec![(case.steps().first().map(|step| step.line), says())],
+        Below::NoMoves => return Vec::new(),
+    };
     let (tool, height) = (case.tool(), case.level(first.to));
     let low = |step: &&Step| {
         let across = (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
         across && step.to[tool] < height - case.digit()
     };
-    below
-        .steps
-        .iter()
-        .filter(low)
-        .map(|step| (Some(step.line), text!("From below the first place this moves in the plane")))
-        .collect()
+    below.steps.iter().filter(low).map(|step| (Some(step.line), says())).collect()
 }
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {

@@ -14,6 +14,8 @@ pub struct Trace {
     pub steps: Vec<Step>,
     /// The modes that the program has stated before the first motion.
     pub modes: Modes,
+    /// Motions in other modes than that one: their 0-based lines and those modes, the first few.
+    pub changed: Vec<(usize, Modes)>,
     /// The results that it gives out: code and value.
     pub outputs: Vec<(String, f64)>,
     /// What it writes to work offsets.

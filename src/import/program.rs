@@ -371,9 +371,13 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
 /// A text followed as a program for a control, on a part that is not known.
 fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
     // Anywhere but at a place that a program may name first.
-    let start = Run { start: [417.3125, -233.6875, 301.0625], deflected: false, until: None, may_stop: false };
+    const ANYWHERE: [f64; 3] = [417.3125, -233.6875, 301.0625];
     let script = (post.read?)(text);
-    Some(script.and_then(|script| machine::run(&script, start, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])))
+    Some(script.and_then(|script| {
+        let (start, known) = (script.start.unwrap_or(ANYWHERE), script.start.is_some());
+        let run = Run { start, deflected: false, until: None, may_stop: false, known, strict: false };
+        machine::run(&script, run, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])
+    }))
 }
 
 fn row(post: &PostDef, trace: &Trace) -> TraceRow {

@@ -83,11 +83,12 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
     let jumps: String = (1..60_000).map(|i| format!("N{i}\nGOTO {}\n", i + 1)).collect();
     let read = import(&format!("{jumps}N60000\nG31 X1. F1.\nM30\n")).unwrap();
     assert_eq!(read.trace.unwrap().moves.len(), 1);
-    let slots: String = (0..60_000).map(|i| format!("#{}=1\n", 1_000_000 + i)).collect();
-    for program in [
-        format!("#1=0\n{slots}N1\nG31 X1. F100.\n#1=#1+1\nIF [#1 LT 900000] GOTO 1\nM30\n"),
-        "N1\nGOTO 1\nG31 X1. F1.\n".to_owned(),
-    ] {
+    let slots: String = (0..60_000).map(|i| format!("#<v{i}>=1\n")).collect();
+    let read = import(&format!("{slots}G38.2 X1 F100\nM2\n")).unwrap();
+    assert_eq!(read.trace.unwrap().moves.len(), 1);
+    for program in
+        ["#1=0\nN1\nG31 X1. F100.\n#1=#1+1\nIF [#1 LT 900000] GOTO 1\nM30\n".to_owned(), "N1\nGOTO 1\nG31 X1. F1.\n".to_owned()]
+    {
         let error = import(&program).unwrap_err();
         assert!(error.findings.iter().any(|f| f.message.contains("does not come to an end")), "{error}");
     }

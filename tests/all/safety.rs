@@ -50,7 +50,11 @@ fn every_rule_holds_for_every_control_and_cycle() {
                                 assert!(holds && row.lines.is_empty() && cannot.is_none(), "{} {}: {row:?}", post.key, def.key)
                             }
                             None => {
-                                assert!(cannot.is_some_and(|(_, why)| *why == row.message) || form == Form::Cycle, "{row:?}")
+                                let stated = row.rule == "low-start-goes-up" && def.key == "probing-two-circles";
+                                assert!(
+                                    stated || cannot.is_some_and(|(_, why)| *why == row.message) || form == Form::Cycle,
+                                    "{row:?}"
+                                )
                             }
                         }
                         held += usize::from(row.holds.is_some());
@@ -142,6 +146,145 @@ fn each_rule_catches_a_program_that_breaks_it() {
         assert_eq!(row.holds, Some(false), "{post}: {old} became {new}: {:?}", broken(&rows));
         assert_ne!(row.message, RULES.iter().find(|r| r.name == *rule).unwrap().says);
     }
+}
+
+/// Lines that no program may have between its moves, whatever else is right in it.
+const DANGEROUS: &[(&str, &[&str])] = &[
+    (
+        "linuxcnc",
+        &[
+            "G20",
+            "G18",
+            "G55",
+            "G64",
+            "G49",
+            "G91",
+            "M3",
+            "M72",
+            "#5211=5",
+            "#5403=50",
+            "G1 Z-80 F100",
+            "G0 X5",
+            "o77 if [#<never_set> EQ 0]
+o77 endif",
+            "(ABORT,here)",
+        ],
+    ),
+    ("grbl", &["G20", "G18", "G55", "G49", "G64", "M3", "G1 Z-80 F100"]),
+    (
+        "fanuc",
+        &[
+            "G20",
+            "G18",
+            "G55",
+            "M3",
+            "#5201=5.",
+            "#5203=-50.",
+            "#2001=5.",
+            "#3003=2",
+            "#3004=7",
+            "G53 G0 Z0.",
+            "G1 Z-80. F100.",
+            "IF [#500 EQ 1] GOTO 9001",
+            "#101=#5041",
+            "#5221=0",
+        ],
+    ),
+    (
+        "haas",
+        &[
+            "G20",
+            "G18",
+            "G55",
+            "G154 P3",
+            "M3",
+            "#5201=5.",
+            "#3003=2",
+            "G53 G0 Z0.",
+            "G1 Z-80. F100.",
+            "IF [#500 EQ 1] GOTO 9001",
+        ],
+    ),
+    (
+        "sinumerik",
+        &[
+            "G70",
+            "G18",
+            "G505",
+            "M3",
+            "Z=-80",
+            "X=5",
+            "F=5",
+            "T=5",
+            "D=0",
+            "S=1000",
+            "LIMS=5",
+            "G1 Z-80 F100",
+            "IF R90==1 GOTOF TP_EXIT",
+            "R95=$AA_IW[X]",
+            "$P_UIFR[1,X,TR]=0",
+        ],
+    ),
+];
+
+/// Each of them is noticed in an own program that is opened again, and refused by the proof: behind a plain move back, where nothing has
+/// halted the control.
+#[test]
+fn no_dangerous_line_between_two_moves_goes_unnoticed() {
+    for (post, lines) in DANGEROUS {
+        let known = touchpath::control::find(post).unwrap();
+        let job = job_for("internal-rectangle-protected", post, Form::Moves, known.work_offsets > 0);
+        let plan = plan(&job).unwrap();
+        let back = plan.moves.iter().position(|step| step.kind == "back").unwrap();
+        let at = plan.program.move_lines[back] as usize + 1;
+        let moved: Vec<i32> = plan.program.move_lines.clone();
+        for line in *lines {
+            let mut text: Vec<&str> = plan.program.text.lines().collect();
+            line.lines().enumerate().for_each(|(i, line)| text.insert(at + i, line));
+            let more = line.lines().count() as i32;
+            let moved: Vec<i32> = moved.iter().map(|n| if *n >= at as i32 { n + more } else { *n }).collect();
+            let text = text.join("\n");
+            let rules = judged(&job, &text).map(|rows| broken(&rows));
+            let proven = touchpath::job::proves(&job, &text, &moved);
+            assert!(!proven || rules.is_ok_and(|broken| !broken.is_empty()), "{post}: {line}");
+        }
+    }
+}
+
+/// Without the blocks that halt a control it evaluates what the ball has not come to yet: no program without them is taken.
+#[test]
+fn the_blocks_that_stop_reading_ahead_are_asked_for() {
+    for (post, halt) in [("fanuc", "G53\n"), ("haas", "G103 P1\n"), ("sinumerik", "STOPRE\n"), ("linuxcnc", "M66 E0 L0\n")] {
+        let job = job_for("internal-rectangle-protected", post, Form::Moves, true);
+        let plan = plan(&job).unwrap();
+        let places: Vec<usize> = plan.program.text.match_indices(halt).map(|(at, _)| at).collect();
+        assert!(!places.is_empty(), "{post}");
+        let comment = if post == "sinumerik" { "; no\n" } else { "(NO)\n" };
+        // A Haas stops by itself at M78 and M79: what stands behind its end runs only where nothing has moved.
+        let end = if post == "haas" { plan.program.text.find("\nM30").unwrap() } else { plan.program.text.len() };
+        let after_motion = |at: usize| {
+            let line = plan.program.text[..at].lines().last().unwrap();
+            ["G1 ", "G31 ", "MEAS=1 "].iter().any(|head| line.starts_with(head)) || line == "o1 endif"
+        };
+        for at in places.iter().copied().filter(|at| *at < end && after_motion(*at)) {
+            let text = format!("{}{comment}{}", &plan.program.text[..at], &plan.program.text[at + halt.len()..]);
+            assert!(!touchpath::job::proves(&job, &text, &plan.program.move_lines), "{post}: {text}");
+        }
+        let text = plan.program.text.replace(halt, comment);
+        let rules = judged(&job, &text).map(|rows| broken(&rows));
+        assert!(rules.is_err() || rules.is_ok_and(|broken| !broken.is_empty()), "{post}");
+    }
+}
+
+/// A comment that says where the stylus stands makes no program safe: the job says so, or it is not so.
+#[test]
+fn a_comment_holds_no_rule() {
+    let job = job_for("internal-rectangle-protected", "linuxcnc", Form::Moves, false);
+    let program = plan(&job).unwrap().program.text;
+    let broken_one = program.replacen("o4 if [#<_z> LT 30]", "o4 if [#<_z> LT -900]", 1);
+    assert!(broken(&judged(&job, &broken_one).unwrap()).contains(&"low-start-goes-up"));
+    let said = format!("(The stylus is taken to be at X0 Y0 Z30 before the start)\n{broken_one}");
+    assert!(broken(&judged(&job, &said).unwrap()).contains(&"low-start-goes-up"));
 }
 
 /// What the user asks for is no fault, and is said.

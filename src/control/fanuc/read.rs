@@ -3,7 +3,7 @@
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -54,7 +54,8 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
         (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
         (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
         (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
-        (b'G', 530 | 800) | (b'M', 0) => Code::Nothing(""),
+        (b'G', 530) => Code::Halt(""),
+        (b'G', 800) | (b'M', 0) => Code::Nothing(""),
         _ => return codes::common(letter, tenths),
     })
 }
@@ -64,7 +65,7 @@ fn haas_code(letter: u8, tenths: i32) -> Option<Code> {
     match (letter, tenths) {
         (b'M', 780) => Some(Code::Motion(Motion::MustBeFree)),
         (b'M', 790) => Some(Code::Motion(Motion::MustTouch)),
-        (b'G', 1030) => Some(Code::Nothing("P")),
+        (b'G', 1030) => Some(Code::Halt("P")),
         (b'G', 1540) => Some(Code::Extended(6)),
         _ => code(letter, tenths),
     }
@@ -83,6 +84,7 @@ pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.straight = true;
+    script.ahead = Ahead::ReadsAndActs;
     // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
     script.full_circle = true;
     let mut targets = Targets::default();
@@ -139,12 +141,19 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     Ok(())
 }
 
+/// Whether a variable is the program's: the arguments and the common ones. All others do something in the control.
+fn own(name: &[u8]) -> bool {
+    let number = name.get(1..).and_then(parse::whole);
+    number.is_some_and(|number| matches!(number, 1..=33 | 100..=199 | 500..=999))
+}
+
 /// What stands after the name of a variable: its value, or an alarm.
 fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
+        None if !own(name) => fault(text!("the control's own values are not written")),
         None => Ok(What::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values are not written")),

@@ -1,6 +1,10 @@
 //! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
 
-use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Part, Script, System, Trouble, Unary, What, Words};
+use std::cell::Cell;
+
+use crate::control::iso::script::{
+    Ahead, Binary, Block, Modes, Motion, Node, NodeId, Part, Script, System, Trouble, Unary, What, Words,
+};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write, Written};
 use crate::geom::Plane;
 use crate::text::{Text, text};
@@ -10,6 +14,9 @@ const LONGEST_EXIT: usize = 200;
 
 /// How much is done for one program: blocks, and copies of its variables at its motions. A second or so.
 const BUDGET: usize = 20_000_000;
+
+/// So many motions in other modes than the first one are kept.
+const MOST_CHANGES: usize = 20;
 
 /// The most motions of an exit.
 const MOST_LIFTS: usize = 3;
@@ -46,6 +53,11 @@ pub struct Run {
     pub until: Option<(Place, f64)>,
     /// Whether the program may stop with an alarm before anything moves: that ends the run, too.
     pub may_stop: bool,
+    /// Whether the place of the ball is known to the program, as if its blocks had named it.
+    pub known: bool,
+    /// Whether it is held against what the program leaves to chance: variables without a value in a condition, values that are read before
+    /// the ball is there.
+    pub strict: bool,
 }
 
 #[derive(Debug, Default)]
@@ -64,18 +76,21 @@ struct State {
     origins: Vec<(Part, f64)>,
     reading: Option<[Option<f64>; 3]>,
     warned: bool,
+    /// Whether a motion may not be done yet where the next block is evaluated.
+    ahead: bool,
 }
 
 impl State {
     /// Becomes another one. What it has room for is used again: this is done at every probing move.
     fn become_like(&mut self, other: &State) {
-        let Self { pc, slots, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned } = self;
+        let Self { pc, slots, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned, ahead } =
+            self;
         slots.clone_from(&other.slots);
         stack.clone_from(&other.stack);
         origins.clone_from(&other.origins);
         (*pc, *at, *stated, *trigger) = (other.pc, other.at, other.stated, other.trigger);
         (*contact, *deflected, *feed, *modes) = (other.contact, other.deflected, other.feed, other.modes);
-        (*reading, *warned) = (other.reading, other.warned);
+        (*reading, *warned, *ahead) = (other.reading, other.warned, other.ahead);
     }
 }
 
@@ -97,6 +112,11 @@ struct Machine<'s, 't> {
     metric: f64,
     /// Whether the last motion was not watched, and the state after it.
     unwatched: (bool, State),
+    /// The modes at the first motion.
+    first: Option<Modes>,
+    strict: bool,
+    /// Whether a value was read before the ball was where it tells of.
+    early: Cell<bool>,
 }
 
 /// The probe while it is followed what a program leads to.
@@ -147,8 +167,11 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 break;
             }
             Flow::Moved(words, motion) => {
-                if trace.steps.is_empty() {
-                    trace.modes = machine.state.modes;
+                let modes = machine.state.modes;
+                let first = *machine.first.get_or_insert(modes);
+                trace.modes = first;
+                if modes != first && trace.changed.len() < MOST_CHANGES {
+                    trace.changed.push((line, modes));
                 }
                 let mut step = machine.motion(line, words, motion)?;
                 machine.go(&mut step, motion, world, &mut scratch)?;
@@ -185,8 +208,8 @@ impl<'s, 't> Machine<'s, 't> {
     fn new(script: &'s Script<'t>, run: Run) -> Self {
         let state = State {
             slots: vec![f64::NAN; script.slots.len()],
-            at: script.start.unwrap_or(run.start),
-            stated: [script.start.is_some(); 3],
+            at: run.start,
+            stated: [run.known; 3],
             trigger: [f64::NAN; 3],
             deflected: run.deflected,
             ..State::default()
@@ -200,6 +223,9 @@ impl<'s, 't> Machine<'s, 't> {
             state,
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
             unwatched: Default::default(),
+            first: None,
+            strict: run.strict,
+            early: Cell::new(false),
         }
     }
 
@@ -217,8 +243,39 @@ impl<'s, 't> Machine<'s, 't> {
         let script = self.script;
         let block = &script.blocks[self.state.pc];
         self.state.pc += 1;
+        let flow = self.carry_out(block)?;
+        if self.strict && (self.early.take() || self.acts_early(&flow)) {
+            self.early.set(true);
+            return Err(trouble(
+                block.line,
+                text!("the control reads ahead: the ball is not there yet when this is evaluated"),
+            ));
+        }
+        Ok(flow)
+    }
+
+    /// Whether a block does something while a motion before it may not be done.
+    fn acts_early(&self, flow: &Flow<'_>) -> bool {
+        self.state.ahead
+            && match (flow, self.script.ahead) {
+                (Flow::Alarm, Ahead::Alarms | Ahead::ReadsAndActs) | (Flow::Wrote(..), Ahead::ReadsAndActs) => true,
+                _ => false,
+            }
+    }
+
+    /// Whether a condition is true. What depends on a variable without a value is not known.
+    fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
+        let value = self.value(condition);
+        if value.is_nan() && self.strict {
+            return Err(trouble(line, text!("this condition depends on a variable without a value")));
+        }
+        Ok(value != 0.0 && !value.is_nan())
+    }
+
+    fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
         match &block.what {
             What::Nothing => {}
+            What::Halt => self.state.ahead = false,
             What::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);
                 if let Some(motion) = words.motion {
@@ -235,9 +292,16 @@ impl<'s, 't> Machine<'s, 't> {
                 });
             }
             What::Jump(target) => self.state.pc = *target,
-            What::JumpIf(node, target) if self.value(*node) != 0.0 => self.state.pc = *target,
-            What::JumpUnless(node, target) if self.value(*node) == 0.0 => self.state.pc = *target,
-            What::JumpIf(..) | What::JumpUnless(..) => {}
+            What::JumpIf(node, target) => {
+                if self.holds(*node, block.line)? {
+                    self.state.pc = *target;
+                }
+            }
+            What::JumpUnless(node, target) => {
+                if !self.holds(*node, block.line)? {
+                    self.state.pc = *target;
+                }
+            }
             What::Call(target, arguments) => {
                 let values: Vec<(usize, f64)> = arguments
                     .iter()
@@ -323,6 +387,7 @@ impl<'s, 't> Machine<'s, 't> {
     /// Makes a motion. Of a probing one the way that it does not take is followed, too.
     fn go(&mut self, step: &mut Step, motion: Motion, world: &mut World<'_>, scratch: &mut State) -> Result<(), Trouble> {
         let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
+        self.state.ahead = self.runs_on(motion);
         if !probes {
             self.state.at = step.to;
             self.unwatched.0 = true;
@@ -362,6 +427,16 @@ impl<'s, 't> Machine<'s, 't> {
         Ok(())
     }
 
+    /// Whether the control evaluates what stands below a motion before it is done.
+    fn runs_on(&self, motion: Motion) -> bool {
+        let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
+        match self.script.ahead {
+            Ahead::Harmless => false,
+            Ahead::Alarms => !probes,
+            Ahead::Reads | Ahead::ReadsAndActs => true,
+        }
+    }
+
     /// What a probing move leads to that meets this, without making it.
     fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
         scratch.become_like(&self.state);
@@ -394,14 +469,22 @@ impl<'s, 't> Machine<'s, 't> {
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
-            match self.step()? {
+            let flow = match self.step() {
+                // Whatever was evaluated too early, the exit does not depend on it.
+                Err(_) if self.early.take() => return Ok(Ending::GoesOn),
+                flow => flow?,
+            };
+            match flow {
                 Flow::Next | Flow::Output(..) => {}
                 Flow::Wrote(..) => writes = true,
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
                 Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
                 Flow::Moved(words, motion) => {
                     let from = self.state.at;
+                    // An exit moves in the modes of the program.
+                    strays |= self.first.is_some_and(|first| first != self.state.modes);
                     let step = self.motion(line, words, motion)?;
+                    self.state.ahead = self.runs_on(motion);
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
                         // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
@@ -492,7 +575,7 @@ impl<'s, 't> Machine<'s, 't> {
             }
             Node::Binary(binary, left, right) => {
                 let (x, y) = (self.value(left), self.value(right));
-                let truth = |is: bool| f64::from(u8::from(is));
+                let truth = |is: bool| if x.is_nan() || y.is_nan() { f64::NAN } else { f64::from(u8::from(is)) };
                 match binary {
                     Binary::Add => x + y,
                     Binary::Subtract => x - y,
@@ -518,6 +601,14 @@ impl<'s, 't> Machine<'s, 't> {
     fn system(&self, system: System) -> f64 {
         let length = |axis: usize| if axis == self.tool_axis() { TOOL_LENGTH } else { 0.0 };
         let truth = |is: bool| f64::from(u8::from(is));
+        let tells_of_the_ball = match system {
+            System::Place(_) | System::Trigger(_) | System::PlaceWithLength(_) | System::TriggerWithLength(_) => true,
+            System::Contact | System::Deflected => true,
+            System::Length | System::Metric | System::UnitsCode | System::Fixed(_) | System::Offset(_) => false,
+        };
+        if tells_of_the_ball && self.state.ahead && matches!(self.script.ahead, Ahead::Reads | Ahead::ReadsAndActs) {
+            self.early.set(true);
+        }
         match system {
             System::Place(axis) => self.state.at[axis],
             System::Trigger(axis) => self.state.trigger[axis],

@@ -51,6 +51,8 @@ pub enum Code {
     Extended(i32),
     /// Nothing that matters here; it may have these letters.
     Nothing(&'static str),
+    /// Keeps the control from reading on before the motion is done; it stands alone, with these letters.
+    Halt(&'static str),
 }
 
 /// How tightly * and / bind; nothing binds tighter.

@@ -153,6 +153,8 @@ pub enum What {
     Call(usize, Vec<NodeId>),
     /// Back from a subroutine.
     Return,
+    /// Keeps the control from reading on before the motion is done.
+    Halt,
     /// A result goes out: its code and its value.
     Output(String, NodeId),
     /// The current place of the ball reads so in a work offset from here on (G10 L20).
@@ -220,6 +222,12 @@ pub struct Modes {
     pub spindle: Option<bool>,
     /// The work offset that is selected, 1 = G54.
     pub offset: Option<i32>,
+    /// Whether the length of the tool counts.
+    pub length: Option<bool>,
+    /// Whether every place is come to, not only near.
+    pub exact: Option<bool>,
+    /// Whether modes from before the program were given back.
+    pub restored: Option<bool>,
 }
 
 impl Modes {
@@ -232,6 +240,9 @@ impl Modes {
         arcs_incremental: None,
         spindle: None,
         offset: None,
+        length: None,
+        exact: None,
+        restored: None,
     };
 
     /// These modes after those of a later block.
@@ -244,6 +255,9 @@ impl Modes {
             arcs_incremental: later.arcs_incremental.or(self.arcs_incremental),
             spindle: later.spindle.or(self.spindle),
             offset: later.offset.or(self.offset),
+            length: later.length.or(self.length),
+            exact: later.exact.or(self.exact),
+            restored: later.restored.or(self.restored),
         }
     }
 }
@@ -269,8 +283,24 @@ pub struct Script<'t> {
     pub sees_edges: bool,
     /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
     pub full_circle: bool,
+    /// What its control does before the motion is done, if no block halts it.
+    pub ahead: Ahead,
     /// The variables that hold results: code and name, from the header.
     pub results: Vec<(&'t str, Slot)>,
+}
+
+/// How far a control reads ahead of its motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ahead {
+    /// Not past a probing move, and nothing that it reads sooner matters.
+    #[default]
+    Harmless,
+    /// Not past a probing move. An alarm throws away the moves that are not made yet.
+    Alarms,
+    /// It evaluates places and the probe, where they are read, before the ball is there.
+    Reads,
+    /// The same, and it writes work offsets and raises alarms before the ball is there.
+    ReadsAndActs,
 }
 
 /// A control has a few hundred variables. Names beyond these are looked up in a tree: in a table of hashes, names that were chosen to collide

@@ -1,7 +1,7 @@
 //! Blocks of words: `G1 X10 F100`.
 
 use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed, fault};
-use crate::control::iso::script::{Motion, NodeId, Script, What, Words};
+use crate::control::iso::script::{Modes, Motion, NodeId, Script, What, Words};
 use crate::text::text;
 
 /// The words of a block, put together.
@@ -11,6 +11,7 @@ struct Block {
     moves: bool,
     setting: bool,
     ends: bool,
+    halts: bool,
     allowed: &'static str,
     extended: Option<i32>,
     /// Which other letters stand there: a bit each, A the lowest.
@@ -99,6 +100,7 @@ impl Block {
                 self.allowed = "P";
             }
             Code::Nothing(letters) => self.allowed = letters,
+            Code::Halt(letters) => (self.halts, self.allowed) = (true, letters),
         }
         Ok(())
     }
@@ -139,6 +141,8 @@ impl Block {
             (false, Some(_)) => fault(text!("a motion without axis words")),
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(What::End),
+            (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(What::Halt),
+            _ if self.halts => fault(text!("this code is understood where it stands alone")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),
         }

@@ -3,7 +3,7 @@
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -30,7 +30,7 @@ fn system(name: &[u8]) -> Option<System> {
     match number {
         5061..=5063 => Some(System::Trigger(number as usize - 5061)),
         5070 => Some(System::Contact),
-        5220..=5389 => {
+        5220..=5390 => {
             let (offset, place) = ((number - 5201) / 20, (number - 5201) % 20);
             match place {
                 0..=2 => Some(System::Offset(Part::Origin(offset, place as usize))),
@@ -52,6 +52,7 @@ enum Open<'t> {
 /// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
+    script.ahead = Ahead::Alarms;
     let mut targets = Targets::default();
     let mut open: Vec<Open<'_>> = Vec::new();
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
@@ -68,7 +69,9 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         }
         if let Some(name) = cursor.variable(Names::Hash) {
             cursor.expect("=")?;
-            if system(name).is_some() {
+            // Above 5000 stand the control's own.
+            let number = parse::whole(&name[1..]);
+            if system(name).is_some() || number.is_some_and(|number| number > 5000) {
                 return fault(text!("the control's own parameters are not written"));
             }
             let value = cursor.value(&GRAMMAR, script)?;

@@ -3,7 +3,7 @@
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
-use crate::control::iso::script::{Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
@@ -71,7 +71,9 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.sees_edges = true;
+    script.ahead = Ahead::Reads;
     let mut targets = Targets::default();
+    let mut declared = Vec::new();
     lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
         if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
             results(script, list);
@@ -81,7 +83,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
         }
-        block(script, line, code, &mut targets)
+        block(script, line, code, &mut targets, &mut declared)
     })?;
     targets.resolve(&mut script, true)?;
     script.give_results();
@@ -96,7 +98,19 @@ fn results<'t>(script: &mut Script<'t>, list: &'t str) {
     }
 }
 
-fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut Targets<'t>) -> Parsed<()> {
+/// `R1` and its like.
+fn is_register(name: &[u8]) -> bool {
+    name.strip_prefix(b"R").is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
+}
+
+/// `declared` are the names of the program's own variables.
+fn block<'t>(
+    script: &mut Script<'t>,
+    line: usize,
+    code: &'t str,
+    targets: &mut Targets<'t>,
+    declared: &mut Vec<&'t [u8]>,
+) -> Parsed<()> {
     let here = script.blocks.len();
     if let Some(label) = code.strip_suffix(':') {
         if Cursor::new(label).name() != Some(label.as_bytes()) {
@@ -107,10 +121,12 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
         return Ok(());
     }
     let mut cursor = Cursor::new(code);
-    let what = if cursor.eat("STOPRE") || cursor.eat("TRANS") {
+    let what = if cursor.eat("STOPRE") {
+        What::Halt
+    } else if cursor.eat("TRANS") {
         What::Nothing
     } else if cursor.eat("DEF INT ") {
-        cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
+        declared.push(cursor.name().ok_or_else(|| text!("a declaration without a name"))?);
         What::Nothing
     } else if cursor.eat("GOTOF ") {
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
@@ -137,7 +153,8 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, targets: &mut 
         cursor.expect("=")?;
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
-            None if name.starts_with(b"$") => return fault(text!("this is not understood")),
+            // Any other name is an axis, a word with its value, or what the control knows under it.
+            None if !is_register(name) && !declared.contains(&name) => return fault(text!("this is not understood")),
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
             Some(_) => return fault(text!("the control's own values are not written")),
