@@ -63,7 +63,8 @@ pub fn hash(text: &str) -> String {
     }
     let mut rest = text;
     while !rest.is_empty() {
-        let line = next_line(&mut rest).trim_end();
+        // Some programs come back with carriage returns before their lines, or before those of a tape.
+        let line = next_line(&mut rest).trim_matches('\r').trim_end();
         if !line.is_empty() {
             state.update(line.as_bytes());
             state.update(b"\n");
@@ -253,9 +254,15 @@ mod tests {
         assert_ne!(hash("G1 X1\n"), hash("G1 X2\n"));
         assert_ne!(hash("G1 X1\nM2\n"), hash("M2\nG1 X1\n"));
         // Plain texts are hashed in one piece, others line by line: with the same result.
-        for other in
-            ["G1 X1\nM2", "\nG1 X1\nM2\n", "G1 X1\r\nM2\n", "G1 X1 \nM2\n\n", "G1 X1\t\n \nM2\n", "G1 X1\nM2\u{2003}\n"]
-        {
+        for other in [
+            "G1 X1\nM2",
+            "G1 X1\n\r\rM2\n\r\r",
+            "\nG1 X1\nM2\n",
+            "G1 X1\r\nM2\n",
+            "G1 X1 \nM2\n\n",
+            "G1 X1\t\n \nM2\n",
+            "G1 X1\nM2\u{2003}\n",
+        ] {
             assert!(!is_plain(other), "{other:?}");
             assert_eq!(hash(other), hash("G1 X1\nM2\n"), "{other:?}");
         }

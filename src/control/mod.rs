@@ -192,6 +192,14 @@ impl Request<'_> {
     pub fn registers(&self) -> &Registers {
         self.numbered.get_or_init(|| Registers::allocate(&self.path.formula))
     }
+
+    /// The shortest move that must be watched, mm: a shorter one is no probe move. Rounding may move both of its ends.
+    pub fn shortest_watched(&self) -> f64 {
+        match self.post.shortest_probe {
+            0.0 => 0.0,
+            shortest => shortest + 4.0 * self.post.half_digit(self.scale) * self.scale,
+        }
+    }
 }
 
 /// A printed program.
@@ -221,6 +229,19 @@ fn comment_char(c: char) -> char {
         'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
         _ => '_',
     }
+}
+
+/// A control whose programs do not ask along which axis the length of the tool acts.
+fn check_length_axis(request: &Request<'_>, checker: &mut Checker) {
+    if request.plane == Plane::G17 || request.path.moves.is_empty() {
+        return;
+    }
+    let message = text!(
+        "In {plane} the length of the probe must act along {axis}: this program does not check that it does",
+        request.plane.word(),
+        AXIS_NAMES[request.plane.axes()[2]]
+    );
+    checker.warning("tool-length-unchecked", "plane", message);
 }
 
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.

@@ -102,7 +102,10 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         troubles.into_iter().map(|t| Fault { line: Some(t.line), message: t.message, understood: t.understood }).collect()
     };
     let script = read(text).map_err(faults)?;
-    let triggers: Vec<Vec3> = (0..request.path.touches.len()).map(|k| trigger(request, k)).collect();
+    let mut triggers = vec![Vec3::ZERO; request.path.touches.len()];
+    for (k, from, step) in request.path.searches() {
+        triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)));
+    }
     let expected = Expected::of(request);
     let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
@@ -166,10 +169,11 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
     Ok(Proof { moves: request.path.moves.len(), touches: request.path.touches.len(), arithmetic })
 }
 
-/// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each.
-fn trigger(request: &Request<'_>, k: usize) -> Vec3 {
+/// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each; but not before half of its `way` to
+/// the nominal contact.
+fn trigger(request: &Request<'_>, k: usize, way: f64) -> Vec3 {
     let touch = &request.path.touches[k];
-    let along = touch.search * (0.55 * spread(k) - 0.05);
+    let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0);
     touch.contact(request.setup.radius) - touch.vector * along + aside(k)
 }
 
@@ -280,7 +284,7 @@ impl Expected {
             Purpose::Back(_) => plain,
             Purpose::Position if !(request.protected && request.post.watches) => plain,
             // Too short for a probe move.
-            Purpose::Position if made.kind == plain && way < request.post.shortest_probe => plain,
+            Purpose::Position if made.kind == plain && way < request.shortest_watched() => plain,
             Purpose::Position => Kind::Watched,
         };
         if made.kind != wanted {

@@ -335,11 +335,17 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
 }
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
-    let shortest = case.request.post.shortest_probe / case.request.scale;
+    let shortest = case.request.shortest_watched() / case.request.scale;
+    // How far the ball has gone without being watched, in pieces that follow each other.
+    let (mut gone, mut last) = (0.0, None);
     case.positioning()
-        .filter(|(_, step)| {
+        .filter(|(i, step)| {
+            if step.kind == Kind::Watched {
+                return false;
+            }
             let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();
-            step.kind != Kind::Watched && (way.is_nan() || way >= shortest)
+            gone = if last.replace(*i) == i.checked_sub(1) { gone + way } else { way };
+            gone.is_nan() || gone >= shortest
         })
         .map(|(_, step)| (Some(step.line), text!("This move is not watched: a contact in it is not noticed")))
         .collect()

@@ -126,7 +126,7 @@ fn whole(text: &str) -> Option<f64> {
         Some(rest) => (-1.0, rest.trim_start()),
         None => (1.0, text.strip_prefix('+').unwrap_or(text)),
     };
-    if !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') || digits.len() > 40 {
+    if !digits.starts_with(|c: char| c.is_ascii_digit() || c == '.') || digits.len() > 400 {
         return None;
     }
     let groups: Vec<&str> = digits.split(' ').collect();

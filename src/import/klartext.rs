@@ -76,7 +76,15 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let units = if says_inch(&blocks) { Units::Inch } else { Units::Mm };
     let mut job = default_job_in("probing-two-circles", units).expect("the cycle is registered");
     set(&mut job, "units", Value::Text(units.word().to_owned()));
-    let mut reader = Reader { job, checker: Checker::default(), extrusion: Value::Null, found: 0, passed_over: 0 };
+    let mut reader = Reader {
+        job,
+        checker: Checker::default(),
+        extrusion: Value::Null,
+        found: 0,
+        passed_over: 0,
+        plane_said: false,
+        transformed: false,
+    };
     blocks.iter().for_each(|block| reader.block(block));
     reader.finish(&blocks)
 }
@@ -98,6 +106,10 @@ struct Reader {
     /// How many cycles 1411.
     found: usize,
     passed_over: usize,
+    /// Whether a block says the plane.
+    plane_said: bool,
+    /// Whether a block before the cycle shifts, turns, mirrors or scales.
+    transformed: bool,
 }
 
 impl Reader {
@@ -119,7 +131,10 @@ impl Reader {
             ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => self.extrusion(block),
             // ISO words before the cycle: units are looked for beforehand, plane and tool here.
             iso if self.found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => self.iso(iso),
-            _ => self.passed_over += 1,
+            other => {
+                self.transformed |= self.found == 0 && transforms(other);
+                self.passed_over += 1;
+            }
         }
     }
 
@@ -145,6 +160,7 @@ impl Reader {
         });
         if let Some(plane) = plane {
             self.set("plane", plane);
+            self.plane_said = true;
         }
     }
 
@@ -185,7 +201,10 @@ impl Reader {
     fn iso(&mut self, words: &[&str]) {
         for word in words {
             match (*word, word.strip_prefix('T').map(str::parse::<i32>)) {
-                ("G17" | "G18" | "G19", _) => self.set("plane", word),
+                ("G17" | "G18" | "G19", _) => {
+                    self.set("plane", word);
+                    self.plane_said = true;
+                }
                 (_, Some(Ok(tool))) => set(&mut self.job, "control.tool", Value::Number(f64::from(tool))),
                 _ => {}
             }
@@ -193,7 +212,7 @@ impl Reader {
     }
 
     fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
-        let Reader { mut job, mut checker, extrusion, found, passed_over } = self;
+        let Reader { mut job, mut checker, extrusion, found, passed_over, plane_said, transformed } = self;
         let klartext = blocks.iter().any(|b| b.to_ascii_uppercase().starts_with("BEGIN PGM"));
         if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
             let message = text!("The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken");
@@ -216,6 +235,15 @@ impl Reader {
                 text!("{count} other blocks are passed over", passed_over)
             };
             checker.info("passed-over", "", message);
+        }
+        if !plane_said {
+            checker.info("not-in-program", "plane", text!("This program does not say the tool axis: the plane G17 is taken"));
+        }
+        if transformed {
+            let message = text!(
+                "Blocks before the cycle shift, turn, mirror, scale or tilt the work coordinate system: the job knows nothing of that"
+            );
+            checker.warning("places-transformed", "", message);
         }
         let unknown = text!(
             "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
@@ -264,6 +292,18 @@ fn says(blocks: &[String], word: &str) -> bool {
 fn is_iso_word(word: &str) -> bool {
     let number = |text: &str| crate::num::read(text).is_some();
     word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
+}
+
+/// Whether a block moves the work coordinate system: datum shift, mirror, rotation, scale, tilted plane.
+fn transforms(words: &[&str]) -> bool {
+    match words {
+        ["CYCL", "DEF", cycle, ..] => {
+            let number = cycle.split('.').next().unwrap_or_default();
+            matches!(number, "7" | "8" | "10" | "11" | "19" | "26" | "247")
+        }
+        ["TRANS" | "PLANE", ..] => true,
+        _ => false,
+    }
 }
 
 /// An ISO word that says something of the job.

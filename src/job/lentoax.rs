@@ -1,6 +1,6 @@
 //! Reads a LENTOAX query: the same checks as a job's, every problem at once.
 
-use crate::form::{Checker, Choice, Code, Field, Section, Value, form};
+use crate::form::{Checker, Choice, Code, Field, Section, Value, form, printable};
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
 use crate::text::text;
@@ -86,6 +86,16 @@ fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<
         section.checker.error("wrong-type", path, text!("A frame step is { rot, angle } or { mirror }"));
         return None;
     };
+    let mut known = true;
+    for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "rot" | "angle" | "mirror")) {
+        let key = printable(key);
+        let message = text!("A frame step has rot and angle, or mirror, and no \"{key}\"", key.clone());
+        section.checker.error("unknown-key", format!("{path}.{key}"), message);
+        known = false;
+    }
+    if !known {
+        return None;
+    }
     match (axis("rot"), axis("mirror"), entries.len()) {
         (Some(axis), None, 2) => {
             let angle = step.get("angle").unwrap_or(&Value::Null);

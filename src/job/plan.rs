@@ -6,6 +6,7 @@ use crate::control::release::{Refusal, release};
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
 use crate::geom::AXIS_NAMES;
+use crate::geom::Vec3;
 use crate::job::rows::{
     ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
 };
@@ -120,6 +121,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
+    report_uncertain(job, &results, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
@@ -273,35 +275,18 @@ fn way_to(path: &Path, touch: usize) -> f64 {
 
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let field = if job.lie.nominal { "cycle" } else { "part" };
-    if let Some((index, center)) = run.collision {
-        let step = &path.moves[index];
-        let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
-        let what = match step.purpose {
-            Purpose::Position => text!("positioning"),
-            Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-            Purpose::Touch(k) => text!("touch {touch}", k + 1),
-        };
-        let message = text!(
-            "Move {move} (step {step}, {purpose}) meets the part with the ball centre at {place}",
-            index + 1,
-            step.step,
-            what,
-            place.join(", ")
-        );
-        checker.error("collision", field, message);
-        return;
-    }
-    for (k, trigger) in run.triggers.iter().enumerate() {
-        if trigger.is_none() {
-            let message = text!(
-                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and \
-                 what needs it is not known",
-                k + 1,
-                checker.length(path.touches[k].search)
-            );
-            checker.warning("no-contact", field, message);
+    if !job.lie.nominal {
+        // A part that lies elsewhere makes no path good that meets the part of the drawing.
+        let nominal = part::run(path, &path.surfaces, &job.setup);
+        if let Some(collision) = nominal.collision {
+            report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
     }
+    if let Some(collision) = run.collision {
+        report_collision(path, collision, &run.triggers, field, checker);
+        return;
+    }
+    report_missed(path, run.triggers.iter().copied().enumerate(), field, checker);
     for &k in &run.edges {
         let message = text!(
             "Touch {touch} meets an edge of the part, not the face of its wall: its trigger says little of the wall",
@@ -317,6 +302,52 @@ fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
             wall + 1
         );
         checker.warning("wrong-wall", field, message);
+    }
+}
+
+/// Says where the ball meets the part though nothing is touched there, and which touches before it met nothing: a control stops at the first
+/// of those.
+fn report_collision(
+    path: &Path,
+    (index, center): (usize, Vec3),
+    triggers: &[Option<Vec3>],
+    field: &str,
+    checker: &mut Checker,
+) {
+    let step = &path.moves[index];
+    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
+    let what = match step.purpose {
+        Purpose::Position => text!("positioning"),
+        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
+        Purpose::Touch(k) => text!("touch {touch}", k + 1),
+    };
+    let message = text!(
+        "Move {move} (step {step}, {purpose}) meets the part with the ball centre at {place}",
+        index + 1,
+        step.step,
+        what,
+        place.join(", ")
+    );
+    checker.error("collision", field, message);
+    let made = path.moves[..index].iter().filter_map(|step| match step.purpose {
+        Purpose::Touch(k) => Some(k),
+        Purpose::Position | Purpose::Back(_) => None,
+    });
+    report_missed(path, made.map(|k| (k, triggers[k])), field, checker);
+}
+
+/// Says which touches meet nothing.
+fn report_missed(path: &Path, triggers: impl Iterator<Item = (usize, Option<Vec3>)>, field: &str, checker: &mut Checker) {
+    for (k, trigger) in triggers {
+        if trigger.is_none() {
+            let message = text!(
+                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and \
+                 what needs it is not known",
+                k + 1,
+                checker.length(path.touches[k].search)
+            );
+            checker.warning("no-contact", field, message);
+        }
     }
 }
 
@@ -351,6 +382,27 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         others
     );
     checker.warning("result-untrue", "part", message);
+}
+
+/// A length that scatters by far more than a single touch: touches too near to each other, or too far from what is computed from them.
+fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
+    /// Times as much as a single touch.
+    const DOUBTFUL: f64 = 20.0;
+    let single = job.repeatability / job.scale;
+    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { row.uncertainty.unwrap_or(0.0) / single };
+    let worst = results.iter().max_by(|a, b| times(a).total_cmp(&times(b)));
+    let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else { return };
+    // It is said of the arc already.
+    if checker.has("short-arc") {
+        return;
+    }
+    let message = text!(
+        "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other for it",
+        worst.said.meaning.clone(),
+        decimal(times(worst), 0),
+        checker.length(worst.uncertainty.unwrap_or(0.0) * job.scale)
+    );
+    checker.warning("uncertain-result", "cycle", message);
 }
 
 fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {

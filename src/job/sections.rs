@@ -132,15 +132,15 @@ form! {
     /// The feeds.
     pub struct FeedForm {
         /// From the feed distance to the start of the cycle.
-        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).null_means("rapid").group("Feeds"),
+        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
         /// Every positioning move inside the cycle.
-        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).null_means("rapid").group("Feeds"),
+        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
         /// The touches. Never rapid.
         work: f64 = Field::feed("work", "Work feed", 150.0).usual(5.0, 1000.0).group("Feeds"),
         /// Back from a surface touch; only cycles with such a step use it.
-        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).null_means("rapid").group("Feeds"),
+        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
         /// The last lift.
-        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).null_means("rapid").group("Feeds"),
+        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
     }
 }
 
@@ -158,7 +158,7 @@ form! {
         /// How much the comments at the top say: with the whole job the program can be opened here again.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Control"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none.
-        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 0, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
+        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
     }
 }
 

@@ -8,7 +8,8 @@ use crate::text::text;
 pub type Measured = Vec<Option<Vec3>>;
 
 /// Reads one point a touch: a list of `[X, Y, Z]` or `{x, y, z}`, or text with one point a line. Text may be CSV (comma,
-/// semicolon, tab or space; a heading without digits is passed over; with semicolons or tabs a comma is a decimal comma) or
+/// semicolon, tab or space; a heading without digits is passed over; with semicolons, tabs, or one comma at most in each of three numbers apart
+/// by spaces, a comma is a decimal comma) or
 /// LinuxCNC's PROBEOPEN log (nine numbers a line, of which the first three count). Reports every problem at paths
 /// `measured[i]`; `None` stands where no point could be read.
 pub fn read(checker: &mut Checker, value: &Value) -> Measured {
@@ -51,6 +52,7 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
 fn lines(checker: &mut Checker, text: &str) -> Measured {
     let mut points = Vec::new();
     let mut first = true;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim();
         let heading = first && !line.is_empty() && !line.contains(|c: char| c.is_ascii_digit());
@@ -83,12 +85,18 @@ fn lines(checker: &mut Checker, text: &str) -> Measured {
 }
 
 fn numbers(line: &str) -> Option<Vec<f64>> {
-    let decimal_comma = line.contains([';', '\t']);
+    let decimal_comma = line.contains([';', '\t']) || parted_by_spaces(line);
     let separator = |c: char| c == ';' || c.is_whitespace() || (c == ',' && !decimal_comma);
     line.split(separator)
         .filter(|part| !part.is_empty())
         .map(|part| crate::num::read(&part.replace(',', ".")).filter(|x| x.is_finite() && x.abs() <= 1e6))
         .collect()
+}
+
+/// Whether spaces alone part the numbers of a point, or of a line of the log: `37,5 -0,5 -10`.
+fn parted_by_spaces(line: &str) -> bool {
+    let inner = |part: &str| part.matches(',').count() <= 1 && !part.starts_with(',') && !part.ends_with(',');
+    matches!(line.split_whitespace().count(), 3 | 9) && line.split_whitespace().all(inner)
 }
 
 #[cfg(test)]
@@ -109,12 +117,24 @@ mod tests {
             "37; -0,5; -10",
             "37\t-0,5\t-10",
             " 37 -0.5  -10 ",
+            "37,0 -0,5 -10",
+            "37 -0,5 -10",
+            "37, -0.5, -10",
+            "\u{feff}37 -0.5 -10",
             "X,Y,Z\n37,-0.5,-10\n\n",
             "# log\n37.0 -.5 -1e1",
         ] {
             assert_eq!(text(form), (vec![point], vec![]), "{form:?}");
         }
         assert_eq!(text("37.000000 -0.500000 -10.000000 0.0 0 0 0 0 0"), (vec![point], vec![]));
+    }
+
+    /// Numbers that could be meant in two ways are not guessed: three with a comma each are three, nine in three groups are nine.
+    #[test]
+    fn commas_between_spaces_part_numbers_only_where_each_group_has_more() {
+        assert_eq!(text("1,2,3 4,5,6 7,8,9"), (vec![Some(Vec3::new(1.0, 2.0, 3.0))], vec![]));
+        assert_eq!(text("1,5 2,5 3,5 4 5 6 7 8 9,5"), (vec![Some(Vec3::new(1.5, 2.5, 3.5))], vec![]));
+        assert_eq!(text("1,5 2,5").1, ["wrong-count measured[0]"]);
     }
 
     #[test]

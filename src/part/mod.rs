@@ -11,6 +11,9 @@ pub use measured::{Measured, read as read_measured};
 use crate::geom::{Rigid, Vec3};
 use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};
 
+/// How far behind the end of a search a surface may lie and is met, mm.
+const ROUNDING: f64 = 2e-7;
+
 /// How the real part lies.
 #[derive(Clone, Debug)]
 pub struct Lie {
@@ -66,8 +69,10 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
         let from = at.unwrap_or(step.to);
         match step.purpose {
             Purpose::Touch(k) => {
-                let end = step.to - path.touches[k].vector * path.touches[k].search;
-                let contact = obstacles.first_contact(setup.radius, from, end);
+                let along = path.touches[k].vector;
+                let end = step.to - along * path.touches[k].search;
+                // A surface at the very end of the search is met, whatever rounding has made of either.
+                let contact = obstacles.first_contact(setup.radius, from, end - along * ROUNDING);
                 if let Some(contact) = contact.filter(|c| c.surface != path.touches[k].group) {
                     strays.push((k, contact.surface));
                 }

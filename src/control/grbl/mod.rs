@@ -9,7 +9,7 @@ mod read;
 use crate::control::iso::writer::{Dialect, Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step};
 use crate::control::safety;
-use crate::control::{Form, PostDef, Program, Request, check_plain_moves};
+use crate::control::{Form, PostDef, Program, Request, check_length_axis, check_plain_moves};
 use crate::form::Checker;
 use crate::formula::{Datum, Formula};
 use crate::geom::Vec3;
@@ -67,6 +67,7 @@ static DIALECT: Dialect = Dialect {
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
+    check_length_axis(request, checker);
     checker.info(
         "no-results-in-program",
         "control.post",

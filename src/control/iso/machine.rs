@@ -15,6 +15,9 @@ const LONGEST_EXIT: usize = 200;
 /// How much is done for one program: blocks, and copies of its variables at its motions. A second or so.
 const BUDGET: usize = 20_000_000;
 
+/// What a motion counts for: it is kept.
+const MOTION: usize = 50;
+
 /// So many motions in other modes than the first one are kept.
 const MOST_CHANGES: usize = 20;
 
@@ -148,7 +151,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     let mut scratch = State::default();
     let mut budget = BUDGET;
     while let Some(block) = script.blocks.get(machine.state.pc) {
-        let work = if matches!(block.what, What::Words(_)) { 1 + script.slots.len() / 8 } else { 1 };
+        let work = if matches!(block.what, What::Words(_)) { MOTION + script.slots.len() / 8 } else { 1 };
         budget = budget.checked_sub(work).ok_or_else(|| trouble(block.line, text!("the program does not come to an end")))?;
         let line = machine.line(block.line);
         match machine.step()? {

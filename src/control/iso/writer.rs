@@ -416,7 +416,20 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     let radius = from.distance(arc.center);
     let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
-    step.pieces(from, request.path.frame.w, crate::num::within(degrees, 0.1, 30.0))
+    let degrees = crate::num::within(degrees, 0.1, 30.0);
+    step.pieces(from, request.path.frame.w, degrees.max(long_enough(request, arc.sweep, radius).unwrap_or(0.0)))
+}
+
+/// Over how many degrees chords of a sweep are long enough to be watched; none where such chords would leave the circle by too much.
+fn long_enough(request: &Request<'_>, sweep: f64, radius: f64) -> Option<f64> {
+    let shortest = request.shortest_watched();
+    let least = 2.0 * crate::num::within(shortest / (2.0 * radius), 0.0, 1.0).asin();
+    // Evenly parted, no chord is shorter.
+    let count = (sweep.abs() / least).floor();
+    let each = sweep.abs() / count;
+    let leaves = radius * (1.0 - (each / 2.0).cos());
+    let fits = count.is_finite() && count >= 1.0 && leaves < CHORD_SAG.min(request.path.shortest_way());
+    fits.then(|| each.to_degrees() * (1.0 + 1e-9))
 }
 
 /// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.

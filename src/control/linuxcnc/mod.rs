@@ -16,8 +16,8 @@ use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, offset_line,
-    work_offset_word, written,
+    Form, PostDef, Program, Request, check_length_axis, check_plain_moves, check_rotary, check_watched, check_write,
+    offset_line, work_offset_word, written,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Variable};
@@ -75,6 +75,7 @@ const SHORTEST_PROBE: f64 = 0.3;
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
+    check_length_axis(request, checker);
     check_watched(request, checker);
     check_rotary(request, checker, text!("LinuxCNC has no rotary table that a program could know of"));
     check_write(request, checker);

@@ -54,7 +54,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         if let Value::Map(entries) = item {
             for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
                 let message = text!("An own code has code, type and value, and no \"{key}\"", crate::form::printable(key));
-                section.checker.error("unknown-key", path.clone(), message);
+                section.checker.error("unknown-key", format!("{path}.{}", crate::form::printable(key)), message);
             }
         }
         let code = match item.get("code") {

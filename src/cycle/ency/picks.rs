@@ -48,7 +48,13 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             return None;
         }
     };
-    if items.is_empty() || items.len() > MAX_TOUCHES {
+    if items.is_empty() {
+        let message =
+            text!("touches is an empty list: give every touch of the path, or null, which takes them from the dimensions");
+        section.checker.error("wrong-count", place, message);
+        return None;
+    }
+    if items.len() > MAX_TOUCHES {
         let message = text!(
             "{count} touches are given; the parameter table holds 1 to {most}: touch {touch} would start at code {code} and run into the \
              -200 block of original points",
@@ -68,7 +74,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             if let Value::Map(entries) = item {
                 for (key, _) in entries.iter().filter(|(key, _)| key != "point" && key != "vector") {
                     let message = text!("A touch has a point and a vector, and no \"{key}\"", crate::form::printable(key));
-                    section.checker.error("unknown-key", path.clone(), message);
+                    section.checker.error("unknown-key", format!("{path}.{}", crate::form::printable(key)), message);
                 }
             }
             let at = format!("{path}.point");
@@ -85,6 +91,14 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
         })
         .collect();
     Some(picks)
+}
+
+/// Whether the ball can come to each surface from above, and be lifted away from it.
+pub fn none_overhangs(picks: &[Pick], plane: Plane, checker: &mut Checker) {
+    for (k, _) in picks.iter().enumerate().filter(|(_, pick)| pick.vector.dot(plane.basis()[2]) < -NEAR) {
+        let message = text!("The target vector must not point down: the ball cannot come from below and be lifted afterwards");
+        checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
+    }
 }
 
 /// A number of a target vector, which has no unit.

@@ -136,8 +136,10 @@ impl Reader {
             901 => self.modes.centers_absolute = true,
             911 => self.modes.centers_absolute = false,
             40 => block.dwells = true,
-            930 | 950 => self.by_other = true,
-            940 => self.by_other = false,
+            // A feed stays in the mode that it was stated in.
+            930 | 950 => (self.by_other, self.feed) = (true, f64::NAN),
+            940 if self.by_other => (self.by_other, self.feed) = (false, f64::NAN),
+            940 => {}
             100 => (block.elsewhere, block.writes) = (true, true),
             // Tables, zones and what the control measures by itself are no places to go to, nor are a tool's lengths and the end of a scale.
             220 | 230 | 370 => block.elsewhere = true,

@@ -2,6 +2,7 @@
 //! after a failure that was seen.
 
 mod begin;
+mod limits;
 mod texts;
 
 use crate::common::{job, number, planned, point, with};

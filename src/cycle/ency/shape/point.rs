@@ -35,10 +35,8 @@ impl Shape for Point {
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
-        if picks::counted(picks, 1, checker) && picks[0].vector.dot(plane.basis()[2]) < -picks::NEAR {
-            let message =
-                text!("The target vector must not point down: the ball cannot come from below and be lifted afterwards");
-            checker.error("vector-wrong-way", "cycle.touches[0].vector", message);
+        if picks::counted(picks, 1, checker) {
+            picks::none_overhangs(picks, plane, checker);
         }
     }
 

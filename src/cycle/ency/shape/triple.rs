@@ -138,6 +138,7 @@ impl Shape for Triple {
         }
         let up = plane.basis()[2];
         if self.internal() {
+            picks::none_overhangs(picks, plane, checker);
             let readings: Vec<(usize, Vec3)> =
                 (0..3).map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k])).collect();
             picks::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);

@@ -96,7 +96,7 @@ form! {
         /// F of the touch probe table: the probing feed.
         feed: f64 = Field::feed("feed", "F", 300.0).usual(5.0, 1000.0).group("Touch probe table"),
         /// FMAX of the touch probe table: the rapid for positioning.
-        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).null_by_default().null_means("control's own").group("Touch probe table"),
+        rapid: Option<f64> = Field::feed("rapid", "FMAX", 2000.0).usual(50.0, 10_000.0).null_by_default().null_means("control's own").group("Touch probe table"),
     }
 }
 

@@ -85,7 +85,7 @@ impl TwoCircles {
             let message = text!("An extrusion of length 0 repeats every touch on the same spot");
             checker.warning("no-extrusion", "cycle.extrusion.length", message);
         }
-        self.height_rules(checker);
+        self.height_rules(setup, checker);
     }
 
     /// Touches must lie apart, and an arc too short makes the circle uncertain.
@@ -170,7 +170,7 @@ impl TwoCircles {
     }
 
     /// The clearance height against the measuring heights, and the notice of the manual.
-    fn height_rules(&self, checker: &mut Checker) {
+    fn height_rules(&self, setup: &Setup, checker: &mut Checker) {
         let mode = self.form.clearance_height_mode;
         let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
         for (object, path) in self.objects().iter().zip(["cycle.point1", "cycle.point2"]) {
@@ -185,6 +185,14 @@ impl TwoCircles {
                         checker.length(highest)
                     );
                     checker.error("clearance-height-too-low", "cycle.clearanceHeight", message);
+                } else if self.form.clearance_height - highest < (2.0 * setup.radius).max(5.0) - 1e-6 {
+                    let message = text!(
+                        "The clearance height lies {height} above the measuring height of object {number}: the cycle knows no top side, and the \
+                         ball crosses the object at that height",
+                        checker.length(self.form.clearance_height - highest),
+                        object.number
+                    );
+                    checker.warning("low-start", "cycle.clearanceHeight", message);
                 }
             }
         }

@@ -1,0 +1,140 @@
+//! Jobs that are dangerous, or say too little, with nothing said; and sound ones that were refused at a limit.
+
+use super::{cycle, errors, picked, warnings};
+use crate::common::{job, number, planned, point, with};
+use touchpath::form::Value;
+use touchpath::job::{check, plan};
+
+fn studs(more: &str) -> Value {
+    job(&format!(
+        r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "geometryType": 3, "diameter1": 12, "diameter2": 38.5, "point1": [0, 0, 0],
+        "point2": [35, 0, 0], "clearanceHeight": 30, "start": [0, 0, 50], "setUpClearance": 2, "transferPosition": 1, "probe": {{ "dist": 10 }} }}{more} }}"#
+    ))
+}
+
+/// The ball comes down 13 beside the first stud: 19.25 + 3 around the second one reach to 35 − 22.25 = 12.75, but for the part that was moved.
+#[test]
+fn a_part_that_lies_elsewhere_hid_a_collision_with_the_drawn_one() {
+    assert_eq!(errors(&studs("")), ["collision cycle"]);
+    for part in [r#""offset": [1, 0, 0]"#, r#""offset": [2, -1, 0]"#, r#""sizes": { "diameter2": -1 }"#] {
+        assert!(errors(&studs(&format!(r#", "part": {{ {part} }}"#))).contains(&"collision cycle".to_owned()), "{part}");
+    }
+}
+
+/// 45.5 away, the right wall is out of reach of the first touch, which ends at 42 + 3: there a control stops. The left wall at −34.5 is met later.
+#[test]
+fn a_touch_that_meets_nothing_before_a_collision_is_said() {
+    let job = cycle(r#"{ "type": "internal-rectangle-protected" }, "part": { "offset": [5.5, 0, 0] }"#);
+    assert_eq!(errors(&job), ["collision part"]);
+    let missed: Vec<String> = check(&job).into_iter().filter(|f| f.code == "no-contact").map(|f| f.message).collect();
+    assert_eq!(missed.len(), 1);
+    assert!(missed[0].starts_with("Touch 1 "), "{missed:?}");
+}
+
+/// Three touches over two degrees: by the chord of 2° a centre is known as the sagitta of its arc, r(1 − cos 1°), is: to 1/6565 of it.
+#[test]
+fn touches_side_by_side_wrote_an_offset_that_scatters_by_millimetres() {
+    for kind in ["hole", "hole-protected", "boss"] {
+        let job = cycle(&format!(r#"{{ "type": "{kind}", "variant": 1, "startAngle": 0, "angularStep": 1, "stepCount": 3 }}"#));
+        assert!(warnings(&job).contains(&"uncertain-result".to_owned()), "{kind}");
+        let most = planned(&job).results.iter().filter_map(|row| row.uncertainty).fold(0.0, f64::max);
+        assert!(most > 5.0, "{most}");
+    }
+    let far =
+        r#"{ "type": "double-wall-external-corner", "angle": 90, "distance1": 400, "distance2": 400, "step1": 2, "step2": 2 }"#;
+    assert!(warnings(&cycle(far)).contains(&"uncertain-result".to_owned()), "{:?}", check(&cycle(far)));
+    for kind in ["hole", "double-wall-internal-corner", "double-wall-external-corner", "triple-wall-internal-corner"] {
+        assert!(warnings(&cycle(&format!(r#"{{ "type": "{kind}" }}"#))).is_empty(), "{kind}");
+    }
+}
+
+/// Fourteen chords of a quarter of a millimetre went unwatched, and the rule was said to hold.
+#[test]
+fn an_arc_in_pieces_too_short_to_be_watched_is_watched() {
+    let tight = cycle(
+        r#"{ "type": "probing-two-circles", "diameter1": 9.4, "diameter2": 9.4, "probePoints": 3, "setUpClearance": 0.01, "clearanceHeightMode": 1,
+        "probe": { "setUp": 0, "dist": 10 } }, "control": { "post": "linuxcnc" }"#,
+    );
+    let plan = planned(&tight);
+    let arc = plan.moves.iter().position(|step| step.arc.is_some()).unwrap();
+    let lines: Vec<&str> = plan.program.text.lines().collect();
+    let (from, to) = (plan.program.move_lines[arc] as usize, plan.program.move_lines[arc + 1] as usize);
+    let pieces: Vec<&&str> = lines[from..to].iter().filter(|line| line.starts_with('G')).collect();
+    assert!(pieces.len() > 3 && pieces.iter().all(|line| line.starts_with("G38.3 ")), "{pieces:?}");
+}
+
+/// Places are written with four digits: a way of just 0.2 or 0.3 mm was one thing to the writer and another to the proof.
+#[test]
+fn moves_as_long_as_the_shortest_probing_move_are_proven() {
+    for (post, kind, base, shortest) in [("fanuc", "groove-protected", 14.8, 0.2), ("linuxcnc", "groove-protected", 14.7, 0.3)]
+    {
+        for n in -20..=20 {
+            let clearance = base + f64::from(n) * 0.000_05;
+            let job = job(&format!(
+                r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "width": 30, "sideClearance": {clearance} }}, "control": {{ "post": "{post}" }} }}"#
+            ));
+            let findings = check(&job);
+            assert!(findings.iter().all(|f| f.code != "not-proven"), "{post} {clearance} {shortest}: {findings:?}");
+        }
+    }
+}
+
+/// The proof's trigger lay before the place where the touch begins.
+#[test]
+fn a_long_overtravel_behind_a_short_way_is_proven() {
+    let job = job(
+        r#"{ "format": 1, "overtravel": 10, "control": { "post": "fanuc" }, "cycle": { "type": "double-wall-external-corner", "clearance1": 20,
+        "clearance2": 3.3, "count1": 8, "count2": 8 } }"#,
+    );
+    assert!(check(&job).iter().all(|f| f.code != "not-proven"), "{:?}", check(&job));
+}
+
+/// The rotation of the ninth work offset stands in #5390.
+#[test]
+fn the_last_work_offset_of_linuxcnc_is_turned_like_the_others() {
+    let job = job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles", "confirmRotation": 1, "transferPosition": 1 },
+        "control": { "post": "linuxcnc", "workOffset": 9 } }"#);
+    assert_eq!(errors(&job), Vec::<String>::new());
+}
+
+/// Exactly at the end of a search a wall was missed and a hole was met.
+#[test]
+fn what_lies_at_the_very_end_of_a_search_is_met() {
+    for (kind, size) in [("internal-rectangle-protected", "width1"), ("groove", "width"), ("hole", "diameter")] {
+        // Both sides lie 5 farther away: the overtravel.
+        let at =
+            |more: f64| with(&cycle(&format!(r#"{{ "type": "{kind}" }}"#)), &format!("part.sizes.{size}"), number(10.0 + more));
+        assert!(planned(&at(0.0)).triggers[..2].iter().all(Option::is_some), "{kind}");
+        assert!(planned(&at(1e-5)).triggers[..2].iter().all(Option::is_none), "{kind}");
+    }
+}
+
+/// A shaft would meet an overhanging wall before the ball does, and the lift after a miss goes up under it.
+#[test]
+fn a_wall_that_hangs_over_is_refused_for_every_pick() {
+    let (side, down) = (0.96f64.sqrt(), -0.2);
+    let picks = [
+        ([0.0, 20.0, -10.0], [side, 0.0, down]),
+        ([20.0, 0.0, -10.0], [0.0, 1.0, 0.0]),
+        ([20.0, 20.0, -20.0], [0.0, 0.0, 1.0]),
+    ];
+    let found = errors(&picked("triple-wall-internal-corner", &picks));
+    assert!(found.contains(&"vector-wrong-way cycle.touches[0].vector".to_owned()), "{found:?}");
+}
+
+#[test]
+fn a_feed_of_a_hundred_metres_a_minute_and_a_clearance_height_on_the_part_are_warned_of() {
+    let fast = with(&cycle(r#"{ "type": "hole" }"#), "feeds.longLink", number(100_000.0));
+    assert!(warnings(&fast).contains(&"unusual".to_owned()));
+    let low = with(&with(&studs(""), "cycle.clearanceHeight", number(3.3)), "cycle.start", point([0.0, 0.0, 3.3]));
+    assert!(warnings(&with(&low, "cycle.diameter2", number(20.0))).contains(&"low-start".to_owned()));
+}
+
+#[test]
+fn the_empty_tool_is_no_probe() {
+    let job = job(
+        r#"{ "format": 1, "cycle": { "type": "probing-two-circles" }, "control": { "post": "heidenhain", "form": "cycle", "tool": 0 } }"#,
+    );
+    assert_eq!(errors(&job), ["out-of-range control.tool"]);
+    assert!(plan(&with(&job, "control.tool", number(1.0))).is_ok());
+}
