@@ -8,20 +8,37 @@ export interface Reading {
   findings: Finding[];
   /** Its moves, where it is a program that says no job. */
   moves: ProgramMoves | null;
+  /** How many measured points it holds, where it is LinuxCNC's PROBEOPEN log and nothing else. */
+  points: number;
 }
+
+/** How many numbers a line of that log has. */
+const LOGGED = 9;
 
 /** Findings of texts that may be programs all the same. */
 const PROGRAM = ["no-job-in-program", "not-understood", "nothing-to-import"];
 
 /** Reads a text. What is wrong with the text is in the findings; what is thrown has other causes. */
 export function read(text: string): Reading {
+  const points = logged(text);
+  if (points > 0) return { imported: null, findings: [], moves: null, points };
   const { imported, findings } = job(text);
   const moves = findings.some(({ code }) => PROGRAM.includes(code)) ? readProgram(text) : null;
   // One move from nowhere is nothing to see.
-  return { imported, findings, moves: moves && moves.kind.length > 1 ? moves : null };
+  return { imported, findings, moves: moves && moves.kind.length > 1 ? moves : null, points: 0 };
 }
 
-function job(text: string): Omit<Reading, "moves"> {
+/** The points of a text that is such a log. */
+function logged(text: string): number {
+  const lines = text.split("\n").filter((line) => line.trim() !== "");
+  const holds = (line: string) => {
+    const numbers = line.trim().split(/\s+/);
+    return numbers.length === LOGGED && numbers.every((text) => /^[-+.\d]/.test(text) && Number.isFinite(Number(text)));
+  };
+  return lines.every(holds) ? lines.length : 0;
+}
+
+function job(text: string): Omit<Reading, "moves" | "points"> {
   try {
     const imported = importJob(text);
     return { imported, findings: imported.findings };

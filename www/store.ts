@@ -217,15 +217,37 @@ export class Store extends Phrases {
       place[key] ??= {};
       place = place[key] as Draft;
     }
-    // A choice of another control takes the form with it that the control has for this cycle.
-    if (path === "control.post") {
-      const forms = this.formsOf(value, this.cycle.type);
-      if (forms.length > 0 && !forms.includes(place.form as Form)) place.form = forms[0];
-    }
+    if (path === "control.post") this.follow(place, value);
     place[last] = value;
     // What was typed inside a value that is another one now.
     if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
+  }
+
+  /** Another control has its form for this cycle, and calls work offsets by words of its own: what has another word there is none of them. */
+  private follow(control: Draft, post: unknown): void {
+    const forms = this.formsOf(post, this.cycle.type);
+    if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
+    const words = this.postOf(post)?.workOffsetWords;
+    const { workOffset } = control;
+    if (!words || typeof workOffset !== "number") return;
+    const word = this.postOf(control.post)?.workOffsetWords[workOffset - 1];
+    const number = word === undefined ? 0 : words.indexOf(word) + 1;
+    control.workOffset = number === 0 ? null : number;
+    if (number !== 0) return;
+    const said: Said = [
+      w("The program writes no work offset now: {offset} is none of this control"),
+      word ?? String(workOffset),
+    ];
+    // Once the job is the new one.
+    queueMicrotask(() => this.dispatchEvent(new CustomEvent("told", { detail: said })));
+  }
+
+  /** Another control in a form of its own. */
+  chooseControl(post: string, form: Form): void {
+    const control = { ...(this.draft.control as Draft) };
+    this.follow(control, post);
+    this.put("control", { ...control, post, form });
   }
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */

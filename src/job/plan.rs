@@ -374,9 +374,9 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         n => text!(" ({count} of the results are off by more than {limit})", n, checker.length(MISLEADING)),
     };
     let message = text!(
-        "On this part the control stores {value} as {code}, and {truth} is true: off by {off}{others}",
+        "On this part the control stores {value} as {result} (true: {truth}): off by {off}{others}",
         shown(worst.value.unwrap_or(0.0)),
-        worst.code.clone(),
+        worst.said.meaning.clone(),
         shown(worst.truth.unwrap_or(0.0)),
         shown(*off),
         others

@@ -11,3 +11,8 @@ pub use svg::{Legend, svg};
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod canvas;
+
+/// The ends of a line in one order, whichever way it is gone: so its dashes lie in the same places there and back.
+fn forwards(from: scene::Spot, to: scene::Spot) -> (scene::Spot, scene::Spot) {
+    if (from[0], from[1]) <= (to[0], to[1]) { (from, to) } else { (to, from) }
+}

@@ -171,7 +171,8 @@ impl Drawing {
             Stroke::Touch => ("#cf2a20", "2", ""),
             Stroke::Overtravel => ("#cf2a20", ".9", "1.5 3.5"),
         };
-        let (from, to) = (self.at(line.from), self.at(line.to));
+        let (from, to) = super::forwards(line.from, line.to);
+        let (from, to) = (self.at(from), self.at(to));
         if from == to {
             return;
         }

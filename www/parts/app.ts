@@ -112,6 +112,10 @@ export class App extends LitElement {
     });
     this.intake = new Intake(store, {
       tell: (text) => this.tell(text === "" ? null : [text]),
+      showResults: async () => {
+        await this.use("cycles");
+        this.show("results");
+      },
       showJob: () => this.use("cycles"),
       showMoves: (viewed) => {
         this.viewed = viewed;
@@ -182,6 +186,7 @@ export class App extends LitElement {
     this.keys.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
+    this.store.addEventListener("told", this.pass);
     this.around.host.addEventListener("update-ready", this.offer);
     system.addEventListener("change", this.recolour);
     if (!this.around.links) return;
@@ -199,6 +204,7 @@ export class App extends LitElement {
     this.keys.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
+    this.store.removeEventListener("told", this.pass);
     this.around.host.removeEventListener("update-ready", this.offer);
     system.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
@@ -258,7 +264,7 @@ export class App extends LitElement {
             (
               panel,
             ) => html`<button type="button" role="tab" id=${`tab-${panel}`} aria-controls=${`panel-${panel}`} tabindex=${panel === active ? 0 : -1}
-            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}</button>`,
+            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}${panel === "checks" ? html`<tp-badge aria-hidden="true" .store=${store}></tp-badge>` : nothing}</button>`,
           )}
         </div>
         ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
@@ -379,7 +385,12 @@ export class App extends LitElement {
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
     if (this.tool === "cycles" || event.defaultPrevented || !this.owns(at)) return;
-    if (at.matches("input, select, textarea") || this.renderRoot.querySelector("dialog[open], :popover-open")) return;
+    const empty = at instanceof HTMLInputElement && at.type === "search" && at.value === "";
+    if (
+      (at.matches("input, select, textarea") && !empty) ||
+      this.renderRoot.querySelector("dialog[open], :popover-open")
+    )
+      return;
     event.preventDefault();
     this.use("cycles");
   }
@@ -395,6 +406,9 @@ export class App extends LitElement {
     const { document, revision } = this.store;
     if (this.said && this.said.at !== (this.said.passing ? revision : document)) this.tell(null);
   };
+
+  /** Says what the store has done beside what it was asked for. */
+  private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
 
   /** To the field of a path, or to the nearest one around it. */
   private async go(path: string): Promise<void> {

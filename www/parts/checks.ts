@@ -89,14 +89,10 @@ class ChecksPart extends Part {
         const chosen = post.id === now.post && form === now.form;
         return html`<tr class=${lines === null ? "none" : ""}><td>${post.title}</td><td>${way}</td>
           <td class="n">${lines ?? html`<span role="img" aria-label=${this.t("no program")}>–</span>`}</td>
-          <td>${chosen ? html`<b>${this.t("chosen")}</b>` : lines === null ? nothing : html`<button type="button" class="quiet" aria-label=${this.t("Choose {control}", `${post.title}, ${way}`)} ?disabled=${store.readonly} @click=${() => this.choose(post.id, form)}>${this.t("choose")}</button>`}</td></tr>
+          <td>${chosen ? html`<b>${this.t("chosen")}</b>` : lines === null ? nothing : html`<button type="button" class="quiet" aria-label=${this.t("Choose {control}", `${post.title}, ${way}`)} ?disabled=${store.readonly} @click=${() => store.chooseControl(post.id, form)}>${this.t("choose")}</button>`}</td></tr>
           ${says ? html`<tr class=${lines === null ? "why none" : "why"}><td colspan="4"><small>${says}</small></td></tr>` : nothing}`;
       })}</tbody>
     </table>`;
-  }
-
-  private choose(post: string, form: string): void {
-    this.store.put("control", { ...(this.store.draft.control as object), post, form });
   }
 
   private finding(f: Finding): TemplateResult {

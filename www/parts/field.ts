@@ -137,7 +137,9 @@ export abstract class FieldPart extends Part {
     const value = String(this.store.get(path) ?? this.fallback(path));
     const shown = words.includes(value) ? words : [...words, value];
     return html`<span class=${`switch ${this.level(path)}`} role="radiogroup" aria-label=${name}>${shown.map(
-      (word) => html`<label><input type="radio" id=${word === value ? `f-${path}` : nothing} name=${path} value=${word} .checked=${live(word === value)}
+      (
+        word,
+      ) => html`<label><input type="radio" id=${word === value ? `f-${path}` : nothing} name=${path} value=${word} .checked=${live(word === value)}
         aria-describedby=${`e-${path}`} aria-invalid=${word === value && this.isBad(path) ? "true" : "false"}
         @focus=${() => this.store.focus(path)} @change=${() => take(word)} /><span>${word}</span></label>`,
     )}</span>`;

@@ -57,4 +57,16 @@ class FindingsPart extends Part {
   }
 }
 
+/** How many errors, or else warnings, the Checks hold: beside their name. */
+class BadgePart extends Part {
+  protected override follows = ["change"];
+
+  override render(): TemplateResult | typeof nothing {
+    const count = (level: Finding["level"]) => this.store.findings.filter((f) => f.level === level).length;
+    const level = (["error", "warning"] as const).find((level) => count(level) > 0);
+    return level ? html`<span class=${`badge ${level}`}>${count(level)}</span>` : nothing;
+  }
+}
+
 customElements.define("tp-findings", FindingsPart);
+customElements.define("tp-badge", BadgePart);

@@ -9,6 +9,8 @@ interface Page {
   tell(text: string): void;
   /** Shows the job again, whatever is shown now. */
   showJob(): void;
+  /** Shows the results, where measured points stand beside them. */
+  showResults(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;
   /** Reads a text beside the page, until the signal says that it is of no use any more; null where that cannot be. */
@@ -152,6 +154,18 @@ export class Intake {
 
   /** Shows the job of a text, or else its moves; false where it has neither. */
   private take(text: string, reading: Reading): boolean {
+    if (reading.points > 0) {
+      this.store.measured = text.trim();
+      this.store.settle();
+      this.page.showResults();
+      this.page.tell(
+        this.store.t(
+          "{count} measured points were taken from this log: Results has what they give for this job",
+          reading.points,
+        ),
+      );
+      return true;
+    }
     try {
       this.store.open(reading);
     } catch (thrown) {
@@ -164,9 +178,9 @@ export class Intake {
       );
       return reading.moves !== null;
     }
-    const notes = reading.findings.filter((f) => f.level !== "error");
+    const notes = reading.findings.filter((f) => f.level !== "error").map((f) => this.store.say(f.said));
     this.page.showJob();
-    this.page.tell(notes.map((f) => this.store.say(f.said)).join(". "));
+    this.page.tell(notes.length > 1 ? notes.map((note) => `• ${note}`).join("\n") : (notes[0] ?? ""));
     return true;
   }
 }

@@ -54,8 +54,12 @@ class PicturePart extends DrawnPart {
   );
   private magnified: (typeof MAGNIFIED)[number] = 1;
 
-  /** The field whose dimension is lit: that which is dragged, though the picture has the focus then. */
+  /**
+   * The field whose dimension is lit: that which is dragged, though the picture has the focus then. The last good plan has other dimensions than
+   * a form with errors: of it none is lit.
+   */
   private get lit(): string | undefined {
+    if (this.store.stale && !this.live) return undefined;
     return this.end?.field ?? this.store.focused ?? undefined;
   }
 
@@ -239,6 +243,13 @@ class PicturePart extends DrawnPart {
     });
   }
 
+  /** What a handle changes. */
+  private handleInWords(view: View, handle: string | undefined): string {
+    const part = { shift: "part.offset", turn: "part.rotation" }[handle ?? ""];
+    const label = this.store.fieldAt(part ?? (handle && view.handleField(handle)) ?? "")?.label ?? "";
+    return part ? `${this.t("Virtual part")}: ${label}` : label;
+  }
+
   private move(event: PointerEvent): void {
     const at = this.at(event);
     const before = this.pointers.get(event.pointerId);
@@ -247,7 +258,7 @@ class PicturePart extends DrawnPart {
         const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
         const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.grippable(view, at));
         this.canvas().style.cursor = grips ? "grab" : over;
-        this.canvas().title = ["shift", "turn"].includes(view.handleAt(at.x, at.y) ?? "") ? this.t("Virtual part") : "";
+        this.canvas().title = this.handleInWords(view, view.handleAt(at.x, at.y));
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;

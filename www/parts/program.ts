@@ -19,6 +19,12 @@ const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
 /** The line that says which move follows, counted from 1: for SINUMERIK, and for Fanuc and Haas. What the program asks before the move stands below it. */
 const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 
+/** A line that is a comment, or begins a Klartext program. */
+const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
+
+/** The block of a cycle that makes its moves by itself. */
+const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE /;
+
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
   protected override follows = ["change"];
@@ -48,13 +54,14 @@ class ProgramPart extends Part {
     const why = stale ? "withheld-program" : nothing;
     const lines = program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
-    const first = program.moveLines[0] ?? 0;
-    const head = first > 3 ? first : 0;
+    const { head } = this;
+    // Blocks that begin with their own numbers need no second ones.
+    const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
     const { steps } = this.store.cycle;
     const row = ({ text, line }: Block["lines"][number]) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
-      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false"><span class="no">${numberOf(line)}</span><span class="text">${text}</span></div>`;
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span></div>`;
     };
     const numbered = lines.map((text, line) => ({ text, line }));
     let now = -1;
@@ -94,6 +101,21 @@ class ProgramPart extends Part {
         })}
       </div>
     `;
+  }
+
+  /** How many lines stand before the first move, or before the first block of a program whose moves the control makes: they are folded. */
+  private get head(): number {
+    const { moveLines, text } = this.store.plan.program;
+    const made = moveLines.find((line) => line >= 0);
+    const first = made ?? text.split("\n").findIndex((line) => line !== "" && !COMMENT.test(line));
+    return first > 3 ? first : 0;
+  }
+
+  /** The line of a move: where the control makes it by itself, that of its cycle. */
+  private lineOf(move: number): number {
+    const { moveLines, text } = this.store.plan.program;
+    const line = moveLines[move] ?? -1;
+    return line >= 0 ? line : text.split("\n").findIndex((block) => CYCLE.test(block));
   }
 
   /** Whether differences are shown in place of the program. */
@@ -208,7 +230,7 @@ class ProgramPart extends Part {
   /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
   protected override light(): void {
     const { highlight, plan } = this.store;
-    const line = highlight === null ? -1 : (plan.program.moveLines[highlight] ?? -1);
+    const line = highlight === null ? -1 : this.lineOf(highlight);
     const step = highlight === null ? 0 : (plan.moves[highlight]?.step ?? 0);
     for (const old of this.querySelectorAll("[aria-selected=true]")) old.setAttribute("aria-selected", "false");
     for (const old of this.querySelectorAll(".step.lit")) old.classList.remove("lit");
@@ -240,7 +262,7 @@ class ProgramPart extends Part {
   /** Brings the line that was found into sight, out of the folded header, too. */
   private async toFound(): Promise<void> {
     const { here } = this.finder.found;
-    if (here >= 0 && here < (this.store.plan.program.moveLines[0] ?? 0)) this.unfolded = true;
+    if (here >= 0 && here < this.head) this.unfolded = true;
     this.requestUpdate();
     await this.updateComplete;
     this.lineAt(here)?.scrollIntoView({ block: "nearest" });

@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
 import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
 import { moveInWords, resultInWords } from "../in-words.js";
 import { w } from "../words.js";
@@ -14,11 +15,21 @@ class ResultsPart extends Part {
   protected override follows = ["change"];
   /** Whether the moves are listed: no list is made before. */
   private open = false;
+  /** Whether the measured points are seen: from when there are any, and as the user leaves it. */
+  private points = false;
+  /** The measured points as they were. */
+  private known = "";
 
   private readonly toggle = (event: Event) => {
     this.open = (event.target as HTMLDetailsElement).open;
     this.requestUpdate();
   };
+
+  protected override willUpdate(): void {
+    const { measured } = this.store;
+    if (this.known === "" && measured !== "") this.points = true;
+    this.known = measured;
+  }
 
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
@@ -39,7 +50,9 @@ class ResultsPart extends Part {
         <summary>${this.t("All moves in words")}</summary>
         ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${moveInWords(this.store, i, false)}</li>`)}</ol>` : nothing}
       </details>
-      <details class="measured" ?open=${this.store.measured !== ""}>
+      <details class="measured" ?open=${live(this.points)} @toggle=${(e: Event) => {
+        this.points = (e.target as HTMLDetailsElement).open;
+      }}>
         <summary>${this.t("Points that a machine measured")}</summary>
         <label for="measured">${this.t("Ball centres in {units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log", units)}</label>
         <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
@@ -97,12 +110,15 @@ class ResultsPart extends Part {
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
   }
 
+  /** As the form names it, where that has the same. */
+  private nameOf(r: ResultRow): string {
+    return this.store.cycle.fields.find((f) => f.key === r.code)?.label ?? resultInWords(this.store, r);
+  }
+
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    // As the form names it, where that has the same.
-    const field = this.store.cycle.fields.find((f) => f.key === r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${field?.label ?? resultInWords(this.store, r)} <small><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
+    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
@@ -132,7 +148,18 @@ class ResultsPart extends Part {
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
-    const notes = rows.filter((r) => r.note);
+    // One sentence for all results that are off for one reason, by more than the table shows.
+    const notes = new Map<string, string[]>();
+    for (const row of rows) {
+      const [, , reason] = row.said.note ?? [];
+      const off = number((row.value ?? 0) - (row.truth ?? 0), places(row.unit));
+      if (reason === undefined || Number(off) === 0) continue;
+      const words = this.store.say(typeof reason === "string" ? [reason] : reason);
+      notes.set(words, [
+        ...(notes.get(words) ?? []),
+        `${this.nameOf(row)} ${this.signed(Number(off), places(row.unit))}`,
+      ]);
+    }
     const middle = ({ limits, nominal }: ResultRow) =>
       limits && Math.abs((limits[0] + limits[1]) / 2 - (nominal ?? 0)) > 1e-9;
     const uneven = rows.some(middle);
@@ -145,7 +172,7 @@ class ResultsPart extends Part {
         </tbody>
       </table>
       ${uneven ? html`<p class="help">${this.t("Deviations are from the middle of the tolerance zone.")}</p>` : nothing}
-      ${notes.length ? html`<ul class="notes">${notes.map((r) => html`<li><code>${r.code}</code> ${r.said.note ? this.store.say(r.said.note) : nothing}</li>`)}</ul>` : nothing}
+      ${notes.size ? html`<ul class="notes">${[...notes].map(([words, offs]) => html`<li>${this.t("{off} from the truth: {reason}", offs.join(", "), words)}</li>`)}</ul>` : nothing}
     `;
   }
 }

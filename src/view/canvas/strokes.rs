@@ -90,8 +90,15 @@ impl Painter {
         let _ = c.fill_text(text, at[0], at[1]);
     }
 
+    /// A straight line. Dashes lie where they lie on every other line along the same one: there and back they fill no gap.
     pub(super) fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
         let c = &self.context;
+        let (from, to) = crate::view::forwards(from, to);
+        if !dash.is_empty() {
+            let (x, y) = (to[0] - from[0], to[1] - from[1]);
+            let length = x.hypot(y);
+            c.set_line_dash_offset(if length > 0.0 { (from[0] * x + from[1] * y) / length } else { 0.0 });
+        }
         c.begin_path();
         c.move_to(from[0], from[1]);
         c.line_to(to[0], to[1]);
