@@ -35,16 +35,16 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {string} post - The control, by the `id` of a post in the catalog.
  * @attr {"mm" | "inch"} units - The units; the values are converted.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
- * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it that of the nearest element around that has one; with `storage="local"` the one that the user chose, or else the browser's. What has no words here is English. Programs are English always.
+ * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
  * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default.
- * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. One element of an origin should.
+ * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
  * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
  * @fires {CustomEvent<{ plan: Plan }>} plan-change - There is another plan, whoever changed the job. While the job has errors there is none.
  * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
- * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - What is found about the job has changed; or (`refused`) what was put in could not be used, and nothing was changed.
+ * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
  * @slot - Shown until the element is loaded.
  * @slot header - In the place of the name, at the left of the bar.
  * @slot footer - At the right of the line at the foot.

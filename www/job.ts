@@ -61,7 +61,7 @@ export function misfit(job: unknown, catalog: Catalog): Said | null {
     w("a list of touches, each with a point and a vector of three numbers"),
     isTouch,
   );
-  list(cycle.custom, "cycle.custom", w("a list of own codes"), isObject);
+  list(cycle.custom, "cycle.custom", w("a list of custom codes"), isObject);
   if (isObject(job.tool)) list(job.tool.frame, "tool.frame", w("a list of steps, each a turn or a mirror"), isObject);
   const sizes = isObject(job.part) ? job.part.sizes : undefined;
   if (!isOut(sizes))

@@ -66,7 +66,7 @@ interface Moment {
   document: number;
 }
 
-const LOOK_ONLY: Said = [w("Nothing was changed: this job can only be looked at")];
+const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
 
 /** What outlives a reload. */
 interface State {
@@ -236,7 +236,7 @@ export class Store extends Phrases {
     control.workOffset = number === 0 ? null : number;
     if (number !== 0) return;
     const said: Said = [
-      w("The program writes no work offset now: {offset} is none of this control"),
+      w("This control has no {offset}: the program now writes no work offset"),
       word ?? String(workOffset),
     ];
     // Once the job is the new one.
@@ -615,7 +615,7 @@ export class Store extends Phrases {
 export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
   if (!field) return undefined;
   const label = say([w("{label} differs by"), field.label], words);
-  const help = say([w("By how much this is larger (or, negative, smaller) on the real part than in the form.")], words);
+  const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
   return { ...field, label, help, default: 0, code: null, usual: null, range: null };
 }
 

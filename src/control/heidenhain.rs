@@ -39,12 +39,11 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (Subject::TwoCircles, Form::Cycle) => Ok(()),
         (Subject::TwoCircles, Form::Moves) => Err(
-            "the control's low-level probing blocks are not documented well enough in what we have to print these moves: use its \
-             own cycle",
+            "our sources do not document the control's low-level probing blocks well enough to write these moves: use its own cycle",
         ),
-        _ => {
-            Err("no documented cycle of the control takes exactly these points and approaches, and plain moves are not printed")
-        }
+        _ => Err(
+            "no documented cycle of the control takes exactly these points and approaches, and plain moves are not supported",
+        ),
     }
 }
 

@@ -248,15 +248,14 @@ fn check_length_axis(request: &Request<'_>, checker: &mut Checker) {
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
     let Some(circles) = request.path.feature.two_circles() else { return };
     if circles.semi_automatic {
-        let message =
-            text!("A semi-automatic object (?) needs the operator at the control's own cycle; plain moves cannot do it");
+        let message = text!("A semi-automatic object (?) needs an operator and the control's own cycle, not plain moves");
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
     if circles.reacts && circles.toleranced {
-        let message = text!("A program of plain moves does not check tolerances: it does not stop as the error reaction says");
+        let message = text!("A program of plain moves checks no tolerances and ignores the error reaction");
         if request.work_offset.is_some() {
             let message = text!(
-                "{message}, and would write the work offset even from a scrap part: set the error reaction to never stop or write none",
+                "{message}, and would write the offset even from a scrap part: set the error reaction to never stop, or write no offset",
                 message
             );
             checker.error("reaction-unsupported", "cycle.errorReaction", message);
@@ -288,8 +287,7 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
     let something = request.path.formula.datum.as_ref().is_some_and(Datum::writes);
     if request.work_offset.is_some() && !something {
         let message = text!(
-            "A work offset is chosen, but this job measures nothing that would be written to it (1411: neither the transfer of a \
-                       position, Q1120, nor a rotation, Q1121)"
+            "A work offset is chosen, but this job measures nothing to write to it (1411: neither a position, Q1120, nor a rotation, Q1121)"
         );
         checker.warning("nothing-to-write", "control.workOffset", message);
     }

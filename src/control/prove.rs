@@ -371,13 +371,13 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
         match given.next() {
             Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit, expected.size) => {}
             Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
-                return Err(Fault::of(text!("the program computes another {code} than the formula", code.clone())));
+                return Err(Fault::of(text!("the program's {code} differs from the formula's", code.clone())));
             }
             _ => return Err(Fault::of(text!("the program does not give {code}", result.code.to_owned()))),
         }
     }
     if let Some((code, _)) = given.next() {
-        return Err(Fault::of(text!("the program gives {code}, which is no result", code.clone())));
+        return Err(Fault::of(text!("the program gives {code}, which is not a result", code.clone())));
     }
     write(request, trace, &values, expected)
 }

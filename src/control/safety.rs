@@ -77,7 +77,7 @@ pub const WRITE_LAST: &str = "offset-after-touches";
 pub static RULES: &[Rule] = &[
     Rule {
         name: "modes-stated",
-        says: "Units, plane, absolute places and feed per minute are stated before the first motion",
+        says: "Units, plane, absolute mode and feed per minute are stated before the first motion",
         why: "A mode left over from another program moves the probe elsewhere.",
         must: true,
         own_cycle: false,
@@ -86,14 +86,14 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: "spindle-off",
         says: "The spindle is off before the first motion",
-        why: "A probe that turns breaks its cable or its stylus.",
+        why: "A rotating probe breaks its cable or its stylus.",
         must: true,
         own_cycle: false,
         breaks: spindle_off,
     },
     Rule {
         name: "probe-asked",
-        says: "A probe that is deflected from the start ends the program before the first touch",
+        says: "If the probe is deflected at the start, the program ends before the first touch",
         why: "A deflected probe reports nothing: the first move would run into the part.",
         must: true,
         own_cycle: true,
@@ -101,7 +101,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "probe-free-again",
-        says: "A probe that is still deflected after a move that is not watched ends the program before the next probing move",
+        says: "If the probe is still deflected after an unwatched move, the program ends before the next probing move",
         why: "A probe that stays deflected reports nothing: the next touch would run into the part.",
         must: true,
         own_cycle: true,
@@ -109,8 +109,8 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: LOW_START,
-        says: "A stylus below the first place goes straight up first, or nothing moves",
-        why: "In the plane at a low height stand fixtures and the part.",
+        says: "A stylus below the first position goes straight up first, or nothing moves",
+        why: "A low move in the plane can hit a fixture or the part.",
         must: true,
         own_cycle: false,
         breaks: low_start,
@@ -118,14 +118,14 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: WATCHED,
         says: "Every positioning move is watched, and a contact in it ends the program",
-        why: "A contact that nothing asks for breaks the probe.",
+        why: "A contact that goes unnoticed breaks the probe.",
         must: false,
         own_cycle: false,
         breaks: positioning_watched,
     },
     Rule {
         name: CONTACT_LIFTS,
-        says: "A contact in positioning leads to an exit that lifts where up is free, and moves in no other way",
+        says: "A contact in positioning leads to an exit that only lifts, and only where the way up is free",
         why: "A probe left in contact is driven on by whatever runs next.",
         must: true,
         own_cycle: false,
@@ -134,15 +134,15 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: "missed-touch-stops",
         says: "A missed touch ends the program with an alarm",
-        why: "What is computed without its touch is wrong, and would be written.",
+        why: "A result without its touch is wrong, and would be written.",
         must: true,
         own_cycle: true,
         breaks: missed_touch_stops,
     },
     Rule {
         name: MISS_LIFTS,
-        says: "All missed touches lead to one exit that lifts, and moves in no other way",
-        why: "A ball that searched too far stands in a place that nothing has checked.",
+        says: "Every missed touch leads to the same exit, which only lifts",
+        why: "After a missed touch the ball stands where nothing has been checked.",
         must: true,
         own_cycle: true,
         breaks: missed_touch_lifts,
@@ -157,8 +157,8 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "no-low-rapid",
-        says: "No rapid goes down or across below the clearance plane, but the way back from a touch",
-        why: "Below it is the part, and a rapid move does not stop in time.",
+        says: "No rapid goes down or across below the clearance plane, except back from a touch",
+        why: "The part is below it, and a rapid move does not stop in time.",
         must: false,
         own_cycle: false,
         breaks: no_low_rapid,
@@ -181,7 +181,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: "ends-above",
-        says: "The program comes to its end, and the ball ends no lower than its path",
+        says: "The program reaches its end, with the ball no lower than the path's end",
         why: "The next program starts where this one ends.",
         must: true,
         own_cycle: false,
@@ -216,11 +216,9 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
             None => (Some(true), Text::words(rule.says), Vec::new()),
-            Some(_) if rule.name == LOW_START && case.request.path.start.is_some() => (
-                None,
-                text!("The job says where the stylus stands: this program does not ask whether it stands there"),
-                Vec::new(),
-            ),
+            Some(_) if rule.name == LOW_START && case.request.path.start.is_some() => {
+                (None, text!("The job says where the stylus stands: this program does not check that it does"), Vec::new())
+            }
             Some((_, what)) => (Some(false), what, lines),
         }
     };
@@ -265,7 +263,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let right = [
         (words!("units"), modes.metric == Some(case.request.scale == 1.0)),
         (words!("plane"), modes.plane == Some(case.request.plane)),
-        (words!("absolute places"), modes.absolute == Some(true)),
+        (words!("absolute mode"), modes.absolute == Some(true)),
         (words!("feed per minute"), modes.per_minute == Some(true)),
         (words!("centres of arcs"), !arcs || modes.arcs_incremental == Some(true)),
         (words!("work offset"), modes.offset == case.request.work_offset),
@@ -273,7 +271,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let mut breaks: Vec<Break> = right
         .iter()
         .filter(|(_, right)| !right)
-        .map(|(what, _)| (Some(first.line), text!("This moves before its {modes} are stated as the job has them", *what)))
+        .map(|(what, _)| (Some(first.line), text!("This moves without first stating the job's {modes}", *what)))
         .collect();
     if modes.length == Some(false) {
         breaks.push((Some(first.line), text!("This moves with the length of the tool cancelled")));
@@ -282,7 +280,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let changed = |now: Modes| Modes { spindle: None, ..now } != Modes { spindle: None, ..modes };
     let moved = case.followed.trace.changed.iter().filter(|(_, now)| changed(*now));
     breaks.extend(moved.map(|(line, _)| {
-        (Some(*line), text!("This moves in other modes than the program has stated before its first motion"))
+        (Some(*line), text!("This moves after a mode was changed: units, plane, work offset or another"))
     }));
     breaks
 }
@@ -304,7 +302,7 @@ fn probe_asked(case: &Case<'_>) -> Vec<Break> {
         Ok(Ending::ControlStops) => Vec::new(),
         Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
         _ => {
-            vec![(Some(touch.line), text!("With a probe that is deflected from the start the program comes to this touch"))]
+            vec![(Some(touch.line), text!("If the probe is deflected at the start, the program still comes to this touch"))]
         }
     }
 }
@@ -320,7 +318,7 @@ fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
 
 fn low_start(case: &Case<'_>) -> Vec<Break> {
     let Some(first) = case.request.path.moves.first() else { return Vec::new() };
-    let says = || text!("From below the first place this moves in the plane");
+    let says = || text!("This moves in the plane below the first position");
     let below = match &case.followed.below {
         Below::Followed(below) => below,
         Below::NotAsked => return vec![(case.steps().first().map(|step| step.line), says())],

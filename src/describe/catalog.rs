@@ -67,7 +67,7 @@ pub struct CycleEntry {
 pub struct CycleSectionEntry {
     /// Its key in the cycle.
     pub key: &'static str,
-    /// Whether it may be `null`, and is where the job says nothing.
+    /// Whether it may be `null`, which is then its default.
     pub optional: bool,
     /// Its fields.
     pub fields: Vec<FieldEntry>,
@@ -158,7 +158,7 @@ pub struct PostEntry {
     pub watches: bool,
     /// Whether its program computes the results itself.
     pub computes: bool,
-    /// How its work offsets are called, from number 1.
+    /// What its work offsets are called, from number 1.
     pub work_offset_words: Vec<String>,
     /// Which cycle in which form.
     pub cycles: Vec<SupportEntry>,

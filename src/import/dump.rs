@@ -53,18 +53,13 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
     let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
-        let message =
-            text!("Type {block} is not a cycle that is known here: it is passed over", crate::num::in_full(kind(block)));
+        let message = text!("Type {block} is not a known cycle: it is ignored", crate::num::in_full(kind(block)));
         checker.warning("unknown-type", "cycle.type", message);
     }
     let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks.iter().filter_map(|b| Some((b, def_of(b)?))).collect();
     let probing = known.iter().find(|(_, def)| def.number.is_some_and(|n| n > 1)).or(known.first());
     let Some((block, def)) = probing else {
-        checker.error(
-            "nothing-to-import",
-            "cycle.type",
-            text!("No job can be made of this dump: it holds no cycle type from 0 to 16"),
-        );
+        checker.error("nothing-to-import", "cycle.type", text!("This dump gives no job: it holds no cycle type from 0 to 16"));
         return Err(JobError { findings: checker.findings() });
     };
     if known.len() > 1 {
@@ -113,11 +108,10 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
     if let Some(place) = def.place {
         place_touches(block, def, place, &mut job, &mut checker);
     }
-    let silent =
-        text!("A dump does not say feeds, overtravel, units, the control and the program's name: the defaults are taken (mm)");
+    let silent = text!("A dump does not give feeds, overtravel, units, control and program name: the defaults are used (mm)");
     checker.info("not-in-dump", "feeds", silent);
     if !checker.has("stylus-from-dump") {
-        let silent = text!("A dump does not say the stylus: the default ball is taken");
+        let silent = text!("A dump does not give the stylus: the default ball is used");
         checker.info("not-in-dump", "stylus", silent);
     }
     Imported { job, trace: None, findings: checker.findings() }
@@ -164,13 +158,13 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
         } else if own.len() < MOST {
             own.push(*entry);
         } else {
-            let message = text!("The dump holds more than {most} codes of the user's own: the first {most} are kept", MOST);
+            let message = text!("The dump has more than {most} custom codes: the first {most} are kept", MOST);
             checker.warning("own-codes", "cycle.custom", message);
             break;
         }
     }
     if twice > 0 {
-        let message = text!("{twice} of the user's own codes are there more than once: the last value of each is kept", twice);
+        let message = text!("{twice} custom codes are given more than once: the last value of each is kept", twice);
         checker.warning("own-codes", "cycle.custom", message);
     }
     if own.is_empty() {
@@ -300,7 +294,7 @@ fn on_the_surface(
         checker.info(
             "stylus-from-dump",
             "stylus.diameter",
-            text!("The ball is what lies between the used and the original points"),
+            text!("The ball diameter follows from the used and the original points"),
         );
         return original;
     }
@@ -314,7 +308,7 @@ fn on_the_surface(
                 "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
             )
         };
-        let message = text!("{why}: the default ball of 6 mm is taken off the used points", why);
+        let message = text!("{why}: the used points are corrected for the default 6 mm ball", why);
         checker.warning("ball-unknown", "stylus.diameter", message);
         return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * RADIUS, ..pick }).collect();
     }
@@ -378,15 +372,12 @@ fn report_plane<'a>(fits: impl Iterator<Item = &'a Trial>, checker: &mut Checker
     match planes.as_slice() {
         [] | ["G17"] => {}
         [one] => {
-            let message = text!("The target vectors are those of a feature in {one}: that plane is taken", (*one).to_owned());
+            let message = text!("The target vectors fit a feature in {one}: that plane is used", (*one).to_owned());
             checker.info("plane-from-dump", "plane", message);
         }
         [first, ..] => {
-            let message = text!(
-                "The touches are those of this feature in {planes}: {first} is taken",
-                planes.join(", "),
-                first.to_owned()
-            );
+            let message =
+                text!("The touches fit this feature in {planes}: {first} is used", planes.join(", "), first.to_owned());
             checker.warning("plane-unknown", "plane", message);
         }
     }

@@ -60,9 +60,7 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         }
     }
     let mut checker = Checker::default();
-    let message = text!(
-        "The blocks are not those that the job of the header makes: what the blocks say is taken, the rest is the header's"
-    );
+    let message = text!("The blocks differ from what the header's job makes: their values are used, the rest is the header's");
     checker.warning("program-differs", "", message);
     let findings =
         checker.findings().into_iter().chain(blocks.findings.into_iter().filter(|f| f.code != "not-in-program")).collect();
@@ -148,7 +146,7 @@ impl Reader {
             // Only a spindle speed: the tool stays.
             Some(Err(_)) if words[0].starts_with('S') && crate::num::read(&words[0][1..]).is_some() => {}
             _ => {
-                let message = text!("The tool is called by its name: its number is not known, and no tool is called");
+                let message = text!("The tool is called by name: its number is unknown, so the job calls no tool");
                 self.checker.warning("tool-by-name", "control.tool", message);
             }
         }
@@ -177,7 +175,7 @@ impl Reader {
                 (Some((number, flag)), Value::Flag(_)) => {
                     set(&mut self.job, &format!("cycle.{flag}"), Value::Flag(true));
                     let message = text!(
-                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The number in the form is only what the picture shows",
+                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The form's number only serves the picture",
                         number.to_string()
                     );
                     self.checker.warning("predefined", format!("cycle.{key}"), message);
@@ -220,8 +218,7 @@ impl Reader {
         }
         if found == 0 {
             let message = text!(
-                "No job can be made of this text: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with \
-                           cycle 1411, nor one that was written here"
+                "This text gives no job: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with cycle 1411, nor one that was written here"
             );
             checker.error("nothing-to-import", "", message);
             return Err(JobError { findings: checker.findings() });
@@ -246,8 +243,7 @@ impl Reader {
             checker.warning("places-transformed", "", message);
         }
         let unknown = text!(
-            "A program does not say the stylus, the touch probe table (SET_UP, DIST, F, FMAX) and where the stylus stands: \
-                       the defaults are taken, and for the stylus at least the clearance height"
+            "A program does not give the stylus, the touch probe table (SET_UP, DIST, F, FMAX) or the start: the defaults are used, with the start no lower than the clearance height"
         );
         checker.info("not-in-program", "stylus", unknown);
         Ok(Imported { job, trace: None, findings: checker.findings() })

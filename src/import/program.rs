@@ -51,7 +51,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let said = header::read(text);
     let Some(mut job) = job_of(&said, &mut checker) else {
-        checker.error("nothing-to-import", "", text!("The header says a job of a cycle that is not known here"));
+        checker.error("nothing-to-import", "", text!("The header's job has a cycle that is not known here"));
         return Err(JobError { findings: checker.findings() });
     };
     if let Some(name) = said.name {
@@ -59,7 +59,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     }
     if let Some(version) = said.version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
         let message = text!(
-            "Version {version} wrote this program, and {own} reads it: blocks may differ where only the versions do",
+            "Version {version} wrote this program, and {own} reads it: blocks may differ only because of that",
             printable(version),
             env!("CARGO_PKG_VERSION").to_owned()
         );
@@ -69,8 +69,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     match crate::job::examine(&job, text) {
         Some(Err(faults)) if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) => {
             let message = text!(
-                "The header says a job for another control than the program is written for: its blocks cannot be compared with that \
-                           job's, and may have been changed"
+                "The header's job is for another control than the program: the blocks cannot be compared with that job's, and may have been changed"
             );
             checker.warning("program-differs", "control.post", message);
             return Ok(Imported { job, trace: None, findings: checker.findings() });
@@ -100,7 +99,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
     }
     match plan {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
-        Err(_) => checker.warning("header-unsound", "", text!("The job that the header says has errors: see its findings")),
+        Err(_) => checker.warning("header-unsound", "", text!("The header's job has errors: see its findings")),
     }
     checker.info("part-not-in-program", "part", text!("A program does not say how the part lies: the nominal one is taken"));
     Ok(Imported { job, trace: None, findings: checker.findings() })
@@ -140,7 +139,7 @@ fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
     }
     if unknown > 0 {
         let message =
-            text!("The header has {unknown} values that a job of this cycle has no place for: they are passed over", unknown);
+            text!("The header has {unknown} values that a job of this cycle does not have: they are ignored", unknown);
         checker.warning("header-unknown", "", message);
     }
     Some(job)
@@ -230,15 +229,14 @@ fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
     let line = differs.or_else(|| given.get(wanted.len()).map(|(line, _)| *line));
     let by_hash = match said.unchanged {
         Some(true) => {
-            text!(" The hash in the header is that of these blocks: the header was changed, or another version wrote them.")
+            text!(" The header's hash matches the blocks: the header was changed, or another version wrote them.")
         }
-        Some(false) => text!(" The hash in the header is that of other blocks: they were changed."),
+        Some(false) => text!(" The header's hash does not match the blocks: they were changed."),
         None => Text::words(""),
     };
     let message = match line {
         Some(line) => text!(
-            "Line {line} is not what the job of the header makes there.{by_hash} The job is the header's, and what was changed in the program \
-             is not in it",
+            "Line {line} differs from what the header's job makes.{by_hash} The job read is the header's: changes in the program are not in it",
             line + 1,
             by_hash
         ),
@@ -247,9 +245,7 @@ fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
         }
         None => {
             if said.unchanged == Some(false) {
-                let message = text!(
-                    "The blocks are those that the job makes, and lines between them were changed: comments, or their order"
-                );
+                let message = text!("The blocks match the job, but lines between them were changed: comments, or their order");
                 checker.info("lines-differ", "", message);
             }
             return;
@@ -345,11 +341,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         }
     }
     if let Some((post, trace)) = read {
-        checker.info(
-            "no-job-in-program",
-            "",
-            text!("The program says no job: its moves are read, and a job cannot be made of them"),
-        );
+        checker.info("no-job-in-program", "", text!("The program holds no job: its moves are read, but they give no job"));
         let mut findings = checker.findings();
         // Both readers take places as they are written.
         findings.extend(read_program(text, None).findings.into_iter().filter(|finding| finding.code == "places-transformed"));

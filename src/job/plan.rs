@@ -69,12 +69,12 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
         let n = k + 1;
         let (code, message) = match fault {
             TouchFault::Missing => {
-                ("touch-missing", text!("Touch {touch} is not in the path once: nothing would assign its trigger", n))
+                ("touch-missing", text!("Touch {touch} must be in the path exactly once, to assign its trigger", n))
             }
             TouchFault::Short(way) => (
                 "touch-too-short",
                 text!(
-                    "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, or the ball begins in contact",
+                    "Touch {touch} begins {way} before its nominal contact: at least {least} is needed, or the ball begins in contact",
                     n,
                     checker.length(way),
                     checker.length(SHORTEST_TOUCH)
@@ -83,7 +83,7 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
             TouchFault::Askew(angle) => (
                 "touch-askew",
                 text!(
-                    "Touch {touch} would run askew by {angle}° of its inverted target vector: at most {most}° are taken",
+                    "Touch {touch} would run {angle}° off its inverted target vector: at most {most}° is allowed",
                     n,
                     decimal(angle, 2),
                     decimal(MOST_ASKEW, 1)
@@ -168,11 +168,11 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
                 let fault_text = fault.message.clone();
                 let message = match fault.line {
                     Some(line) => text!(
-                        "The program that was made is refused. Read back, it is not the path. Line {line}: {fault}",
+                        "The program is refused: read back, it differs from the path. Line {line}: {fault}",
                         line + 1,
                         fault_text
                     ),
-                    None => text!("The program that was made is refused. Read back, it is not the path. {fault}", fault_text),
+                    None => text!("The program is refused: read back, it differs from the path. {fault}", fault_text),
                 };
                 checker.error("not-proven", "control.post", message);
             }
@@ -249,8 +249,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
         let reach = touch.search + 1e-6;
         if aside > reach || in_front < -reach || in_front > reach.max(way_to(&path, k) + 1e-6) {
             let message = text!(
-                "Point {point} lies {away} from the nominal contact of its touch, more than it can reach (it searches {search} past it): is it \
-                 of this job, a ball centre, in order?",
+                "Point {point} is {away} from the nominal contact of its touch, out of reach (it searches {search} past it): is it from this job, a ball centre, in order?",
                 k + 1,
                 checker.length(away.length()),
                 checker.length(touch.search)
@@ -341,8 +340,7 @@ fn report_missed(path: &Path, triggers: impl Iterator<Item = (usize, Option<Vec3
     for (k, trigger) in triggers {
         if trigger.is_none() {
             let message = text!(
-                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and \
-                 what needs it is not known",
+                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and results that need it are unknown",
                 k + 1,
                 checker.length(path.touches[k].search)
             );

@@ -186,7 +186,7 @@ pub struct ResultRow {
     pub limits: Option<[f64; 2]>,
     /// Good, rework or scrap, where a tolerance is given.
     pub verdict: Option<String>,
-    /// What is true of the virtual part, where there is one.
+    /// The true value on the virtual part, where there is one.
     pub truth: Option<f64>,
     /// Why the value is not the truth, where it is not.
     pub note: Option<String>,

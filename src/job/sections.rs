@@ -111,7 +111,7 @@ form! {
         name: String = Field::text("name", "Program name", "PROBE", 200).group("Program"),
         /// Unit of every length in the job, the program and the table.
         units: String = Field::choice("units", "Units", UNITS).group("Program"),
-        /// The working plane; the tool axis stands on it.
+        /// The working plane; the tool axis is square to it.
         plane: String = Field::choice("plane", "Plane", PLANES).group("Program"),
         /// How far past the nominal contact a touch searches before the control gives up.
         overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).range(0.01, 1000.0).usual(0.5, 50.0).group("Probe"),
@@ -151,13 +151,13 @@ form! {
         post: String = Field::choice("post", "Control", POST_CHOICES).group("Control"),
         /// Plain moves, or the control's own cycle where it has one.
         form: String = Field::choice("form", "Program form", FORMS).group("Control"),
-        /// The work offset that the program writes at its end: 1 is G54. Empty measures only.
+        /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
         /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
         protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
         /// How much the comments at the top say: with the whole job the program can be opened here again.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Control"),
-        /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none.
+        /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
         tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
     }
 }

@@ -51,7 +51,7 @@ impl Nominal {
 /// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
 pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     let whole = text.trim();
-    let wrong = || text!("\"{value}\" is no value: the forms are {forms}", shown(whole), FORMS.to_owned());
+    let wrong = || text!("\"{value}\" is not a value: the forms are {forms}", shown(whole), FORMS.to_owned());
     let mut value = Nominal { text: Some(whole.to_owned()), ..Nominal::default() };
     let (rest, actual) = match whole.split_once('@') {
         Some((left, right)) => (left, Some(right)),

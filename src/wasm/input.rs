@@ -33,7 +33,7 @@ const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text
 /// What has no place in a job.
 const OTHERS: [&str; 8] = [
     words!("undefined"),
-    words!("something that is no data"),
+    words!("something that is not data"),
     words!("something unreadable"),
     words!("something nested too deeply"),
     words!("more than a job can hold"),

@@ -1,4 +1,4 @@
-//! The same for JavaScript. JavaScript sees plain objects only; the only module that names `wasm_bindgen` besides the canvas.
+//! The crate for JavaScript, which sees plain objects only. Besides the canvas, only this module names `wasm_bindgen`.
 //!
 //! A value comes in as numbers and a text, made by a walk that survives anything a caller can hand over (`www/core/coded.ts`), and a plan goes
 //! out as numbers and a text (`www/core/plan.ts`): what crosses is one piece, not a call a value. What is small or rare goes as objects. A refused
@@ -135,7 +135,7 @@ pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<Strin
 pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue> {
     let name = input::text_of(view, 100).unwrap_or_default();
     let Some(projection) = Projection::named(&name) else {
-        let message = text!("A picture is looked at from top, front, side or isometric");
+        let message = text!("The view must be top, front, side or isometric");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)]));
     };
     let value = decoded(codes, text);
@@ -149,8 +149,8 @@ pub fn job_schema() -> JsValue {
 }
 
 /// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; of a program
-/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are what the text
-/// says as JSON, and no codes where it is none; where the job is just that, `job` is left out.
+/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
+/// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
     let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
@@ -183,7 +183,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     let wanted = input::text_of(dialect, 100);
     let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
-        let message = text!("A program is read as iso or as sinumerik");
+        let message = text!("The dialect must be iso or sinumerik");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
     }
     // JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.

@@ -547,7 +547,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
     await page.keyboard.press("Escape");
     await sheet.waitFor({ state: "detached" });
     await page.getByRole("tab", { name: "Results" }).click();
-    const caption = reports ? "What the control will have stored" : "What the touches will come to";
+    const caption = reports ? "What the control will have stored" : "What the touches will give";
     await page.locator("tp-results").getByText(caption).waitFor();
   }
 });

@@ -567,7 +567,7 @@ test("SINUMERIK: the probe's length decides, the program comes back", async () =
   await more("Tool lengths");
   await page.getByRole("button", { name: "Add ROT" }).click();
   await page.getByLabel("Step 1: angle").fill("60");
-  await page.getByRole("button", { name: "Take into the job" }).click();
+  await page.getByRole("button", { name: "Apply to the job" }).click();
   assert.match((await page.locator("tp-form").textContent()) ?? "", /Frame: ROT Z60/);
   assert.equal(await page.locator("tp-findings .error").count(), 0, "a turn about the tool axis leaves L1 where it is");
   const text = await program();

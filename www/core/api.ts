@@ -79,7 +79,7 @@ export interface Api {
   /** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
   program(job: Job): ProgramText;
   /**
-   * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the row: its
+   * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
    * `program` is `null`, and its findings say why.
    */
   programs(jobs: Iterable<Job>): IterableIterator<Programmed>;
@@ -91,7 +91,7 @@ export interface Api {
   importJob(text: string): Imported;
   /**
    * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to 20 million characters. What jumps, calls or computes is passed over, and said in
-   * `findings`. Without a dialect it is looked for in the text. Throws `JobError` for a text that is too long.
+   * `findings`. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
    */
   readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
   /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */

@@ -4,7 +4,7 @@ import type { Finding, Job, Plan } from "./types.js";
 
 export type * from "./protocol.js";
 
-/** Thrown where the frame does not take what it was asked; `findings` says why, where there is more to say. */
+/** Thrown where the frame refuses a request; `findings` says why, where there is more to say. */
 export class FrameError extends Error {
   constructor(
     message: string,
@@ -20,7 +20,7 @@ interface Options {
   origin: string;
   /** Whether the portal saves programs itself; else the frame hands them out as files. */
   saves?: boolean;
-  /** How long the frame is waited for, milliseconds. */
+  /** How long to wait for the frame, milliseconds. */
   patience?: number;
 }
 

@@ -31,7 +31,7 @@ export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" 
 export interface Properties {
   /** 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52). `null`: not set. Code CmdPrm.Int[-10]. */
   wcsMode?: number | null;
-  /** Number of the coordinate system, in the modes 1 and 2. `null`: not set. Code CmdPrm.Int[-11]. */
+  /** Number of the coordinate system, in modes 1 and 2. `null`: not set. Code CmdPrm.Int[-11]. */
   wcsNumber?: number | null;
   /** Whose offset is set. `null`: not set. Code CmdPrm.Int[-12]. */
   offsetTool?: number | null;
@@ -39,7 +39,7 @@ export interface Properties {
   offsetCorrector1?: number | null;
   /** Its second corrector. `null`: not set. Code CmdPrm.Int[-14]. */
   offsetCorrector2?: number | null;
-  /** Which tool is looked at. `null`: not set. Code CmdPrm.Int[-15]. */
+  /** Which tool is checked. `null`: not set. Code CmdPrm.Int[-15]. */
   brokenTool?: number | null;
   /** Its first corrector. `null`: not set. Code CmdPrm.Int[-16]. */
   brokenCorrector1?: number | null;
@@ -57,9 +57,9 @@ export interface Properties {
   partProbeCorrector1?: number | null;
   /** Its second corrector. `null`: not set. Code CmdPrm.Int[-23]. */
   partProbeCorrector2?: number | null;
-  /** Under which component the report has it. `null`: not set. Code CmdPrm.Int[-24]. */
+  /** The component it is reported under. `null`: not set. Code CmdPrm.Int[-24]. */
   reportComponent?: number | null;
-  /** Under which feature the report has it. `null`: not set. Code CmdPrm.Int[-25]. */
+  /** The feature it is reported under. `null`: not set. Code CmdPrm.Int[-25]. */
   reportFeature?: number | null;
 }
 
@@ -167,7 +167,7 @@ export interface ProbingTwoCircles {
   probe?: {
     /** SET_UP of the touch probe table: added to the set-up clearance. */
     setUp?: number;
-    /** DIST of the touch probe table: the longest way of a touch. */
+    /** DIST of the touch probe table: the maximum travel of a touch. */
     dist?: number;
     /** F of the touch probe table: the probing feed. */
     feed?: number;
@@ -570,7 +570,7 @@ export interface TripleWallExternalCorner {
 /** Probe on/off: ENCY/SprutCAM type 0. */
 export interface ProbeOnOff {
   type: "probe-on-off";
-  /** Whether the probe is switched on; else off. Code CmdPrm.Bol[-3]. */
+  /** Whether the probe is switched on or off. Code CmdPrm.Bol[-3]. */
   on?: boolean;
   custom?: CustomCode[] | null;
 }
@@ -611,7 +611,7 @@ export interface Job {
   name?: string;
   /** Unit of every length in the job, the program and the table. */
   units?: "mm" | "inch";
-  /** The working plane; the tool axis stands on it. */
+  /** The working plane; the tool axis is square to it. */
   plane?: "G17" | "G18" | "G19";
   /** How far past the nominal contact a touch searches before the control gives up. */
   overtravel?: number;
@@ -638,13 +638,13 @@ export interface Job {
     post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain" | "fanuc" | "haas";
     /** Plain moves, or the control's own cycle where it has one. */
     form?: "moves" | "cycle";
-    /** The work offset that the program writes at its end: 1 is G54. Empty measures only. `null`: measure only. */
+    /** The work offset that the program writes at its end: 1 is G54. Empty: measure only. `null`: measure only. */
     workOffset?: number | null;
     /** Whether positioning moves are watched by the probe, where the control can: a contact then stops the program. */
     protection?: "checked" | "none";
     /** How much the comments at the top say: with the whole job the program can be opened here again. */
     header?: "full" | "short";
-    /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty calls none. `null`: in the spindle, not called. */
+    /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `null`: in the spindle, not called. */
     tool?: number | null;
   };
   tool?: {

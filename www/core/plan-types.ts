@@ -93,7 +93,7 @@ export interface ResultRow {
   limits: [number, number] | null;
   /** Good, rework or scrap, where a tolerance is given. */
   verdict: string | null;
-  /** What is true of the virtual part, where there is one. */
+  /** The true value on the virtual part, where there is one. */
   truth: number | null;
   /** Why the value is not the truth, where it is not. */
   note: string | null;
@@ -245,7 +245,7 @@ export interface FieldEntry {
 export interface CycleSectionEntry {
   /** Its key in the cycle. */
   key: string;
-  /** Whether it may be `null`, and is where the job says nothing. */
+  /** Whether it may be `null`, which is then its default. */
   optional: boolean;
   /** Its fields. */
   fields: FieldEntry[];
@@ -313,7 +313,7 @@ export interface PostEntry {
   watches: boolean;
   /** Whether its program computes the results itself. */
   computes: boolean;
-  /** How its work offsets are called, from number 1. */
+  /** What its work offsets are called, from number 1. */
   workOffsetWords: string[];
   /** Which cycle in which form. */
   cycles: SupportEntry[];

@@ -41,11 +41,11 @@ export interface ProgramMoves {
   findings: Finding[];
 }
 
-/** What became of a job in a row of many. */
+/** The outcome of one job among many. */
 export interface Programmed {
   /** Its program; `null` where it has none. */
   program: ProgramText | null;
-  /** Everything found: where there is no program, errors among it. */
+  /** All findings; where there is no program, errors among them. */
   findings: Finding[];
 }
 

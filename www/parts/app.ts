@@ -229,7 +229,7 @@ export class App extends LitElement {
         ${menu(frame)}
       </header>
       <div class="notes">
-      ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Take it")}</button> ${this.t("The job stays.")}</p>` : nothing}
+      ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job is kept.")}</p>` : nothing}
       ${said && !said.foot ? html`<p class="note" role="status">${store.say(said.text)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.pasting
@@ -276,7 +276,7 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Nothing of it is checked or proven: it is what its words say.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       </div>
     `;

@@ -21,9 +21,9 @@ export function checked(store: Store): string {
   const { proof } = plan.program;
   return [
     proof?.arithmetic
-      ? store.t("Read back: {moves} moves are the path, and its arithmetic is right", proof.moves)
+      ? store.t("Read back: {moves} moves match the path, and the arithmetic is right", proof.moves)
       : proof
-        ? store.t("Read back: {moves} moves are the path", proof.moves)
+        ? store.t("Read back: {moves} moves match the path", proof.moves)
         : "",
     good ? store.t("{count} safety rules hold", good) : "",
     bad === 1 ? store.t("1 does not") : bad ? store.t("{count} do not", bad) : "",

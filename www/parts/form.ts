@@ -201,7 +201,7 @@ class FormPart extends FieldPart {
   private frame(): TemplateResult {
     const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
     const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
-    return html`<div class="row"><p class="help">${this.t("Frame: {frame}. Tool lengths, under ⋯, has a button that takes its question into the job.", words || [w("none")])}</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>${this.t("No frame")}</button>` : nothing}
+    return html`<div class="row"><p class="help">${this.t("Frame: {frame}. To change it: Tool lengths, under ⋯, then Apply to the job.", words || [w("none")])}</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>${this.t("No frame")}</button>` : nothing}
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 

@@ -160,7 +160,7 @@ export class Intake {
       this.page.showResults();
       this.page.tell(
         this.store.t(
-          "{count} measured points were taken from this log: Results has what they give for this job",
+          "{count} measured points were taken from this log: Results compares them with this job",
           reading.points,
         ),
       );

@@ -162,7 +162,7 @@ class PicturePart extends DrawnPart {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
     return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
-      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
+      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
   }
 
   /** The move that is pointed at: in the picture, on the timeline and in words. */

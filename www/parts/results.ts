@@ -35,7 +35,7 @@ class ResultsPart extends Part {
     const { plan, stale, units } = this.store;
     const measured = this.evaluated();
     const rows = "rows" in measured ? measured.rows : null;
-    const stored = this.store.bare ? w("What the touches will come to") : w("What the control will have stored");
+    const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
       <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}</div>
@@ -54,7 +54,7 @@ class ResultsPart extends Part {
         this.points = (e.target as HTMLDetailsElement).open;
       }}>
         <summary>${this.t("Points that a machine measured")}</summary>
-        <label for="measured">${this.t("Ball centres in {units}, one touch a line, in order: X, Y, Z, or LinuxCNC's PROBEOPEN log", units)}</label>
+        <label for="measured">${this.t("Ball centres in {units}, one per line, in touch order: X, Y, Z, or LinuxCNC's PROBEOPEN log", units)}</label>
         <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;

@@ -70,7 +70,7 @@ class SheetPart extends Part {
         </div>
         <div class="lower">
         <table>
-          <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to come to: this control computes nothing of it")}</caption>
+          <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
           <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
           <tbody>${plan.results.map(
             (
@@ -151,7 +151,7 @@ class SheetPart extends Part {
     const bytes = await crypto.subtle?.digest("SHA-256", new TextEncoder().encode(text));
     if (this.hash.of !== text) return;
     const hex = bytes && Array.from(new Uint8Array(bytes), (b) => b.toString(16).padStart(2, "0")).join("");
-    this.hash = { of: text, hex: hex ?? this.t("not to be had on this page") };
+    this.hash = { of: text, hex: hex ?? this.t("not available on this page") };
     this.requestUpdate();
   }
 }

@@ -36,8 +36,7 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
 /// Whether the two can do what is asked for.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
-        "G31, the skip positions and the origins of work offsets are written as posts and macros in use have them; nothing of it \
-                      was run on a control: try it without a part, feed hold at hand. G31 may ignore the feed override"
+        "G31, skip positions and work offset origins follow posts and macros in use; none of it was run on a control: try it without a part, with a hand on feed hold. G31 may ignore the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
     let rapid = request.path.moves.iter().find(|m| request.feeds.rate(m.feed).is_none());
@@ -47,8 +46,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if !request.protected && !request.path.moves.is_empty() {
         let message = text!(
-            "Without watched positioning a probe that is deflected from the start would be taken for a touch: this control takes watched \
-                       programs only"
+            "Without watched positioning, a probe deflected at the start would pass for a touch: this control takes watched programs only"
         );
         checker.error("protection-unsupported", "control.protection", message);
     }
@@ -56,8 +54,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
-        let message =
-            text!("The length of the tool is taken to act along Z: programs for another plane than G17 are not printed");
+        let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
         checker.error("plane-unsupported", "plane", message);
     }
     let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
@@ -67,7 +64,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
         let message = text!(
-            "Touch {touch} searches {search} past its nominal contact: at least {least} are needed, so that its contact differs from its end",
+            "Touch {touch} searches {search} past its nominal contact: at least {least} is needed to tell its contact from its end",
             k + 1,
             checker.length(request.path.touches[k].search),
             checker.length(SHORTEST_SEARCH)
@@ -97,7 +94,7 @@ fn check_digits(request: &Request<'_>, checker: &mut Checker) {
     let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
     if farthest >= limit {
         let message = text!(
-            "A place is {far} from the origin: places must be within {limit}, since a number has {digits} digits at most on some controls",
+            "A position is {far} from the origin: it must be within {limit}, since some controls take at most {digits} digits",
             checker.length(farthest),
             checker.length(limit),
             DIGITS
@@ -113,7 +110,7 @@ fn check_starts(request: &Request<'_>, checker: &mut Checker) {
         request.path.searches().filter_map(|(k, from, _)| Some((k, from?.distance(request.path.touches[k].contact(radius)))));
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_SEARCH) {
         let message = text!(
-            "Touch {touch} begins {way} before its nominal contact: at least {least} are needed, so that its contact differs from its beginning",
+            "Touch {touch} begins {way} before its nominal contact: at least {least} is needed to tell its contact from its start",
             k + 1,
             checker.length(way),
             checker.length(SHORTEST_SEARCH)

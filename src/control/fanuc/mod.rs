@@ -28,7 +28,7 @@ use crate::text::words;
 pub static FANUC: PostDef = PostDef {
     key: "fanuc",
     title: "Fanuc 30i / 0i-F",
-    about: "moves with the skip function G31, each compared with its end; a contact lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
+    about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
     extension: "nc",
     work_offsets: 6,
     work_offset_word: |n| format!("G{}", 53 + n),
@@ -116,7 +116,7 @@ const DIGITS: usize = 8;
 fn serves(_subject: Subject, form: Form) -> Result<(), &'static str> {
     match form {
         Form::Moves => Ok(()),
-        Form::Cycle => Err("it has no probing cycles of its own; calls of installed macros (P98xx) are not printed"),
+        Form::Cycle => Err("it has no probing cycles of its own; calls to installed macros (P98xx) are not written"),
     }
 }
 

@@ -119,7 +119,7 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
         let condition = cursor.bracketed(grammar, script)?;
         if cursor.eat("THEN") {
             script.push(line, What::JumpUnless(condition, here + 2));
-            let name = cursor.variable(Names::Hash).ok_or_else(|| text!("a condition without what it does"))?;
+            let name = cursor.variable(Names::Hash).ok_or_else(|| text!("a condition without an action"))?;
             assignment(name, &mut cursor, grammar, script)?
         } else {
             cursor.expect("GOTO")?;
@@ -153,9 +153,9 @@ fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, sc
     let value = cursor.value(grammar, script)?;
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
-        None if !own(name) => fault(text!("the control's own values are not written")),
+        None if !own(name) => fault(text!("the control's own values must not be written")),
         None => Ok(What::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
-        Some(_) => fault(text!("the control's own values are not written")),
+        Some(_) => fault(text!("the control's own values must not be written")),
     }
 }

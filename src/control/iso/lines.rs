@@ -128,9 +128,9 @@ impl Targets<'_> {
         }
         for (from, name) in &self.wanted {
             let message = match places.get(name.to_ascii_lowercase().as_slice()) {
-                None => text!("the target of this jump is nowhere"),
-                Some(&TWICE) => text!("the target of this jump is there more than once"),
-                Some(&to) if below && to as usize <= *from => text!("a jump down finds its label above only"),
+                None => text!("the target of this jump does not exist"),
+                Some(&TWICE) => text!("the target of this jump exists more than once"),
+                Some(&to) if below && to as usize <= *from => text!("a forward jump whose label is only above it"),
                 Some(&to) => {
                     match &mut script.blocks[*from].what {
                         What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _) => {

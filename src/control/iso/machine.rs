@@ -251,7 +251,7 @@ impl<'s, 't> Machine<'s, 't> {
             self.early.set(true);
             return Err(trouble(
                 block.line,
-                text!("the control reads ahead: the ball is not there yet when this is evaluated"),
+                text!("the control reads ahead: it evaluates this before the ball has arrived"),
             ));
         }
         Ok(flow)
@@ -364,7 +364,7 @@ impl<'s, 't> Machine<'s, 't> {
             }
         }
         if to.iter().any(|x| !x.is_finite()) {
-            return Err(trouble(line, text!("this motion has a place that is no number")));
+            return Err(trouble(line, text!("this motion has a position that is not a number")));
         }
         if let Some(node) = words.feed {
             self.state.feed = Some(self.value(node));

@@ -39,7 +39,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         let value = cursor.operand(grammar, script)?;
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
         if counted && !cursor.since(begin).contains(&b'.') {
-            return fault(text!("a number has no point: \"{left}\"", cursor.from(begin)));
+            return fault(text!("a number has no decimal point: \"{left}\"", cursor.from(begin)));
         }
         block
             .add(letter, value, grammar, script)
@@ -142,7 +142,7 @@ impl Block {
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(What::End),
             (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(What::Halt),
-            _ if self.halts => fault(text!("this code is understood where it stands alone")),
+            _ if self.halts => fault(text!("this code must stand alone in its block")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),
         }

@@ -93,8 +93,7 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
     let mut ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to) + path.touches[k].search)));
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_PROBE) {
         let message = text!(
-            "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} are needed. Use a larger clearance or \
-             overtravel",
+            "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} is needed. Use a larger clearance or overtravel",
             k + 1,
             checker.length(way),
             checker.length(SHORTEST_PROBE)

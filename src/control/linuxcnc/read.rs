@@ -72,7 +72,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
             // Above 5000 stand the control's own.
             let number = parse::whole(&name[1..]);
             if system(name).is_some() || number.is_some_and(|number| number > 5000) {
-                return fault(text!("the control's own parameters are not written"));
+                return fault(text!("the control's own parameters must not be written"));
             }
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;

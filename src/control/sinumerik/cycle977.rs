@@ -61,8 +61,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     if rectangle.path < SHORTEST_PATH {
         let message = text!(
-            "The measuring path of CYCLE977, the side clearance less the ball radius, would be {path}: it searches so far before and behind \
-             each wall, and {least} are the least that make sense{advice}",
+            "The measuring path of CYCLE977 (side clearance less ball radius, before and behind each wall) would be {path}: at least {least} makes sense{advice}",
             checker.length(rectangle.path),
             checker.length(SHORTEST_PATH),
             advice
@@ -77,8 +76,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
         if rectangle.zone[i] <= 0.0 {
-            let message =
-                text!("Between the places where the ball goes down nothing is left for a protection zone{advice}", advice);
+            let message = text!("The points where the ball goes down leave no room for a protection zone{advice}", advice);
             checker.error("cycle-no-zone", path, message);
         }
     }

@@ -77,18 +77,16 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) | (Subject::PocketProtected, Form::Cycle) => Ok(()),
         (Subject::CornerInside, Form::Cycle) => Err(
-            "its corner cycle is CYCLE961, and the order of that cycle's arguments is not proven by anything we have: a wrong one \
-             would move the probe somewhere else",
+            "its corner cycle is CYCLE961, and no source we have proves the order of its arguments: a wrong one would move the probe elsewhere",
         ),
         (Subject::TwoCircles, Form::Cycle) => Err("it has no cycle of its own for two circles"),
-        _ => Err("of its measuring cycles only the one for a protected rectangle is printed: take plain moves"),
+        _ => Err("of its measuring cycles only the protected rectangle is supported: use plain moves"),
     }
 }
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
-        "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 are written as manuals and working programs have them; nothing of \
-                      it was run on a control: try it with a hand on the feed override"
+        "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 follow manuals and working programs; none of it was run on a control: try it with a hand on the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {

@@ -114,7 +114,7 @@ fn block<'t>(
     let here = script.blocks.len();
     if let Some(label) = code.strip_suffix(':') {
         if Cursor::new(label).name() != Some(label.as_bytes()) {
-            return fault(text!("this is no label"));
+            return fault(text!("this is not a label"));
         }
         targets.known.push((label.as_bytes(), here));
         script.push(line, What::Nothing);
@@ -157,7 +157,7 @@ fn block<'t>(
             None if !is_register(name) && !declared.contains(&name) => return fault(text!("this is not understood")),
             None => What::Set(script.slot(name), value),
             Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return fault(text!("the control's own values are not written")),
+            Some(_) => return fault(text!("the control's own values must not be written")),
         }
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {

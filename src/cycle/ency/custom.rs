@@ -29,7 +29,7 @@ impl Custom {
                 Accessor::Flt | Accessor::Q => "Double",
             },
             value: self.value.clone(),
-            meaning: text!("The user's own code"),
+            meaning: text!("Custom code"),
             field: Some("cycle.custom".to_owned()),
             touch: None,
         }
@@ -43,7 +43,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         None | Some(Value::Null) => return Vec::new(),
         Some(Value::List(items)) if items.len() <= MOST => items,
         Some(_) => {
-            let message = text!("custom must be a list of at most {most} own codes { code, type, value }", MOST);
+            let message = text!("custom must be a list of at most {most} codes { code, type, value }", MOST);
             section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
@@ -53,14 +53,14 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         let path = format!("{place}[{i}]");
         if let Value::Map(entries) = item {
             for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
-                let message = text!("An own code has code, type and value, and no \"{key}\"", crate::form::printable(key));
+                let message = text!("A custom code has only code, type and value, no \"{key}\"", crate::form::printable(key));
                 section.checker.error("unknown-key", format!("{path}.{}", crate::form::printable(key)), message);
             }
         }
         let code = match item.get("code") {
             Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=HIGHEST).contains(n) => *n as i32,
             _ => {
-                let message = text!("An own code is a whole number from 1 to 1000000: negative ones are the system's");
+                let message = text!("A custom code is a whole number from 1 to 1000000: negative ones are the system's");
                 section.checker.error("wrong-code", format!("{path}.code"), message);
                 continue;
             }
@@ -77,7 +77,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             (Some(Accessor::Bol), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
             _ => {
                 let message = text!(
-                    "An own code has a type, Int, Flt or Bol, and a value of it: a whole number, a number, true or false"
+                    "A custom code has a type (Int, Flt or Bol) and such a value: a whole number, a number, true or false"
                 );
                 section.checker.error("wrong-type", path, message);
                 continue;

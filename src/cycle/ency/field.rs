@@ -164,7 +164,7 @@ form! {
     pub struct Properties {
         /// 0 global, 1 one work offset, 2 parametrical (G10), 3 local (G52).
         wcs_mode: Option<i32> = property("wcsMode", "Set WCS: mode", "CmdPrm.Int[-10]").usual(0.0, 3.0),
-        /// Number of the coordinate system, in the modes 1 and 2.
+        /// Number of the coordinate system, in modes 1 and 2.
         wcs_number: Option<i32> = property("wcsNumber", "Set WCS: number", "CmdPrm.Int[-11]"),
         /// Whose offset is set.
         offset_tool: Option<i32> = property("offsetTool", "Set tool offset: tool", "CmdPrm.Int[-12]"),
@@ -172,7 +172,7 @@ form! {
         offset_corrector1: Option<i32> = property("offsetCorrector1", "Set tool offset: corrector 1", "CmdPrm.Int[-13]"),
         /// Its second corrector.
         offset_corrector2: Option<i32> = property("offsetCorrector2", "Set tool offset: corrector 2", "CmdPrm.Int[-14]"),
-        /// Which tool is looked at.
+        /// Which tool is checked.
         broken_tool: Option<i32> = property("brokenTool", "Broken tool: tool", "CmdPrm.Int[-15]"),
         /// Its first corrector.
         broken_corrector1: Option<i32> = property("brokenCorrector1", "Broken tool: corrector 1", "CmdPrm.Int[-16]"),
@@ -190,9 +190,9 @@ form! {
         part_probe_corrector1: Option<i32> = property("partProbeCorrector1", "Calibrate part probe: corrector 1", "CmdPrm.Int[-22]"),
         /// Its second corrector.
         part_probe_corrector2: Option<i32> = property("partProbeCorrector2", "Calibrate part probe: corrector 2", "CmdPrm.Int[-23]"),
-        /// Under which component the report has it.
+        /// The component it is reported under.
         report_component: Option<i32> = property("reportComponent", "Report: component", "CmdPrm.Int[-24]"),
-        /// Under which feature the report has it.
+        /// The feature it is reported under.
         report_feature: Option<i32> = property("reportFeature", "Report: feature", "CmdPrm.Int[-25]"),
     }
 }

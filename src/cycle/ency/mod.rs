@@ -236,7 +236,7 @@ impl Cycle for Ency {
                     _ => checker.length(x),
                 };
                 let message = text!(
-                    "{label} is {given} in the form, and {size} between the picked touches: the touches count, the table has the form's",
+                    "{label} is {given} in the form, but {size} between the picked touches: the path follows the touches, the table the form",
                     field.label,
                     shown(given),
                     shown(*size)
@@ -338,7 +338,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
         // Our choice of what is small: the source says nothing of the wall above the touches.
         None if feed_distance < (2.0 * setup.radius).max(5.0) - ROUNDING => {
             let message = text!(
-                "This cycle knows no top side: the path begins and ends {height} above the touches, which may be inside the feature",
+                "This cycle has no top side: the path begins and ends {height} above the touches, perhaps inside the feature",
                 checker.length(feed_distance)
             );
             checker.warning("low-start", field, message);

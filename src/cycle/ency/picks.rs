@@ -50,7 +50,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
     };
     if items.is_empty() {
         let message =
-            text!("touches is an empty list: give every touch of the path, or null, which takes them from the dimensions");
+            text!("touches is empty: give every touch of the path, or null to take them from the dimensions");
         section.checker.error("wrong-count", place, message);
         return None;
     }
@@ -142,7 +142,7 @@ fn triple(
 /// Whether there are as many touches as the cycle has.
 pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
     if picks.len() != count {
-        let message = text!("This cycle, as its form says, has {count} touches, and {given} are given", count, picks.len());
+        let message = text!("By its form this cycle has {count} touches, but {given} are given", count, picks.len());
         checker.error("wrong-count", "cycle.touches", message);
     }
     picks.len() == count
@@ -198,8 +198,7 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
         let aside = (away - pick.vector * away.dot(pick.vector)).length();
         if aside > NEAR * (1.0 + 2.0 * away.length()) {
             let message = text!(
-                "Touch {touch} is not straight in front of the middle that this cycle touches from: it lies {aside} aside. A protected cycle \
-                 takes such touches",
+                "Touch {touch} is not straight in front of the middle, where this cycle touches from, but {aside} aside. A protected cycle takes such touches",
                 k + 1,
                 checker.length(aside)
             );

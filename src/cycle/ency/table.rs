@@ -15,8 +15,8 @@ pub const CODE_GROUPS: [(&str, i32, i32); 6] = [
     ("Dimensions", -99, -50),
     ("Touches", -199, -100),
     ("Original touches", i32::MIN, -200),
-    ("Properties and own codes", -49, -10),
-    ("Properties and own codes", 1, i32::MAX),
+    ("Properties and custom codes", -49, -10),
+    ("Properties and custom codes", 1, i32::MAX),
 ];
 
 /// Whether a code may be missing with this variant.

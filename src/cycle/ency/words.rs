@@ -1,6 +1,6 @@
 //! What the manual says of several cycles: steps they share, and what is our reading.
 
-pub const OVER: &str = "Over the place the side clearance away from the touch point, at the height of the start";
+pub const OVER: &str = "At the height of the start, across to the side clearance from the touch point";
 pub const DOWN: &str = "Down by top clearance and depth";
 pub const TOUCH: &str = "Touch, and back to where the touch began";
 pub const UP: &str = "Up by top clearance and depth";
@@ -33,7 +33,7 @@ pub const COSINE_INSIDE: &str = "The control adds the ball radius along the prob
                                  (W - d)(1/cos t - 1) for a width W, a ball diameter d and a turn t.";
 pub const COSINE_OUTSIDE: &str = "The control takes the ball radius off along the probing direction, so a turned feature reads too wide: by \
                                   (W + d)(1/cos t - 1) for a width W, a ball diameter d and a turn t.";
-pub const SINGLE: &str = "One pair of walls says where its middle is across them only. The other coordinate of the middle is the nominal one, and is \
+pub const SINGLE: &str = "One pair of walls gives its middle only across the walls. The other coordinate of the middle is the nominal one, and is \
                           not given where the walls are parallel to an axis.";
 pub const WALLS: &str = "Seen along the tool axis with rotation 0, wall 1 runs from the corner along the ordinate, and wall 2 the corner angle \
                          clockwise from it.";

@@ -287,12 +287,12 @@ impl Reader {
             "places-computed",
             text!("Places that the control computes are not known here, until a number is given"),
         );
-        say(self.machine, "machine-places", text!("Places in the machine's own system are not known in the work system"));
+        say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
         say(
             self.transformed,
             "places-transformed",
             text!(
-                "Shifts, turns, mirrors, scales, polar places and other work offsets are not followed: later places are as written"
+                "Shifts, rotations, mirroring, scaling, polar coordinates and other work offsets are ignored: later positions are as written"
             ),
         );
         say(

@@ -12,7 +12,7 @@ const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2
 
 #[wasm_bindgen]
 impl View {
-    /// From where the dimension of a field is seen in its true length, or the place and the rotation are that it says: where it is seen now, no other;
+    /// The view that shows a field's dimension in true length, or the position or rotation that it gives: the present view where that does;
     /// nothing for any other field.
     #[wasm_bindgen(js_name = lookFor)]
     pub fn look_for(&self, field: &str) -> Option<String> {

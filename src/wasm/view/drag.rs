@@ -48,7 +48,7 @@ impl View {
         }
     }
 
-    /// The path of the job's field that a `start` or `sweep` handle says.
+    /// The path of the job's field that a `start` or `sweep` handle sets.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
         let spread = self.held()?.last.planned.path.feature.two_circles()?.spread?;

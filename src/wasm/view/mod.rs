@@ -36,7 +36,7 @@ pub struct View {
     part: f64,
     /// The path of the field that has the focus.
     field: Option<String>,
-    /// How many times as large as it is it is drawn what deviates.
+    /// How many times as large deviations are drawn.
     magnified: f64,
     /// Ball centres that a machine measured, in the job's units.
     measured: Vec<crate::geom::Vec3>,
@@ -238,7 +238,7 @@ impl View {
         self.fit();
     }
 
-    /// Draws how the virtual part deviates so many times as large as it is, measured points too. The picture stays where it is.
+    /// Draws the virtual part's deviations, and measured points, so many times as large. The picture stays where it is.
     pub fn magnify(&mut self, times: f64) {
         let times = if times.is_finite() { crate::num::within(times, 1.0, 1000.0) } else { 1.0 };
         if self.magnified != times {
@@ -301,7 +301,7 @@ impl View {
         }
     }
 
-    /// Lights up a move of which such a part is done, 0 to 1: the ball is on its way.
+    /// Lights up a move that is done to this fraction, 0 to 1: the ball is on its way.
     pub fn play(&mut self, index: usize, part: f64) {
         self.highlight = Some(index);
         self.part = if part.is_finite() { crate::num::within(part, 0.0, 1.0) } else { 1.0 };

@@ -322,7 +322,7 @@ fn bad_input_is_named() {
     assert_eq!(bad("cycle.extrusion", number(2.0)), ["wrong-type cycle.extrusion"]);
     assert_eq!(bad("control.form", text("moves")), ["form-unsupported control.form"]);
     let refused = check(&with(&holes(), "control.form", text("moves")));
-    assert!(refused[0].message.contains("documented"), "{}", refused[0].message);
+    assert!(refused[0].message.contains("do not document"), "{}", refused[0].message);
     let rectangle = job(
         r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "internal-rectangle-protected" } }"#,
     );

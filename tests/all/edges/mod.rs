@@ -229,7 +229,7 @@ fn a_turned_part_reads_six_millimetres_too_large_without_a_word() {
         "overtravel": 20, "part": { "rotation": 22 } }"#);
     let finding = check(&turned).into_iter().find(|f| f.code == "result-untrue").unwrap();
     // (80 - 6)(1/cos 22° - 1) = 5.8116.
-    assert!(finding.level == Level::Warning && finding.message.contains("85.812 mm as width1"), "{}", finding.message);
+    assert!(finding.level == Level::Warning && finding.message.contains("85.812 mm as Width 1"), "{}", finding.message);
     let slight = with(&turned, "part.rotation", number(1.0));
     assert!(!warnings(&slight).contains(&"result-untrue".to_owned()), "0.011 mm at one degree");
     let shifted = job(r#"{ "format": 1, "cycle": { "type": "hole" }, "part": { "offset": [1, 0.5, 0] } }"#);

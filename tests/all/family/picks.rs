@@ -249,7 +249,7 @@ fn a_depth_that_the_picks_do_not_have_is_said() {
             let plan = planned(&picked(kind, &format!(r#""depth": {depth},"#), &picks));
             let found = plan.findings.iter().find(|f| f.code == "picks-differ" && f.path == "cycle.depth");
             assert_eq!(found.is_some(), said, "{kind} {depth} {:?}", plan.findings);
-            assert!(found.is_none_or(|f| f.message.starts_with("Depth is 10 mm in the form, and 25 mm between")), "{found:?}");
+            assert!(found.is_none_or(|f| f.message.starts_with("Depth is 10 mm in the form, but 25 mm between")), "{found:?}");
             // The start is the top clearance above what is touched on top, whatever the form says.
             let highest = plan.moves.iter().map(|step| step.to[2]).fold(f64::MIN, f64::max);
             assert!(highest > 5.0 && plan.touches[0].point[2] == -25.0, "{kind} {highest}");

@@ -25,13 +25,13 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath catalog         cycles, fields and controls
 
 JOB is a file with a job, a pattern ('jobs/**/*.json'), or - for the standard input.
-A file .ndjson or .jsonl, and with --ndjson any, holds a job a line: what becomes of each is a line of the output.
+A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each outcome is a line of the output.
 
   --post P        for this control, in the place of the job's own
   --form F        moves or cycle, in the place of the job's own
-  -o, --out DIR   into files there, named by the jobs; a file of the name that is there is replaced
-  --ndjson        a job a line in, an outcome a line out
-  --jobs N        over so many threads; by default as many as there are cores for jobs by the line, else 1
+  -o, --out DIR   into files there, named after the jobs; existing files are replaced
+  --ndjson        one job per line in, one outcome per line out
+  --jobs N        on N threads; by default one per core for jobs by the line, else 1
   --json          findings and errors as JSON
   -h, --help      this;  -V, --version
 

@@ -196,7 +196,7 @@ impl Shape for Corner {
             let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
             if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) < NEAR / 2.0) {
                 let message =
-                    text!("Touch {touch} lies on another of its wall: only touches that are apart give its direction", k + 1);
+                    text!("Touch {touch} coincides with another of its wall: only touches apart give its direction", k + 1);
                 checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);
             }
             if !same {
@@ -332,7 +332,7 @@ impl Shape for Corner {
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
         (self.counts.contains(&1) && code.starts_with("corner.")).then_some(words!(
-            "a wall with one touch is taken to have its nominal direction, which a turned part has not: give it a second touch"
+            "a wall with one touch is taken to have its nominal direction, wrong on a turned part: give it a second touch"
         ))
     }
 }

@@ -116,8 +116,7 @@ impl Shape for Circle {
         level_rules(checker, setup, self.depth, self.top.filter(|_| self.clearance.is_some()), !self.internal);
         let apart = |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
         if checker.sound(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
-            let message =
-                text!("Fewer than three touches stand apart: they give no circle, and centre and diameter are not known");
+            let message = text!("Fewer than three distinct touches give no circle: centre and diameter are not known");
             checker.warning("no-circle", "cycle.stepCount", message);
         }
     }
@@ -138,8 +137,7 @@ impl Shape for Circle {
             let wanted = [first, -first, third, -third];
             if let Some(k) = (0..4).find(|&k| (picks[k].vector - wanted[k]).length() > 2.0 * NEAR) {
                 let message = text!(
-                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 \
-                     opposite touch 3: touch {touch} is not there. The angular variant takes any",
+                    "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 opposite touch 3: touch {touch} is not. The angular variant takes any touches",
                     k + 1
                 );
                 checker.error("not-rectangular", format!("cycle.touches[{k}].vector"), message);
@@ -158,7 +156,7 @@ impl Shape for Circle {
             let radius = self.radius(picks, center, plane);
             let aside = (out.normalize_or_zero() * self.sign() - pick.vector).length();
             if (out.length() - radius).abs() > NEAR || aside > NEAR * 10.0 {
-                let message = text!("Touch {touch} does not lie on one circle with the others, square to it", k + 1);
+                let message = text!("Touch {touch} is not on the circle of the others, or not square to it", k + 1);
                 checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
             }
         }

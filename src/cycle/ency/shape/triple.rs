@@ -266,8 +266,7 @@ impl Shape for Triple {
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
-        code.starts_with("corner.").then_some(words!(
-            "each surface is touched once and is taken to have its nominal direction, which a turned part has not"
-        ))
+        code.starts_with("corner.")
+            .then_some(words!("each surface is touched once and taken to have its nominal direction, wrong on a turned part"))
     }
 }

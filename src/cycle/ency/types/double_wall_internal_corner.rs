@@ -25,11 +25,11 @@ pub static DEF: CycleDef = CycleDef {
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
         "Touch the first point of wall 1, and back",
-        "Where wall 1 has more points: to clearance 1 before the next one, touch, and back",
+        "If wall 1 has more points: to clearance 1 from the next one, touch, and back",
         "Step 3 until every point of wall 1 is touched",
         "Back to the start",
         "Touch the first point of wall 2, and back",
-        "Where wall 2 has more points: to clearance 2 before the next one, touch, and back",
+        "If wall 2 has more points: to clearance 2 from the next one, touch, and back",
         "Step 7 until every point of wall 2 is touched",
         "Back to the start",
         "Up by the feed distance",

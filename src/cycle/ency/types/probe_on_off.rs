@@ -20,8 +20,8 @@ pub static DEF: CycleDef = CycleDef {
     place: None,
     steps: &[],
     readings: &[
-        "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is its \
-                 builder's word, and is not guessed.",
+        "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is up \
+                 to its builder, and is not guessed.",
     ],
     read: |section| {
         let form = Form::read(section);
@@ -32,7 +32,7 @@ pub static DEF: CycleDef = CycleDef {
 form! {
     /// The form of type 0.
     pub struct Form {
-        /// Whether the probe is switched on; else off.
+        /// Whether the probe is switched on or off.
         on: bool = Field::flag("on", "On", true).code("CmdPrm.Bol[-3]").group("Postprocessor"),
     }
 }

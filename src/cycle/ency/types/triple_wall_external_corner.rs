@@ -23,9 +23,9 @@ pub static DEF: CycleDef = CycleDef {
     place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: outside, clearance 1 from wall 1 and clearance 2 from wall 2, top clearance above the top side",
-        "To clearance 1 before the point of wall 1, touch, and back",
+        "To clearance 1 from the point of wall 1, touch, and back",
         "Back to the start",
-        "To clearance 2 before the point of wall 2, touch, and back",
+        "To clearance 2 from the point of wall 2, touch, and back",
         "Back to the start",
         "To the top clearance over the point of the top side, touch, and back",
         "Back to the start",

@@ -23,7 +23,7 @@ pub static DEF: CycleDef = CycleDef {
     place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the middle clearance above the middle touch point",
-        "Over the place the side clearance away from the left touch point, at the height of the start",
+        "At the height of the start, across to the side clearance from the left touch point",
         "Down to the level of the touch",
         "Touch, and back to where the touch began",
         "Up to the height of the start",

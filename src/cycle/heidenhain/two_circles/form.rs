@@ -91,7 +91,7 @@ form! {
     pub struct Probe {
         /// SET_UP of the touch probe table: added to the set-up clearance.
         set_up: f64 = Field::length("setUp", "SET_UP", 2.0).range(0.0, 1000.0).usual(0.0, 50.0).group("Touch probe table"),
-        /// DIST of the touch probe table: the longest way of a touch.
+        /// DIST of the touch probe table: the maximum travel of a touch.
         dist: f64 = Field::length("dist", "DIST", 10.0).above(0.0, 1000.0).usual(0.5, 100.0).group("Touch probe table"),
         /// F of the touch probe table: the probing feed.
         feed: f64 = Field::feed("feed", "F", 300.0).usual(5.0, 1000.0).group("Touch probe table"),

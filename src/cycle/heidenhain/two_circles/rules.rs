@@ -98,7 +98,7 @@ impl TwoCircles {
         let nearest = pairs.fold(360.0, f64::min);
         if nearest < NEAREST {
             let message = text!(
-                "Two touches of a circle would lie {nearest}° apart: at least {least}° are needed, or there is no circle to compute",
+                "Two touches of a circle would lie {nearest}° apart: at least {least}° is needed, or there is no circle to compute",
                 crate::num::decimal(nearest, 4),
                 crate::num::decimal(NEAREST, 1)
             );
@@ -114,7 +114,7 @@ impl TwoCircles {
         let worst = worth(0).max(worth(1));
         if worst > DOUBTFUL {
             let message = text!(
-                "Over so short an arc a centre is {worst} times as uncertain as a single touch: give the touches more of the circle",
+                "On so short an arc the centre is {worst} times as uncertain as a single touch: spread the touches further",
                 crate::num::decimal(worst, 0)
             );
             checker.warning("short-arc", "cycle.angularLength", message);
