@@ -194,6 +194,8 @@ struct Expected {
     scale: f64,
     /// Half of the last digit that a place is written with, and of a feed.
     digit: f64,
+    /// How many last digits a unit has.
+    steps: f64,
     /// By how much rounded constants may move a place that is as far from the origin as the touches, mm.
     size: f64,
     /// The touches in the order of the path: which one, and begin and end of its probing move.
@@ -206,7 +208,8 @@ impl Expected {
         let far = path.touches.iter().map(|touch| touch.point.length()).fold(100.0, f64::max);
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let digit = request.post.half_digit(request.scale);
-        let mut expected = Expected { scale: request.scale, digit, size, touches: Vec::new() };
+        let steps = 10f64.powi(request.post.decimals(request.scale) as i32);
+        let mut expected = Expected { scale: request.scale, digit, steps, size, touches: Vec::new() };
         for (k, from, step) in path.searches() {
             let end = expected.place(search_end(step, &path.touches[k]));
             expected.touches.push((k, (expected.place(from.unwrap_or(Vec3::NAN)), end)));
@@ -220,7 +223,7 @@ impl Expected {
 
     /// The place as the program writes it, to its last digit.
     fn written(&self, place: Vec3) -> Place {
-        let steps = 0.5 / self.digit;
+        let steps = self.steps;
         self.place(place).map(|x| (x * steps).round() / steps)
     }
 

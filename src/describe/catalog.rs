@@ -25,7 +25,7 @@ pub struct Catalog {
     pub rules: Vec<RuleEntry>,
     /// What the codes of a CmdPrm table are about; the first that fits counts.
     pub code_groups: Vec<CodeGroup>,
-    /// The rate that rapids are taken to have in `plan().time`, mm/min.
+    /// The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
     pub rapid_rate: f64,
     /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
     pub max_touches: usize,

@@ -211,7 +211,13 @@ impl<'a, 'c> Section<'a, 'c> {
         let unit = self.unit(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
-            let (min, max) = (number(field.hard.min), number(field.hard.max));
+            // Rounded inwards: what is said to be allowed is.
+            let inwards = |x: f64, way: f64| {
+                let shown = number(x);
+                let off = crate::num::read(&shown).map_or(0.0, |shown| (shown * scale - x) * way);
+                if off < 0.0 { number(x + way * 1e-5 * scale) } else { shown }
+            };
+            let (min, max) = (inwards(field.hard.min, 1.0), inwards(field.hard.max, -1.0));
             let allowed = if field.hard.above {
                 text!("above {min} and at most {max}{unit}", min, max, unit)
             } else {

@@ -260,7 +260,7 @@ test("readonly: nothing changes the job but the page around, and the program can
     const target = document.querySelector("touch-path")?.shadowRoot?.querySelector("main");
     target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
   });
-  await page.getByText("this job can only be looked at").waitFor();
+  await page.getByText("this job is read-only").waitFor();
   assert.deepEqual(await on((element) => element.job), kept);
   assert.ok(await page.getByRole("button", { name: /^Save / }).isEnabled());
   await set("cycle", "boss");

@@ -81,7 +81,7 @@ test("a job with errors stood beside picture, program and results of the job bef
   assert.ok((await amount()).every((n) => n > 0));
   // Its path can be drawn, though the control has no program for it.
   await give({ format: 1, plane: "G18", cycle: { type: "hole" }, control: { post: "fanuc" } });
-  await stamp.filter({ hasText: "No program: The length of the tool" }).waitFor();
+  await stamp.filter({ hasText: "No program: The tool length" }).waitFor();
   assert.ok((await pixels()).count > 300);
   assert.equal(await textOf(page.locator(".scrub output")), "");
   assert.deepEqual(await amount(), [0, 0, 0, 0]);

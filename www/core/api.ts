@@ -102,7 +102,7 @@ export interface Api {
   meanings(job: Job): Said[];
   /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
   svg(job: Job, view?: "top" | "front" | "side" | "isometric"): string;
-  /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). They keep 4 decimals in mm and 6 in inch; a number below 0.001 keeps three more. What is neither a number nor such a text stays as it is. */
+  /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). They keep 4 decimals in mm and 6 in inch; a number below 0.001 keeps three more. What is neither a number nor such a text stays as it is; what JSON cannot hold becomes null. */
   convertUnits(job: unknown, units: "mm" | "inch"): Job;
   /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
   lentoax(query?: LentoaxQuery): Lentoax;

@@ -157,7 +157,7 @@ export interface Plan {
   moves: Move[];
   /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
   length: number;
-  /** Minutes for the same, rapids at 5000 mm/min. */
+  /** Minutes for the same. Rapids run at [`RAPID_RATE`](crate::path::RAPID_RATE), or at the feed that the control's program states for them. */
   time: number;
   /** The program. */
   program: ProgramText;
@@ -353,7 +353,7 @@ export interface Catalog {
   rules: RuleEntry[];
   /** What the codes of a CmdPrm table are about; the first that fits counts. */
   codeGroups: CodeGroup[];
-  /** The rate that rapids are taken to have in `plan().time`, mm/min. */
+  /** The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them. */
   rapidRate: number;
   /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry. */
   maxTouches: number;

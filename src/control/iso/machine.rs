@@ -466,7 +466,6 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Follows the program until it stops, or until it clearly continues.
     fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
-        let up = self.tool_axis();
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
         let (deflected, mut probes) = (probe != Probe::Free, 0);
         for _ in 0..most_blocks {
@@ -487,6 +486,7 @@ impl<'s, 't> Machine<'s, 't> {
                     // An exit moves in the modes of the program.
                     strays |= self.first.is_some_and(|first| first != self.state.modes);
                     let step = self.motion(line, words, motion)?;
+                    let up = self.tool_axis();
                     self.state.ahead = self.runs_on(motion);
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
