@@ -533,9 +533,9 @@ test("an element has the language of its own lang, or that of what is around it"
   await open(
     `<touch-path id="own" lang="de-CH"></touch-path><section lang="ru"><touch-path id="around"></touch-path></section><touch-path id="none" lang="tlh"></touch-path>`,
   );
-  const tab = (/** @type {string} */ id) => page.locator(`#${id} #tab-checks`).textContent();
-  const [de, ru, zh] = ["de", "ru", "zh-Hant"].map((language) => wordsOf(language).Checks);
-  assert.deepEqual([await tab("own"), await tab("around"), await tab("none")], [de, ru, "Checks"]);
+  const tab = (/** @type {string} */ id) => page.locator(`#${id} #tab-results`).textContent();
+  const [de, ru, zh] = ["de", "ru", "zh-Hant"].map((language) => wordsOf(language).Results);
+  assert.deepEqual([await tab("own"), await tab("around"), await tab("none")], [de, ru, "Results"]);
   // What an element says to the page around stays data: English, with what can be said in another language beside it.
   const said = await page.evaluate(() => {
     const own = /** @type {any} */ (document.querySelector("#own"));
@@ -552,11 +552,11 @@ test("an element has the language of its own lang, or that of what is around it"
     if (none) none.lang = "zh-TW";
   });
   await page.waitForFunction(
-    (zh) => document.querySelector("#none")?.shadowRoot?.querySelector("#tab-checks")?.textContent === zh,
+    (zh) => document.querySelector("#none")?.shadowRoot?.querySelector("#tab-results")?.textContent === zh,
     zh,
   );
   await page.waitForFunction(
-    () => document.querySelector("#own")?.shadowRoot?.querySelector("#tab-checks")?.textContent === "Checks",
+    () => document.querySelector("#own")?.shadowRoot?.querySelector("#tab-results")?.textContent === "Results",
   );
   assert.equal(await tab("around"), ru);
   // What is around an element may change its language.
@@ -566,7 +566,7 @@ test("an element has the language of its own lang, or that of what is around it"
   });
   for (const id of ["own", "around"])
     await page.waitForFunction(
-      ([id, de]) => document.querySelector(`#${id}`)?.shadowRoot?.querySelector("#tab-checks")?.textContent === de,
+      ([id, de]) => document.querySelector(`#${id}`)?.shadowRoot?.querySelector("#tab-results")?.textContent === de,
       [id, de],
     );
   assert.equal(await tab("none"), zh, "its own language stays");
@@ -587,9 +587,9 @@ test("the language that is set last is shown, however late the words of the one 
     element.lang = "ru";
     await element.ready;
   });
-  const ru = wordsOf("ru").Checks;
+  const ru = wordsOf("ru").Results;
   await page.waitForFunction(
-    (ru) => document.querySelector("touch-path")?.shadowRoot?.querySelector("#tab-checks")?.textContent === ru,
+    (ru) => document.querySelector("touch-path")?.shadowRoot?.querySelector("#tab-results")?.textContent === ru,
     ru,
   );
   // Inside a shadow root of the host's own, the language of the page around is meant.
@@ -600,9 +600,9 @@ test("the language that is set last is shown, however late the words of the one 
     const element = /** @type {any} */ (document.createElement("touch-path"));
     host.attachShadow({ mode: "open" }).append(element);
     await element.ready;
-    return element.shadowRoot.querySelector("#tab-checks").textContent;
+    return element.shadowRoot.querySelector("#tab-results").textContent;
   });
-  assert.equal(german, wordsOf("de").Checks);
+  assert.equal(german, wordsOf("de").Results);
 });
 
 test("what a page puts in as undefined is not there: the default stands in, and units convert", async () => {

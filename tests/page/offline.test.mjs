@@ -90,7 +90,7 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await tab.reload();
     await tab.locator(".note", { hasText: "newer version" }).waitFor();
     assert.equal(await tab.title(), "Touchpath", "not before it is taken");
-    await tab.getByRole("button", { name: "Take it" }).click();
+    await tab.getByRole("button", { name: "Load it" }).click();
     await tab.waitForFunction(() => document.title === "Newer Touchpath");
     await ready(tab);
     assert.equal(await field("cycle.width1", tab).inputValue(), "77");

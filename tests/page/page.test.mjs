@@ -529,13 +529,13 @@ test("a dump is pasted in and becomes the job again; nonsense stays where it was
   await more("Paste");
   await page.locator("#paste").fill("G1 X0");
   await page.getByRole("button", { name: "Read it" }).click();
-  assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
+  assert.match((await page.locator(".note").textContent()) ?? "", /This text gives no job/);
   assert.equal(await page.locator("#paste").inputValue(), "G1 X0");
   await page.locator("#paste").fill(dump.replaceAll(".Flt[", ". Flt [").replaceAll("52.5", "52,5"));
   await page.getByRole("button", { name: "Read it" }).click();
   assert.equal(await field("cycle.diameter").inputValue(), "52.5");
   assert.equal(await field("cycle.origin[0]").inputValue(), "12");
-  assert.match((await page.locator(".note").textContent()) ?? "", /does not say feeds.*does not say the stylus/);
+  assert.match((await page.locator(".note").textContent()) ?? "", /does not give feeds.*does not give the stylus/s);
   assert.equal(await page.locator("#paste").count(), 0);
   assert.deepEqual(problems, []);
 });
@@ -582,7 +582,7 @@ test("SINUMERIK: the probe's length decides, the program comes back", async () =
 test("a file that is nothing is refused and the form stays", async () => {
   await field("cycle.width1").fill("71");
   await page.locator("#file").setInputFiles({ name: "x.txt", mimeType: "text/plain", buffer: Buffer.from("G1 X0") });
-  assert.match((await page.locator(".note").textContent()) ?? "", /No job can be made/);
+  assert.match((await page.locator(".note").textContent()) ?? "", /This text gives no job/);
   assert.equal(await field("cycle.width1").inputValue(), "71");
 });
 
