@@ -217,37 +217,36 @@ export class Store extends Phrases {
       place[key] ??= {};
       place = place[key] as Draft;
     }
-    if (path === "control.post") this.follow(place, value);
     place[last] = value;
     // What was typed inside a value that is another one now.
     if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
   }
 
-  /** Another control has its form for this cycle, and calls work offsets by words of its own: what has another word there is none of them. */
-  private follow(control: Draft, post: unknown): void {
+  /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
+  controlOf(post: unknown, form?: Form, from = this.draft): Draft {
+    const control = { ...(from.control as Draft) };
     const forms = this.formsOf(post, this.cycle.type);
-    if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
-    const words = this.postOf(post)?.workOffsetWords;
-    const { workOffset } = control;
-    if (!words || typeof workOffset !== "number") return;
-    const word = this.postOf(control.post)?.workOffsetWords[workOffset - 1];
-    const number = word === undefined ? 0 : words.indexOf(word) + 1;
-    control.workOffset = number === 0 ? null : number;
-    if (number !== 0) return;
-    const said: Said = [
-      w("This control has no {offset}: the program now writes no work offset"),
-      word ?? String(workOffset),
-    ];
-    // Once the job is the new one.
-    queueMicrotask(() => this.dispatchEvent(new CustomEvent("told", { detail: said })));
+    if (form) control.form = form;
+    else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
+    const word = this.offsetWord(control.post, control.workOffset);
+    const number = (this.postOf(post)?.workOffsetWords ?? []).indexOf(word ?? "") + 1;
+    if (this.postOf(post) && typeof control.workOffset === "number") control.workOffset = number === 0 ? null : number;
+    return { ...control, post };
   }
 
-  /** Another control in a form of its own. */
-  chooseControl(post: string, form: Form): void {
-    const control = { ...(this.draft.control as Draft) };
-    this.follow(control, post);
-    this.put("control", { ...control, post, form });
+  /** Another control, and what of the job it has not. */
+  chooseControl(post: unknown, form?: Form): void {
+    const { post: old, workOffset } = this.draft.control as Draft;
+    this.put("control", this.controlOf(post, form));
+    if (typeof workOffset !== "number" || (this.draft.control as Draft).workOffset !== null) return;
+    const word = this.offsetWord(old, workOffset) ?? String(workOffset);
+    const said: Said = [w("This control has no {offset}: the program now writes no work offset"), word];
+    this.dispatchEvent(new CustomEvent("told", { detail: said }));
+  }
+
+  private offsetWord(post: unknown, number: unknown): string | undefined {
+    return typeof number === "number" ? this.postOf(post)?.workOffsetWords[number - 1] : undefined;
   }
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */

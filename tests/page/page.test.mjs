@@ -680,6 +680,8 @@ test("the words of a program have colours, those of the program that is shown", 
   await field("control.post").selectOption("sinumerik");
   await settles(async () => (await coloured("code")).includes("STOPRE"));
   assert.ok(!(await coloured("code")).includes("G38.3") && !(await coloured("variable")).includes("#5070"));
+  // Where the list comes to rest other lines may be in sight.
+  await page.waitForTimeout(300);
   const count = (await coloured("code")).length;
   await field("cycle.depth").fill("11");
   await settles(async () => (await program()).includes("Z-11"));

@@ -265,3 +265,109 @@ test("what was typed last is there after a reload, though it is written a moment
   await ready();
   assert.equal(await held("cycle.width1"), 71);
 });
+
+test("the number of a work offset was taken to another control, where it is another offset", async () => {
+  await field("control.workOffset").selectOption({ label: "G59.1 is written (7)" });
+  await field("control.post").selectOption("sinumerik");
+  assert.equal(await held("control.workOffset"), null);
+  await page.getByText("This control has no G59.1: the program now writes no work offset").waitFor();
+  await page.keyboard.press("Control+z");
+  assert.deepEqual([await held("control.post"), await held("control.workOffset")], ["linuxcnc", 7]);
+  // G55 is G55 everywhere, and grbl has none.
+  await field("control.workOffset").selectOption("2");
+  for (const post of ["sinumerik", "fanuc", "haas"]) {
+    await field("control.post").selectOption(post);
+    assert.equal(await held("control.workOffset"), 2, post);
+  }
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await page.getByText("This job on every control").click();
+  await page.getByRole("button", { name: "Choose grbl, moves" }).click();
+  assert.deepEqual([await held("control.post"), await held("control.workOffset")], ["grbl", null]);
+});
+
+test("the box for measured points folded shut when it was emptied, and what was typed next was lost", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("Points that a machine measured").click();
+  await page.locator("#measured").fill("37,012 0 -10");
+  await page.locator("#measured").fill("");
+  await page.keyboard.type("36,9 0 -10");
+  assert.equal(await page.locator("#measured").inputValue(), "36,9 0 -10");
+  await page.getByText("1 points are given for 4 touches").waitFor();
+  // It stays as it is left.
+  await page.getByText("Points that a machine measured").click();
+  await page.locator("#measured").waitFor({ state: "hidden" });
+});
+
+test("LinuxCNC's log of a probe was no file that the page knew", async () => {
+  const log = [37, -37.02, 0.01, -0.02].map((x, i) => (i < 2 ? `${x} 0 -10` : `0 ${i === 2 ? 22.01 : -22} -10`));
+  const buffer = Buffer.from(log.map((line) => `${line} 0 0 0 0 0 0\n`).join(""));
+  await page.locator("#file").setInputFiles({ name: "probe.log", mimeType: "text/plain", buffer });
+  await page.getByText("4 measured points were taken from this log: Results compares them with this job").waitFor();
+  assert.equal(await page.getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
+  // The balls stand 74.02 apart, and the ball is 6 wide.
+  assert.match(await textOf(page.locator("tp-results tbody tr").filter({ hasText: "Width 1" })), /80\.020/);
+  await page.keyboard.press("Control+z");
+  assert.equal(await page.locator("#measured").inputValue(), "");
+});
+
+test("the rail of the timeline shrank as soon as a move was lit", async () => {
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+    [390, 844],
+  ]) {
+    await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true });
+    const rail = () => page.locator("#scrub").evaluate((box) => box.getBoundingClientRect().width);
+    const before = await rail();
+    await page.getByRole("button", { name: "Next touch" }).click();
+    assert.equal(await rail(), before, String(width));
+  }
+});
+
+test("a program with a cycle of the control's own opened on its comments, and lit no line", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("control.post").selectOption("heidenhain");
+  const first = page.locator("tp-program .line:visible").first();
+  assert.match(await textOf(first), /^31 TCH PROBE 1411/, "its own number, and no other");
+  await page.getByRole("button", { name: "Next touch" }).click();
+  assert.match(await textOf(page.locator("tp-program .line[aria-selected=true]")), /^31 TCH PROBE 1411/);
+});
+
+test("with an error the dimension in focus was lit with its old value", async () => {
+  await field("cycle.width1").fill("79");
+  const lit = () =>
+    page.evaluate(() => {
+      const picture = /** @type {any} */ (
+        document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture")
+      );
+      return picture.lit;
+    });
+  assert.equal(await lit(), "cycle.width1");
+  await field("cycle.width1").fill("10");
+  assert.equal(await lit(), undefined);
+});
+
+test("Escape did not leave the gallery, and errors were not said beside Checks", async () => {
+  const badge = page.locator("tp-badge");
+  assert.equal(await textOf(badge), "");
+  await field("cycle.width1").fill("10");
+  assert.equal((await textOf(badge)).trim(), "1");
+  await field("cycle.width1").fill("80");
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.getByRole("searchbox", { name: "Search the cycles" }).fill("web");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.getByRole("searchbox", { name: "Search the cycles" }).inputValue(), "");
+  await page.keyboard.press("Escape");
+  await field("cycle.width1").waitFor({ state: "visible" });
+});
+
+test("one cause stood beside each of its results, also where it changes nothing that is shown", async () => {
+  await put("part.rotation", 2);
+  await page.getByRole("tab", { name: "Results" }).click();
+  const notes = page.locator("tp-results .notes li");
+  assert.equal(await notes.count(), 1);
+  // (80 − 6)(1/cos 2° − 1) and (50 − 6)(1/cos 2° − 1).
+  assert.match(await textOf(notes), /^Width 1 \+0\.045, Width 2 \+0\.027 from the truth: cosine error/);
+  await put("part.rotation", 0.05);
+  assert.equal(await notes.count(), 0);
+});

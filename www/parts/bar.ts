@@ -22,7 +22,7 @@ class BarPart extends FieldPart {
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
-      ${this.select("control.post", this.posts(), (id) => store.put("control.post", id), this.t("Control"))}
+      ${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}
       ${this.select(
         "control.workOffset",
         this.offsets(),

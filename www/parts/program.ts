@@ -154,7 +154,7 @@ class ProgramPart extends Part {
     const { store } = this;
     if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
     const form = store.formsOf(this.against, store.cycle.type)[0] ?? "moves";
-    const control = { ...(store.shown.control as object), post: this.against, form };
+    const control = store.controlOf(this.against, form, store.shown);
     const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
     const error = findings.find((f) => f.level === "error");
     return program ? { text: program.text } : { why: error ? this.message(error) : "" };
