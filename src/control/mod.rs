@@ -187,7 +187,18 @@ pub struct Request<'a> {
     pub numbered: OnceCell<Registers>,
 }
 
+/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
+/// ball has free before its touches.
+pub const CHORD_SAG: f64 = 0.02;
+
 impl Request<'_> {
+    /// As high as the path ever is.
+    pub fn highest(&self) -> Vec3 {
+        let w = self.path.frame.w;
+        let ends = self.path.moves.iter().map(|m| m.to).chain(self.path.start);
+        ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w))).unwrap_or(Vec3::ZERO)
+    }
+
     /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
     pub fn registers(&self) -> &Registers {
         self.numbered.get_or_init(|| Registers::allocate(&self.path.formula))

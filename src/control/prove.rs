@@ -80,8 +80,8 @@ pub struct Followed<'t> {
 pub enum Below {
     /// Nothing ever moves.
     NoMoves,
-    /// It moves, or stops before.
-    Followed(Trace),
+    /// Its motions up to the first place: none where it stops before.
+    Followed(Vec<Step>),
     /// It takes the stylus to be where the job says, and does not ask.
     NotAsked,
 }
@@ -137,7 +137,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
             let until = Some((expected.place(step.to), expected.digit));
             let run = Run { start, may_stop: true, until, known: false, ..run };
             match machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown }) {
-                Ok(trace) => Below::Followed(trace),
+                Ok(trace) => Below::Followed(trace.steps),
                 // Its blocks are right from where the job says that the stylus stands, and only there.
                 Err(_) if stated.is_some() => Below::NotAsked,
                 Err(trouble) => return Err(faults(vec![trouble])),
@@ -336,7 +336,7 @@ impl Expected {
         let middle = [0, 1, 2].map(|axis| (made.from[axis] + made.to[axis]) / 2.0);
         let radius = out(made.to);
         let begin = out(made.from);
-        let sag = crate::control::iso::writer::CHORD_SAG / self.scale;
+        let sag = crate::control::CHORD_SAG / self.scale;
         if (radius - begin).abs() > 4.0 * self.digit || radius - out(middle) > sag + 4.0 * self.digit {
             return Err(Fault::at(made.line, text!("move {number} leaves its arc", i + 1)));
         }

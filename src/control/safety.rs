@@ -3,7 +3,6 @@
 use crate::control::Request;
 use crate::control::iso::machine::{self, Run};
 use crate::control::iso::script::Modes;
-use crate::control::iso::writer::highest;
 use crate::control::prove::{Below, Followed};
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
@@ -279,9 +278,10 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     // The spindle has a rule of its own.
     let changed = |now: Modes| Modes { spindle: None, ..now } != Modes { spindle: None, ..modes };
     let moved = case.followed.trace.changed.iter().filter(|(_, now)| changed(*now));
-    breaks.extend(moved.map(|(line, _)| {
-        (Some(*line), text!("This moves after a mode was changed: units, plane, work offset or another"))
-    }));
+    breaks
+        .extend(moved.map(|(line, _)| {
+            (Some(*line), text!("This moves after a mode was changed: units, plane, work offset or another"))
+        }));
     breaks
 }
 
@@ -329,7 +329,7 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
         let across = (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
         across && step.to[tool] < height - case.digit()
     };
-    below.steps.iter().filter(low).map(|step| (Some(step.line), says())).collect()
+    below.iter().filter(low).map(|step| (Some(step.line), says())).collect()
 }
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
@@ -350,7 +350,7 @@ fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
 }
 
 fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
-    let top = case.level(highest(case.request));
+    let top = case.level(case.request.highest());
     let tool = case.tool();
     let bad = |step: &&Step| {
         // Half-way is where the contact was taken to be.
@@ -390,7 +390,7 @@ fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
 
 fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
     let mut exit = None;
-    let top = case.level(highest(case.request));
+    let top = case.level(case.request.highest());
     let tool = case.tool();
     let mut bad = |step: &&Step| match step.miss {
         Ending::Exit { line, lifts, strays, writes } => {
@@ -417,7 +417,7 @@ fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
 }
 
 fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
-    let (tool, top) = (case.tool(), case.level(highest(case.request)));
+    let (tool, top) = (case.tool(), case.level(case.request.highest()));
     let low = |step: &Step| {
         let across = (0..3).any(|axis| axis != tool && step.from[axis] != step.to[axis]);
         let (from, to) = (step.from[tool], step.to[tool]);

@@ -100,14 +100,14 @@ test("the repeatability of a good probe was 20 % larger after inch and back", ()
 
 test("the form follows the control, and the control stays where it takes the cycle", () => {
   const store = new Store();
-  store.set("control.post", "sinumerik");
+  store.chooseControl("sinumerik");
   store.set("control.form", "cycle");
   assert.ok(!store.stale);
-  store.set("control.post", "fanuc");
+  store.chooseControl("fanuc");
   assert.equal(store.get("control.form"), "moves");
   store.choose("probing-two-circles");
   assert.equal(store.get("control.post"), "fanuc");
-  store.set("control.post", "heidenhain");
+  store.chooseControl("heidenhain");
   assert.equal(store.get("control.form"), "cycle");
   store.set("control.workOffset", 3);
   store.choose("hole");
@@ -259,13 +259,13 @@ test("a HEIDENHAIN program and its file had two names: the control wants them th
   store.choose("probing-two-circles");
   for (const name of ["Größe Ø 12", "夹具", "PART-7", "a b", ""]) {
     store.set("name", name);
-    store.put("control.post", "heidenhain");
+    store.chooseControl("heidenhain");
     const inside = /^0 BEGIN PGM (\S+) MM/.exec(store.plan.program.text)?.[1];
     assert.equal(store.fileName("h"), `${inside}.h`, name);
-    store.put("control.post", "linuxcnc");
+    store.chooseControl("linuxcnc");
     assert.match(store.fileName("ngc"), /^[A-Za-z0-9_-]+\.ngc$/, name);
   }
   store.set("name", "CON");
-  store.put("control.post", "heidenhain");
+  store.chooseControl("heidenhain");
   assert.equal(store.fileName("h"), "CON_.h", "a name that Windows keeps");
 });

@@ -4,7 +4,7 @@ use super::flavour::Flavour;
 use super::{DIALECT, DIGITS, FIRST, SHORTEST_PROBE, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Writer, highest, upwards};
+use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{Program, Request, offset_line, written};
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op};
@@ -333,7 +333,7 @@ impl Moves for Skip<'_> {
 impl Skip<'_> {
     /// What stands after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
-        let top = highest(self.request).z;
+        let top = self.request.highest().z;
         let height = Self::number(w, top);
         let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
         let mut exit = |label: &str, lifts: Option<&str>, alarm: &str| {

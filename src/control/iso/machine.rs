@@ -249,21 +249,19 @@ impl<'s, 't> Machine<'s, 't> {
         let flow = self.carry_out(block)?;
         if self.strict && (self.early.take() || self.acts_early(&flow)) {
             self.early.set(true);
-            return Err(trouble(
-                block.line,
-                text!("the control reads ahead: it evaluates this before the ball has arrived"),
-            ));
+            return Err(trouble(block.line, text!("the control reads ahead: it evaluates this before the ball has arrived")));
         }
         Ok(flow)
     }
 
     /// Whether a block does something while a motion before it may not be done.
     fn acts_early(&self, flow: &Flow<'_>) -> bool {
-        self.state.ahead
-            && match (flow, self.script.ahead) {
-                (Flow::Alarm, Ahead::Alarms | Ahead::ReadsAndActs) | (Flow::Wrote(..), Ahead::ReadsAndActs) => true,
-                _ => false,
-            }
+        let acts = match flow {
+            Flow::Alarm => matches!(self.script.ahead, Ahead::Alarms | Ahead::ReadsAndActs),
+            Flow::Wrote(..) => self.script.ahead == Ahead::ReadsAndActs,
+            _ => false,
+        };
+        acts && self.state.ahead
     }
 
     /// Whether a condition is true. What depends on a variable without a value is not known.

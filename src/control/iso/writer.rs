@@ -398,23 +398,12 @@ pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
     }
 }
 
-/// As high as the path ever is.
-pub fn highest(request: &Request<'_>) -> Vec3 {
-    let w = request.path.frame.w;
-    let ends = request.path.moves.iter().map(|m| m.to).chain(request.path.start);
-    ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w))).unwrap_or(Vec3::ZERO)
-}
-
-/// Circular moves that are made as straight watched ones leave the circle by no more than this, mm, and by no more than half of what the
-/// ball has free before its touches.
-pub const CHORD_SAG: f64 = 0.02;
-
 /// The ends of the straight moves that make a positioning move.
 pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
     let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
-    let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
+    let sag = crate::control::CHORD_SAG.min(request.path.shortest_way() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
     let degrees = crate::num::within(degrees, 0.1, 30.0);
     step.pieces(from, request.path.frame.w, degrees.max(long_enough(request, arc.sweep, radius).unwrap_or(0.0)))
@@ -428,7 +417,7 @@ fn long_enough(request: &Request<'_>, sweep: f64, radius: f64) -> Option<f64> {
     let count = (sweep.abs() / least).floor();
     let each = sweep.abs() / count;
     let leaves = radius * (1.0 - (each / 2.0).cos());
-    let fits = count.is_finite() && count >= 1.0 && leaves < CHORD_SAG.min(request.path.shortest_way());
+    let fits = count.is_finite() && count >= 1.0 && leaves < crate::control::CHORD_SAG.min(request.path.shortest_way());
     fits.then(|| each.to_degrees() * (1.0 + 1e-9))
 }
 

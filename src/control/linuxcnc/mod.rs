@@ -12,7 +12,7 @@
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::writer::{Dialect, Writer, highest, upwards};
+use crate::control::iso::writer::{Dialect, Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
@@ -241,7 +241,7 @@ const CURRENT: [&str; 3] = ["#<_x>", "#<_y>", "#<_z>"];
 /// The one exit, and the way to the first place.
 fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let tool = request.plane.axes()[2];
-    let top = highest(request);
+    let top = request.highest();
     let lift = request.path.moves.iter().find_map(|m| request.feeds.rate(m.feed)).unwrap_or(RAPID_RATE);
     let height = w.height_word(top);
     let level = height[1..].to_owned();

@@ -17,7 +17,7 @@ mod read;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, highest, upwards};
+use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
     Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
@@ -122,7 +122,7 @@ fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
     if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
 }
 
-/// The same where there is one.
+/// The feed of a move: a rapid without a number runs at the stated rate.
 fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
     feed_rate(request, None, step).unwrap_or(RAPID_RATE)
 }
@@ -407,7 +407,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
     if let Some(first) = request.path.moves.first().filter(|_| request.protected || touches) {
         let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
         // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
-        let (axis, height) = (AXIS_NAMES[tool], w.number(highest(request)[tool]));
+        let (axis, height) = (AXIS_NAMES[tool], w.number(request.highest()[tool]));
         if request.protected {
             w.line("TP_BLOCKED:");
             w.line(&contact);

@@ -49,8 +49,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
         }
     };
     if items.is_empty() {
-        let message =
-            text!("touches is empty: give every touch of the path, or null to take them from the dimensions");
+        let message = text!("touches is empty: give every touch of the path, or null to take them from the dimensions");
         section.checker.error("wrong-count", place, message);
         return None;
     }
