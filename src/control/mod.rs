@@ -297,9 +297,13 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
 fn check_write(request: &Request<'_>, checker: &mut Checker) {
     let something = request.path.formula.datum.as_ref().is_some_and(Datum::writes);
     if request.work_offset.is_some() && !something {
-        let message = text!(
-            "A work offset is chosen, but this job measures nothing to write to it (1411: neither a position, Q1120, nor a rotation, Q1121)"
-        );
+        let message = if request.path.feature.two_circles().is_some() {
+            text!(
+                "A work offset is chosen, but this job measures nothing to write to it: neither a position (Q1120) nor a rotation (Q1121)"
+            )
+        } else {
+            text!("A work offset is chosen, but this job measures nothing to write to it")
+        };
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
 }

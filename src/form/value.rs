@@ -36,6 +36,7 @@ impl Value {
             Value::Null => text!("null"),
             Value::Flag(_) => text!("true or false"),
             Value::Number(_) => text!("a number"),
+            Value::Text(text) if text.trim().is_empty() => text!("an empty text"),
             Value::Text(_) => text!("text"),
             Value::List(_) => text!("a list"),
             Value::Map(_) => text!("an object"),
