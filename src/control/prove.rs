@@ -113,7 +113,8 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     // A job that says where the stylus stands has its program begin there.
     let stated = request.path.start.map(|start| expected.written(start));
     let start = stated.unwrap_or_else(|| away(AWAY[2]));
-    let run = Run { start, deflected: false, until: None, may_stop: false, known: stated.is_some(), strict: true };
+    let highest = expected.place(request.highest())[request.plane.axes()[2]] + 2.0 * expected.digit;
+    let run = Run { start, deflected: false, until: None, may_stop: false, known: stated.is_some(), highest, strict: true };
     let mut next = 0;
     let trace = machine::run(&script, run, &mut |step: &Step| {
         if part == Part::Unknown {

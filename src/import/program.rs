@@ -367,7 +367,7 @@ fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
     let script = (post.read?)(text);
     Some(script.and_then(|script| {
         let (start, known) = (script.start.unwrap_or(ANYWHERE), script.start.is_some());
-        let run = Run { start, deflected: false, until: None, may_stop: false, known, strict: false };
+        let run = Run { start, deflected: false, until: None, may_stop: false, known, highest: f64::INFINITY, strict: false };
         machine::run(&script, run, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])
     }))
 }

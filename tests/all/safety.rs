@@ -105,6 +105,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         "\n",
     ),
     ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z10 X3 F2000\no1"),
+    ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z9999 F2000\no1"),
     ("contact-lifts", "linuxcnc", "o<tp_exit> call [3] [1]", "o<tp_exit> call [3] [0]"),
     ("contact-lifts", "sinumerik", "G1 Z30 F2000\nTP_STOP", "G1 Z-30 F2000\nTP_STOP"),
     ("contact-lifts", "fanuc", "N9001\nIF [#5043-#100 GE 30.] GOTO 9011\n", "N9001\nGOTO 9011\n"),

@@ -58,6 +58,8 @@ pub struct Run {
     pub may_stop: bool,
     /// Whether the place of the ball is known to the program, as if its blocks had named it.
     pub known: bool,
+    /// No exit lifts higher than this, along the tool axis, in units of the program.
+    pub highest: f64,
     /// Whether it is held against what the program leaves to chance: variables without a value in a condition, values that are read before
     /// the ball is there.
     pub strict: bool,
@@ -118,6 +120,7 @@ struct Machine<'s, 't> {
     /// The modes at the first motion.
     first: Option<Modes>,
     strict: bool,
+    highest: f64,
     /// Whether a value was read before the ball was where it tells of.
     early: Cell<bool>,
 }
@@ -228,6 +231,7 @@ impl<'s, 't> Machine<'s, 't> {
             unwatched: Default::default(),
             first: None,
             strict: run.strict,
+            highest: run.highest,
             early: Cell::new(false),
         }
     }
@@ -501,7 +505,7 @@ impl<'s, 't> Machine<'s, 't> {
                             // From the start up to the first probing move the program does as it does with a free probe.
                             if probe != Probe::Deflected || probes > 0 {
                                 lifts |= rises && !across;
-                                strays |= across || step.to[up] < from[up];
+                                strays |= across || step.to[up] < from[up] || step.to[up] > self.highest;
                             }
                             if moves > most_moves {
                                 return Ok(Ending::GoesOn);
