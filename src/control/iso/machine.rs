@@ -121,8 +121,9 @@ struct Machine<'s, 't> {
     first: Option<Modes>,
     strict: bool,
     highest: f64,
-    /// Whether a value was read before the ball was where it tells of.
-    early: Cell<bool>,
+    /// Whether the block that is carried out leaves something to chance: it reads a value before the ball is where that tells of, or asks for a
+    /// variable without a value.
+    chance: Cell<bool>,
 }
 
 /// The probe while it is followed what a program leads to.
@@ -232,7 +233,7 @@ impl<'s, 't> Machine<'s, 't> {
             first: None,
             strict: run.strict,
             highest: run.highest,
-            early: Cell::new(false),
+            chance: Cell::new(false),
         }
     }
 
@@ -251,8 +252,8 @@ impl<'s, 't> Machine<'s, 't> {
         let block = &script.blocks[self.state.pc];
         self.state.pc += 1;
         let flow = self.carry_out(block)?;
-        if self.strict && (self.early.take() || self.acts_early(&flow)) {
-            self.early.set(true);
+        if self.strict && (self.chance.get() || self.acts_early(&flow)) {
+            self.chance.set(true);
             return Err(trouble(block.line, text!("the control reads ahead: it evaluates this before the ball has arrived")));
         }
         Ok(flow)
@@ -272,6 +273,7 @@ impl<'s, 't> Machine<'s, 't> {
     fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
         let value = self.value(condition);
         if value.is_nan() && self.strict {
+            self.chance.set(true);
             return Err(trouble(line, text!("this condition depends on a variable without a value")));
         }
         Ok(value != 0.0 && !value.is_nan())
@@ -474,8 +476,8 @@ impl<'s, 't> Machine<'s, 't> {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
             let flow = match self.step() {
-                // Whatever was evaluated too early, the exit does not depend on it.
-                Err(_) if self.early.take() => return Ok(Ending::GoesOn),
+                // What is left to chance may go on.
+                Err(_) if self.chance.take() => return Ok(Ending::GoesOn),
                 flow => flow?,
             };
             match flow {
@@ -611,8 +613,12 @@ impl<'s, 't> Machine<'s, 't> {
             System::Contact | System::Deflected => true,
             System::Length | System::Metric | System::UnitsCode | System::Fixed(_) | System::Offset(_) => false,
         };
-        if tells_of_the_ball && self.state.ahead && matches!(self.script.ahead, Ahead::Reads | Ahead::ReadsAndActs) {
-            self.early.set(true);
+        if self.strict
+            && tells_of_the_ball
+            && self.state.ahead
+            && matches!(self.script.ahead, Ahead::Reads | Ahead::ReadsAndActs)
+        {
+            self.chance.set(true);
         }
         match system {
             System::Place(axis) => self.state.at[axis],
