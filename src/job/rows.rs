@@ -26,7 +26,7 @@ pub struct Plan {
     pub moves: Vec<Move>,
     /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
     pub length: f64,
-    /// Minutes for the same. Rapids run at [`RAPID_RATE`](crate::path::RAPID_RATE), or at the feed that the control's program states for them.
+    /// Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
     pub time: f64,
     /// The program.
     pub program: ProgramText,

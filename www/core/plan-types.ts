@@ -157,7 +157,7 @@ export interface Plan {
   moves: Move[];
   /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
   length: number;
-  /** Minutes for the same. Rapids run at [`RAPID_RATE`](crate::path::RAPID_RATE), or at the feed that the control's program states for them. */
+  /** Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */
   time: number;
   /** The program. */
   program: ProgramText;
