@@ -50,7 +50,8 @@ export class Outside {
         );
       if (input === "cycle") store.choose(value as Cycle["type"]);
       else if (input === "units") store.setUnits(value as Units);
-      else if (value !== store.get("control.post")) store.chooseControl(value);
+      else if (value !== store.get("control.post"))
+        store.put("control", { ...store.controlOf(value), workOffset: store.get("control.workOffset") });
       return null;
     } catch {
       return refused("unreadable", w("Nothing was changed: the {input} cannot be read"), input);

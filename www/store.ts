@@ -226,12 +226,14 @@ export class Store extends Phrases {
   /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
   controlOf(post: unknown, form?: Form, from = this.draft): Draft {
     const control = { ...(from.control as Draft) };
+    const same = control.post === post;
     const forms = this.formsOf(post, this.cycle.type);
     if (form) control.form = form;
     else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
     const word = this.offsetWord(control.post, control.workOffset);
-    const number = (this.postOf(post)?.workOffsetWords ?? []).indexOf(word ?? "") + 1;
-    if (this.postOf(post) && typeof control.workOffset === "number") control.workOffset = number === 0 ? null : number;
+    const words = this.postOf(post)?.workOffsetWords;
+    // A number that no word is known for is the user's to put right.
+    if (words && word !== undefined && !same) control.workOffset = words.indexOf(word) + 1 || null;
     return { ...control, post };
   }
 
@@ -243,6 +245,14 @@ export class Store extends Phrases {
     const word = this.offsetWord(old, workOffset) ?? String(workOffset);
     const said: Said = [w("This control has no {offset}: the program now writes no work offset"), word];
     this.dispatchEvent(new CustomEvent("told", { detail: said }));
+  }
+
+  /** The points of a log that was opened. */
+  openPoints(text: string): void {
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
+    this.settle();
+    this.measured = text;
+    this.settle();
   }
 
   private offsetWord(post: unknown, number: unknown): string | undefined {

@@ -259,18 +259,20 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let Some(first) = case.steps().first() else { return Vec::new() };
     let modes = case.followed.trace.modes;
     let arcs = case.steps().iter().any(|step| step.arc.is_some());
+    let exact = case.request.post.dialect.is_some_and(|dialect| dialect.modes.contains("G61"));
     let right = [
         (words!("units"), modes.metric == Some(case.request.scale == 1.0)),
         (words!("plane"), modes.plane == Some(case.request.plane)),
         (words!("absolute mode"), modes.absolute == Some(true)),
         (words!("feed per minute"), modes.per_minute == Some(true)),
+        (words!("exact stop"), modes.exact != Some(false) && (!exact || modes.exact == Some(true))),
         (words!("centres of arcs"), !arcs || modes.arcs_incremental == Some(true)),
         (words!("work offset"), modes.offset == case.request.work_offset),
     ];
     let mut breaks: Vec<Break> = right
         .iter()
         .filter(|(_, right)| !right)
-        .map(|(what, _)| (Some(first.line), text!("This moves without first stating the job's {modes}", *what)))
+        .map(|(what, _)| (Some(first.line), text!("This moves with {modes} not stated, or not as the job has them", *what)))
         .collect();
     if modes.length == Some(false) {
         breaks.push((Some(first.line), text!("This moves with the length of the tool cancelled")));
@@ -291,8 +293,7 @@ fn spindle_off(case: &Case<'_>) -> Vec<Break> {
     if trace.modes.spindle != Some(false) {
         return vec![(Some(first.line), text!("This moves before the spindle is switched off"))];
     }
-    let turning = trace.changed.iter().filter(|(_, now)| now.spindle != Some(false));
-    turning.map(|(line, _)| (Some(*line), text!("This moves after the spindle is switched on"))).collect()
+    trace.spun.into_iter().map(|line| (Some(line), text!("This switches the spindle on"))).collect()
 }
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {

@@ -16,6 +16,8 @@ pub struct Trace {
     pub modes: Modes,
     /// Motions in other modes than that one: their 0-based lines and those modes, the first few.
     pub changed: Vec<(usize, Modes)>,
+    /// The line of the first block that switches the spindle on.
+    pub spun: Option<usize>,
     /// The results that it gives out: code and value.
     pub outputs: Vec<(String, f64)>,
     /// What it writes to work offsets.

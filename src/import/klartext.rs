@@ -81,7 +81,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         found: 0,
         passed_over: 0,
         plane_said: false,
-        transformed: false,
+        transformed: Vec::new(),
     };
     blocks.iter().for_each(|block| reader.block(block));
     reader.finish(&blocks)
@@ -106,8 +106,8 @@ struct Reader {
     passed_over: usize,
     /// Whether a block says the plane.
     plane_said: bool,
-    /// Whether a block before the cycle shifts, turns, mirrors or scales.
-    transformed: bool,
+    /// What shifts, turns, mirrors or scales before the cycle.
+    transformed: Vec<&'static str>,
 }
 
 impl Reader {
@@ -130,7 +130,10 @@ impl Reader {
             // ISO words before the cycle: units are looked for beforehand, plane and tool here.
             iso if self.found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => self.iso(iso),
             other => {
-                self.transformed |= self.found == 0 && transforms(other);
+                if let Some((what, is)) = transforms(other).filter(|_| self.found == 0) {
+                    self.transformed.retain(|known| *known != what);
+                    self.transformed.extend(is.then_some(what));
+                }
                 self.passed_over += 1;
             }
         }
@@ -142,6 +145,8 @@ impl Reader {
 
     fn tool_call(&mut self, words: &[&str]) {
         match words.first().map(|t| t.parse::<i32>()) {
+            // The empty tool is no probe.
+            Some(Ok(0)) => {}
             Some(Ok(number)) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
             // Only a spindle speed: the tool stays.
             Some(Err(_)) if words[0].starts_with('S') && crate::num::read(&words[0][1..]).is_some() => {}
@@ -203,6 +208,7 @@ impl Reader {
                     self.set("plane", word);
                     self.plane_said = true;
                 }
+                (_, Some(Ok(0))) => {}
                 (_, Some(Ok(tool))) => set(&mut self.job, "control.tool", Value::Number(f64::from(tool))),
                 _ => {}
             }
@@ -236,7 +242,7 @@ impl Reader {
         if !plane_said {
             checker.info("not-in-program", "plane", text!("This program does not say the tool axis: the plane G17 is taken"));
         }
-        if transformed {
+        if !transformed.is_empty() {
             let message = text!(
                 "Blocks before the cycle shift, turn, mirror, scale or tilt the work coordinate system: the job knows nothing of that"
             );
@@ -290,15 +296,39 @@ fn is_iso_word(word: &str) -> bool {
     word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
 }
 
-/// Whether a block moves the work coordinate system: datum shift, mirror, rotation, scale, tilted plane.
-fn transforms(words: &[&str]) -> bool {
+/// What kind of change of the work coordinate system a block states, and whether it is one: it may also end it.
+fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
+    // Zero, an axis alone, and a reset change nothing; a scale of 1 neither.
+    let value = |word: &&str| word.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '+').to_owned();
+    let changes = |words: &[&str], none: f64| {
+        let numbers: Vec<Option<f64>> = words.iter().map(|word| crate::num::read(&value(word).replace(',', "."))).collect();
+        !words.contains(&"RESET") && numbers.iter().any(|number| number.is_some_and(|number| number != none))
+    };
     match words {
-        ["CYCL", "DEF", cycle, ..] => {
-            let number = cycle.split('.').next().unwrap_or_default();
-            matches!(number, "7" | "8" | "10" | "11" | "19" | "26" | "247")
+        ["CYCL", "DEF", cycle, rest @ ..] => {
+            let (number, part) = cycle.split_once('.')?;
+            let kind = ["7", "8", "10", "11", "19", "26"].into_iter().find(|known| *known == number)?;
+            // The first part is a title.
+            match (kind, part) {
+                (_, "0") => None,
+                ("8", _) => Some((kind, !rest.is_empty())),
+                ("11" | "26", _) => Some((kind, changes(rest, 1.0))),
+                ("7", _) => Some((kind, rest.iter().any(|word| word.starts_with('#')) || changes(rest, 0.0))),
+                _ => Some((kind, changes(rest, 0.0))),
+            }
         }
-        ["TRANS" | "PLANE", ..] => true,
-        _ => false,
+        ["TRANS", what, rest @ ..] => {
+            let kind = ["DATUM", "MIRROR", "ROTATION", "SCALE"].into_iter().find(|known| known == what)?;
+            let axes = kind == "MIRROR" && !rest.is_empty() && !rest.contains(&"RESET");
+            Some((kind, axes || rest.contains(&"TABLE") || changes(rest, if kind == "SCALE" { 1.0 } else { 0.0 })))
+        }
+        ["PLANE", kind, ..] => Some(("PLANE", *kind != "RESET")),
+        // DIN/ISO: datum shift, rotation, scale, mirror, tilt.
+        [code, rest @ ..] => {
+            let kind = ["G54", "G73", "G72", "G28", "G80"].into_iter().find(|known| known == code)?;
+            Some((kind, if kind == "G28" { !rest.is_empty() } else { changes(rest, if kind == "G72" { 1.0 } else { 0.0 }) }))
+        }
+        [] => None,
     }
 }
 

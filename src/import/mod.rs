@@ -49,7 +49,7 @@ pub fn too_long(bytes: usize) -> JobError {
 fn longer_than(most: usize, bytes: usize) -> JobError {
     let most = most / 1_000_000;
     let message = text!(
-        "This text has {size} million bytes: at most {most} million are read",
+        "This text has {size} million characters: at most {most} million are read",
         crate::num::decimal(bytes as f64 / 1e6, 1),
         most
     );

@@ -344,7 +344,12 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         checker.info("no-job-in-program", "", text!("The program holds no job: its moves are read, but they give no job"));
         let mut findings = checker.findings();
         // Both readers take places as they are written.
-        findings.extend(read_program(text, None).findings.into_iter().filter(|finding| finding.code == "places-transformed"));
+        findings.extend(
+            read_program(text, None)
+                .findings
+                .into_iter()
+                .filter(|finding| matches!(finding.code.as_str(), "places-transformed" | "machine-places")),
+        );
         return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;

@@ -395,7 +395,7 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         return;
     }
     let message = text!(
-        "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other for it",
+        "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other, or too far from it",
         worst.said.meaning.clone(),
         decimal(times(worst), 0),
         checker.length(worst.uncertainty.unwrap_or(0.0) * job.scale)

@@ -204,13 +204,14 @@ fn the_forms_choices_are_the_registered_posts() {
 fn reading_and_writing_share_no_code() {
     const READING: &[&str] =
         &["prove", "safety", "trace", "release", "read", "machine", "script", "lines", "parse", "words", "codes"];
-    const WRITING: &[&str] = &["iso::writer", "iso::print", "control::moves", "control::header"];
+    const WRITING: &[&str] = &["writer::", "print::", "moves::", "header::", "::writer", "::print;", "{writer", "{print"];
     let mut read = 0;
     for (_, file, text) in all().iter().filter(|(module, ..)| module == "control") {
         let name = file.trim_end_matches(".rs").rsplit('/').next().unwrap();
         if READING.contains(&name) {
             read += 1;
-            assert!(WRITING.iter().all(|writing| !text.contains(writing)), "{file}");
+            let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+            assert!(WRITING.iter().all(|writing| !code.contains(writing)), "{file}");
         }
     }
     assert!(read >= 13, "{read}");

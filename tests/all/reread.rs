@@ -202,3 +202,38 @@ fn a_second_work_offset_was_followed_without_a_word() {
         assert_eq!(imported.trace.unwrap().moves.len(), 4, "{offset}");
     }
 }
+
+/// What a foreign program does that no program of ours does costs it neither its job nor its moves.
+#[test]
+fn everyday_lines_of_other_hands_lose_nothing() {
+    for post in ["fanuc", "haas"] {
+        let text = program(post).replacen("M30\n", "G53 G0 Z0.\nM30\n", 1);
+        let read = import(&text).unwrap();
+        assert!(!matches!(read.job, Value::Null), "{post}");
+        assert!(read.findings.iter().any(|f| f.code == "unsafe-program"), "{post}: {:?}", read.findings);
+    }
+    let moves = |text: &str| import(text).unwrap().trace.unwrap().moves.len();
+    // An argument that was given is not vacant; a parameter that nothing has set is not 5.
+    assert_eq!(moves("#1=5.\nG0 X0. Y0. Z5.\nIF [#1 NE #0] GOTO 10\nG1 Z-5. F100.\nN10\nG31 Z1. F100.\nM30\n"), 2);
+    assert_eq!(moves("G21\nG0 X0 Y0 Z5\no100 if [#100 NE 5]\nG38.2 Z0 F100\no100 endif\nG0 Z5\nM2\n"), 3);
+    for text in [
+        "#5599=0\nG0 X0 Y0 Z5\nG38.2 Z0 F100\nM2\n",
+        "#10101=5.\nG0 X0. Y0. Z5.\nG31 Z1. F100.\nM30\n",
+        "G0 X0 Y0 Z5\nMY_GUD=3\nMEAS=1 G1 Z0 F100\nM30\n",
+    ] {
+        assert_eq!(moves(text), 2, "{text}");
+    }
+    let home = import("G0 X0. Y0. Z5.\nG31 Z1. F100.\nG53 G0 Z0.\nG0 X9. Z7.\nM30\n").unwrap();
+    let trace = home.trace.unwrap();
+    assert_eq!(trace.moves.len(), 3, "the place of the machine's own system is none of the work system");
+    assert!(home.findings.iter().any(|f| f.code == "machine-places"), "{:?}", home.findings);
+}
+
+/// It took the square of the number of names.
+#[test]
+fn many_declared_names_are_read_at_once() {
+    let names: String = (0..25_000).map(|i| format!("DEF INT V{i}\n")).collect();
+    let sets: String = (0..100_000).map(|i| format!("V{}=1\n", 24_999 - i % 9)).collect();
+    let read = import(&format!("{names}{sets}G0 X0 Y0 Z5\nMEAS=1 G1 Z0 F100\nM30\n")).unwrap();
+    assert_eq!(read.trace.unwrap().moves.len(), 2);
+}

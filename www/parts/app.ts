@@ -112,6 +112,7 @@ export class App extends LitElement {
     });
     this.intake = new Intake(store, {
       tell: (text) => this.tell(text === "" ? null : [text]),
+      showsResults: () => this.panels.includes("results"),
       showResults: async () => {
         await this.use("cycles");
         this.show("results");

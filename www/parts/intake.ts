@@ -9,6 +9,8 @@ interface Page {
   tell(text: string): void;
   /** Shows the job again, whatever is shown now. */
   showJob(): void;
+  /** Whether the results are among the panels. */
+  showsResults(): boolean;
   /** Shows the results, where measured points stand beside them. */
   showResults(): void;
   /** Shows the moves of a program that says no job. */
@@ -152,21 +154,24 @@ export class Intake {
     });
   }
 
+  /** Takes the measured points of a log, where the page shows what they give. */
+  private takePoints(text: string, count: number): boolean {
+    if (!this.page.showsResults()) {
+      this.page.tell(this.store.t("This text cannot be read"));
+      return false;
+    }
+    this.store.openPoints(text.trim());
+    this.page.showResults();
+    this.page.tell(
+      this.store.t("{count} measured points were taken from this log: Results compares them with this job", count),
+    );
+    return true;
+  }
+
   /** Shows the job of a text, or else its moves; false where it has neither. */
   private take(text: string, reading: Reading): boolean {
-    if (reading.points > 0) {
-      this.store.measured = text.trim();
-      this.store.settle();
-      this.page.showResults();
-      this.page.tell(
-        this.store.t(
-          "{count} measured points were taken from this log: Results compares them with this job",
-          reading.points,
-        ),
-      );
-      return true;
-    }
     try {
+      if (reading.points > 0) return this.takePoints(text, reading.points);
       this.store.open(reading);
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;

@@ -23,7 +23,7 @@ const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 
 /** The block of a cycle that makes its moves by itself. */
-const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE /;
+const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE 1411 /;
 
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {

@@ -141,10 +141,10 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     Ok(())
 }
 
-/// Whether a variable is the program's: the arguments and the common ones. All others do something in the control.
+/// Whether a variable is the program's: the arguments and the common ones, those from 10000 on of a Haas. All others do something in the control.
 fn own(name: &[u8]) -> bool {
     let number = name.get(1..).and_then(parse::whole);
-    number.is_some_and(|number| matches!(number, 1..=33 | 100..=199 | 500..=999))
+    number.is_some_and(|number| matches!(number, 1..=33 | 100..=199 | 500..=999 | 10_000..=10_999))
 }
 
 /// What stands after the name of a variable: its value, or an alarm.
@@ -153,7 +153,7 @@ fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, sc
     let value = cursor.value(grammar, script)?;
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
-        None if !own(name) => fault(text!("the control's own values must not be written")),
+        None if !own(name) => Ok(What::SetOther(script.slot(name), value)),
         None => Ok(What::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values must not be written")),

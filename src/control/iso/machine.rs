@@ -16,7 +16,7 @@ const LONGEST_EXIT: usize = 200;
 const BUDGET: usize = 20_000_000;
 
 /// What a motion counts for: it is kept.
-const MOTION: usize = 50;
+const MOTION: usize = 20;
 
 /// So many motions in other modes than the first one are kept.
 const MOST_CHANGES: usize = 20;
@@ -119,6 +119,8 @@ struct Machine<'s, 't> {
     unwatched: (bool, State),
     /// The modes at the first motion.
     first: Option<Modes>,
+    /// The first block that switches the spindle on.
+    spun: Option<usize>,
     strict: bool,
     highest: f64,
     /// Whether the block that is carried out leaves something to chance: it reads a value before the ball is where that tells of, or asks for a
@@ -181,6 +183,9 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                     trace.changed.push((line, modes));
                 }
                 let mut step = machine.motion(line, words, motion)?;
+                if machine.chance.take() {
+                    return Err(early(line));
+                }
                 machine.go(&mut step, motion, world, &mut scratch)?;
                 trace.steps.push(step);
                 if run.until.is_some_and(|(place, off)| near(place, machine.state.at, off)) {
@@ -192,6 +197,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     if trace.steps.is_empty() {
         trace.modes = machine.state.modes;
     }
+    trace.spun = machine.spun;
     trace.written = machine.written(&trace);
     Ok(trace)
 }
@@ -200,6 +206,10 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
 pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     let mut machine = Machine::new(script, Run { deflected: true, ..run });
     machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
+}
+
+fn early(line: usize) -> Trouble {
+    trouble(line, text!("the control reads ahead: it evaluates this before the ball has arrived"))
 }
 
 fn trouble(line: usize, message: Text) -> Trouble {
@@ -231,6 +241,7 @@ impl<'s, 't> Machine<'s, 't> {
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
             unwatched: Default::default(),
             first: None,
+            spun: None,
             strict: run.strict,
             highest: run.highest,
             chance: Cell::new(false),
@@ -254,7 +265,7 @@ impl<'s, 't> Machine<'s, 't> {
         let flow = self.carry_out(block)?;
         if self.strict && (self.chance.get() || self.acts_early(&flow)) {
             self.chance.set(true);
-            return Err(trouble(block.line, text!("the control reads ahead: it evaluates this before the ball has arrived")));
+            return Err(early(block.line));
         }
         Ok(flow)
     }
@@ -276,7 +287,7 @@ impl<'s, 't> Machine<'s, 't> {
             self.chance.set(true);
             return Err(trouble(line, text!("this condition depends on a variable without a value")));
         }
-        Ok(value != 0.0 && !value.is_nan())
+        Ok(value != 0.0)
     }
 
     fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
@@ -285,11 +296,22 @@ impl<'s, 't> Machine<'s, 't> {
             What::Halt => self.state.ahead = false,
             What::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);
+                if words.modes.spindle == Some(true) {
+                    self.spun.get_or_insert(block.line);
+                }
                 if let Some(motion) = words.motion {
                     return Ok(Flow::Moved(words, motion));
                 }
             }
             What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            What::SetOther(..) if self.strict => {
+                return Err(trouble(block.line, text!("the control's own values must not be written")));
+            }
+            What::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            What::Elsewhere(_) if self.strict => {
+                return Err(trouble(block.line, text!("this goes to a place of the machine's own system")));
+            }
+            What::Elsewhere(axes) => (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false),
             What::SetOffset(part, node) => {
                 let value = self.value(*node);
                 self.set_part(*part, value);
@@ -490,6 +512,9 @@ impl<'s, 't> Machine<'s, 't> {
                     // An exit moves in the modes of the program.
                     strays |= self.first.is_some_and(|first| first != self.state.modes);
                     let step = self.motion(line, words, motion)?;
+                    if self.chance.take() {
+                        return Ok(Ending::GoesOn);
+                    }
                     let up = self.tool_axis();
                     self.state.ahead = self.runs_on(motion);
                     match motion {
@@ -582,7 +607,8 @@ impl<'s, 't> Machine<'s, 't> {
             }
             Node::Binary(binary, left, right) => {
                 let (x, y) = (self.value(left), self.value(right));
-                let truth = |is: bool| if x.is_nan() || y.is_nan() { f64::NAN } else { f64::from(u8::from(is)) };
+                let unknown = self.strict && (x.is_nan() || y.is_nan());
+                let truth = |is: bool| if unknown { f64::NAN } else { f64::from(u8::from(is)) };
                 match binary {
                     Binary::Add => x + y,
                     Binary::Subtract => x - y,

@@ -141,6 +141,10 @@ pub enum What {
     Words(Words),
     /// A variable gets a value.
     Set(Slot, NodeId),
+    /// What is the control's own, or not known, gets a value.
+    SetOther(Slot, NodeId),
+    /// Goes to a place of the machine's own system along these axes.
+    Elsewhere([bool; 3]),
     /// A part of a work offset gets a value.
     SetOffset(Part, NodeId),
     /// Continues elsewhere.
@@ -247,6 +251,12 @@ impl Modes {
 
     /// These modes after those of a later block.
     pub fn then(self, later: Modes) -> Modes {
+        // What was stated before is no longer so.
+        let before = if later.restored == Some(true) { Modes::NONE } else { self };
+        before.with(later)
+    }
+
+    fn with(self, later: Modes) -> Modes {
         Modes {
             metric: later.metric.or(self.metric),
             plane: later.plane.or(self.plane),

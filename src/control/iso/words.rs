@@ -142,6 +142,7 @@ impl Block {
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(What::End),
             (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(What::Halt),
+            (true, _) if self.halts => Ok(What::Elsewhere(self.words.to.map(|node| node.is_some()))),
             _ if self.halts => fault(text!("this code must stand alone in its block")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),

@@ -1,9 +1,9 @@
 //! The word-address writer that posts share: blocks of G words, axis words and feeds.
 
-use crate::control::{Program, Request, comment_text, header};
+use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::Digits;
-use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Touch};
+use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
 #[derive(Debug)]
@@ -403,22 +403,28 @@ pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3>
     let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
-    let sag = crate::control::CHORD_SAG.min(request.path.shortest_way() / 2.0);
+    let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
     let degrees = crate::num::within(degrees, 0.1, 30.0);
-    step.pieces(from, request.path.frame.w, degrees.max(long_enough(request, arc.sweep, radius).unwrap_or(0.0)))
+    step.pieces(from, request.path.frame.w, degrees.max(long_enough(request, &arc, radius).unwrap_or(0.0)))
 }
 
-/// Over how many degrees chords of a sweep are long enough to be watched; none where such chords would leave the circle by too much.
-fn long_enough(request: &Request<'_>, sweep: f64, radius: f64) -> Option<f64> {
+/// Over how many degrees chords of an arc are long enough to be watched; none where such chords would leave the circle by too much.
+fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
     let shortest = request.shortest_watched();
     let least = 2.0 * crate::num::within(shortest / (2.0 * radius), 0.0, 1.0).asin();
     // Evenly parted, no chord is shorter.
-    let count = (sweep.abs() / least).floor();
-    let each = sweep.abs() / count;
+    let count = (arc.sweep.abs() / least).floor();
+    let each = arc.sweep.abs() / count;
     let leaves = radius * (1.0 - (each / 2.0).cos());
-    let fits = count.is_finite() && count >= 1.0 && leaves < crate::control::CHORD_SAG.min(request.path.shortest_way());
-    fits.then(|| each.to_degrees() * (1.0 + 1e-9))
+    // In a hole a chord leads away from the wall, around a stud towards it.
+    let w = request.path.frame.w;
+    let in_hole = request.path.surfaces.iter().any(|surface| match surface {
+        Surface::Round(round) => round.hole && (round.center - arc.center).cross(w).length() < 1e-6,
+        Surface::Flat(_) | Surface::Unknown => false,
+    });
+    let free = if in_hole { f64::INFINITY } else { request.path.shortest_way() / 2.0 };
+    (count.is_finite() && count >= 1.0 && leaves <= CHORD_SAG.min(free)).then(|| each.to_degrees() * (1.0 + 1e-9))
 }
 
 /// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.

@@ -69,15 +69,15 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         }
         if let Some(name) = cursor.variable(Names::Hash) {
             cursor.expect("=")?;
-            // Above 5000 stand the control's own.
-            let number = parse::whole(&name[1..]);
-            if system(name).is_some() || number.is_some_and(|number| number > 5000) {
+            if system(name).is_some() {
                 return fault(text!("the control's own parameters must not be written"));
             }
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
             let slot = script.slot(name);
-            script.push(line, What::Set(slot, value));
+            // Above 5000 stand the control's own; #5599 only says whether messages are shown.
+            let own = parse::whole(&name[1..]).is_none_or(|number| number <= 5000 || number == 5599);
+            script.push(line, if own { What::Set(slot, value) } else { What::SetOther(slot, value) });
             return Ok(());
         }
         let what = words::words(&mut cursor, &GRAMMAR, script)?;

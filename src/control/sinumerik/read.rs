@@ -103,13 +103,13 @@ fn is_register(name: &[u8]) -> bool {
     name.strip_prefix(b"R").is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
 }
 
-/// `declared` are the names of the program's own variables.
+/// `declared` says of each variable whether it is the program's own.
 fn block<'t>(
     script: &mut Script<'t>,
     line: usize,
     code: &'t str,
     targets: &mut Targets<'t>,
-    declared: &mut Vec<&'t [u8]>,
+    declared: &mut Vec<bool>,
 ) -> Parsed<()> {
     let here = script.blocks.len();
     if let Some(label) = code.strip_suffix(':') {
@@ -126,7 +126,10 @@ fn block<'t>(
     } else if cursor.eat("TRANS") {
         What::Nothing
     } else if cursor.eat("DEF INT ") {
-        declared.push(cursor.name().ok_or_else(|| text!("a declaration without a name"))?);
+        let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
+        let slot = script.slot(name) as usize;
+        declared.resize(declared.len().max(slot + 1), false);
+        declared[slot] = true;
         What::Nothing
     } else if cursor.eat("GOTOF ") {
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
@@ -153,9 +156,13 @@ fn block<'t>(
         cursor.expect("=")?;
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
-            // Any other name is an axis, a word with its value, or what the control knows under it.
-            None if !is_register(name) && !declared.contains(&name) => return fault(text!("this is not understood")),
-            None => What::Set(script.slot(name), value),
+            // One letter is an axis, or a word with its value; any other name is what the control knows under it.
+            None if name.len() == 1 => return fault(text!("this is not understood")),
+            None => {
+                let slot = script.slot(name);
+                let own = is_register(name) || declared.get(slot as usize).is_some_and(|own| *own);
+                if own { What::Set(slot, value) } else { What::SetOther(slot, value) }
+            }
             Some(System::Offset(part)) => What::SetOffset(part, value),
             Some(_) => return fault(text!("the control's own values must not be written")),
         }

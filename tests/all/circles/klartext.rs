@@ -155,3 +155,41 @@ fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
     assert_eq!(number_at(&iso.job, "control.tool", 0.0), 7.0);
     assert!(import(&block).unwrap().findings.iter().any(|f| f.code == "units-unknown"));
 }
+
+/// A block that shifts, turns, mirrors, scales or tilts is warned of; one that resets, or does nothing, is not.
+#[test]
+fn transformations_before_the_cycle_are_said() {
+    let cycle = touchpath::job::plan(&with(&with(&holes(), "control.post", text("heidenhain")), "control.form", text("cycle")));
+    let program = cycle.unwrap().program.text;
+    let warned = |before: &str| {
+        let bare: String = program.lines().filter(|line| !line.contains(" ; ")).map(|line| format!("{line}\n")).collect();
+        let bare = bare.replacen(" TCH PROBE 1411", &format!(" L X+0\n{before}\n99 TCH PROBE 1411"), 1);
+        let read = import(&bare).unwrap();
+        read.findings.iter().any(|f| f.code == "places-transformed")
+    };
+    for block in [
+        "CYCL DEF 7.1 X+10",
+        "CYCL DEF 7.1 #5",
+        "CYCL DEF 8.1 X",
+        "CYCL DEF 10.1 ROT+30",
+        "CYCL DEF 11.1 SCL0.5",
+        "TRANS DATUM AXIS X+10 Y+5",
+        "TRANS MIRROR AXIS X",
+        "PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY",
+        "N50 G54 X+10 Y+5",
+        "N60 G73 G90 H+30",
+    ] {
+        assert!(warned(block), "{block}");
+    }
+    for block in [
+        "CYCL DEF 247 DATUM SETTING Q339=+1",
+        "CYCL DEF 7.1 X+0",
+        "CYCL DEF 8.1",
+        "CYCL DEF 10.1 ROT+0",
+        "TRANS DATUM RESET",
+        "PLANE RESET STAY",
+        "CYCL DEF 10.1 ROT+30\nCYCL DEF 10.1 ROT+0",
+    ] {
+        assert!(!warned(block), "{block}");
+    }
+}
