@@ -121,6 +121,7 @@ struct Machine<'s, 't> {
     first: Option<Modes>,
     /// The first block that switches the spindle on.
     spun: Option<usize>,
+    elsewhere: bool,
     strict: bool,
     highest: f64,
     /// Whether the block that is carried out leaves something to chance: it reads a value before the ball is where that tells of, or asks for a
@@ -197,7 +198,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     if trace.steps.is_empty() {
         trace.modes = machine.state.modes;
     }
-    trace.spun = machine.spun;
+    (trace.spun, trace.elsewhere) = (machine.spun, machine.elsewhere);
     trace.written = machine.written(&trace);
     Ok(trace)
 }
@@ -242,6 +243,7 @@ impl<'s, 't> Machine<'s, 't> {
             unwatched: Default::default(),
             first: None,
             spun: None,
+            elsewhere: false,
             strict: run.strict,
             highest: run.highest,
             chance: Cell::new(false),
@@ -311,7 +313,10 @@ impl<'s, 't> Machine<'s, 't> {
             What::Elsewhere(_) if self.strict => {
                 return Err(trouble(block.line, text!("this goes to a place of the machine's own system")));
             }
-            What::Elsewhere(axes) => (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false),
+            What::Elsewhere(axes) => {
+                self.elsewhere = true;
+                (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
+            }
             What::SetOffset(part, node) => {
                 let value = self.value(*node);
                 self.set_part(*part, value);
