@@ -345,10 +345,9 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         let mut findings = checker.findings();
         // Both readers take places as they are written.
         findings.extend(
-            read_program(text, None)
-                .findings
-                .into_iter()
-                .filter(|finding| matches!(finding.code.as_str(), "places-transformed" | "machine-places")),
+            read_program(text, None).findings.into_iter().filter(|finding| {
+                finding.code == "places-transformed" || (finding.code == "machine-places" && trace.elsewhere)
+            }),
         );
         return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings }));
     }
