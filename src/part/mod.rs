@@ -11,7 +11,7 @@ pub use measured::{Measured, read as read_measured};
 use crate::geom::{Rigid, Vec3};
 use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};
 
-/// How far behind the end of a search a surface may lie and is met, mm.
+/// A contact so far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
 
 /// How the real part lies.
@@ -71,7 +71,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
             Purpose::Touch(k) => {
                 let along = path.touches[k].vector;
                 let end = step.to - along * path.touches[k].search;
-                // A surface at the very end of the search is met, whatever rounding has made of either.
+                // A contact at the very end of the search counts.
                 let contact = obstacles.first_contact(setup.radius, from, end - along * ROUNDING);
                 if let Some(contact) = contact.filter(|c| c.surface != path.touches[k].group) {
                     strays.push((k, contact.surface));
