@@ -429,3 +429,14 @@ fn no_probing_move_is_lost() {
     // What gives a variable a value is no word.
     assert!(said(&read_program("G71\nTP_MOVE=5\nSTOPRE\nG0 X1\n", None)).contains(&"lines-skipped"));
 }
+
+/// G53 alone only halts some controls: it was said to go to a place of the machine.
+#[test]
+fn a_code_of_the_machines_system_without_places_goes_nowhere() {
+    let codes = |text: &str| -> Vec<String> { read_program(text, None).findings.into_iter().map(|f| f.code).collect() };
+    let program = |code: &str| format!("G21 G90\nG0 X0 Y0 Z5\n{code}\nG31 Z0 F100\nM30\n");
+    assert!(!codes(&program("G53")).contains(&"machine-places".to_owned()));
+    for code in ["G53 G0 Z0", "G28", "G28 Z0"] {
+        assert!(codes(&program(code)).contains(&"machine-places".to_owned()), "{code}");
+    }
+}

@@ -55,6 +55,8 @@ pub(super) struct Block {
     pub others: bool,
     /// Its places are of the machine: where that is in the work system is not known.
     pub machine: bool,
+    /// It goes to a place that the machine knows, whether or not it names axes.
+    pub home: bool,
     /// Its feed, or the time of a dwell.
     pub feed: Option<f64>,
     /// It ends the program.
@@ -80,6 +82,7 @@ pub(super) const EMPTY: Block = Block {
     p: None,
     others: false,
     machine: false,
+    home: false,
     feed: None,
     ends: false,
     strange: false,
@@ -91,7 +94,8 @@ impl Block {
         (self.given, self.computed, self.centered) = (0, 0, 0);
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
-        (self.machine, self.others, self.ends, self.strange) = (false, false, false, false);
+        (self.machine, self.home, self.others) = (false, false, false);
+        (self.ends, self.strange) = (false, false);
     }
 }
 

@@ -179,7 +179,7 @@ impl Reader {
         // Without a place, a centre makes a whole circle back to where it begins.
         if block.given | block.centered != 0 {
             self.moves(block);
-        } else if block.machine {
+        } else if block.home {
             self.place = [f64::NAN; 3];
             count(&mut self.machine, self.line);
         }

@@ -171,8 +171,9 @@ impl Reader {
             }
             // One work offset is what all is seen in; another one lies elsewhere.
             540..=599 | 1540 | 5050..=5990 => block.offset = Some(tenths),
-            280 | 300 | 530 | 1530 => block.machine = true,
-            740 | 750 if self.sinumerik => block.machine = true,
+            530 | 1530 => block.machine = true,
+            280 | 300 => (block.machine, block.home) = (true, true),
+            740 | 750 if self.sinumerik => (block.machine, block.home) = (true, true),
             _ => {}
         }
     }
