@@ -18,8 +18,6 @@ pub struct Trace {
     pub changed: Vec<(usize, Modes)>,
     /// The line of the first block that switches the spindle on.
     pub spun: Option<usize>,
-    /// Whether it goes to a place of the machine's own system: where that is in the work system is not known.
-    pub elsewhere: bool,
     /// The results that it gives out: code and value.
     pub outputs: Vec<(String, f64)>,
     /// What it writes to work offsets.

@@ -345,9 +345,10 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         let mut findings = checker.findings();
         // Both readers take places as they are written.
         findings.extend(
-            read_program(text, None).findings.into_iter().filter(|finding| {
-                finding.code == "places-transformed" || (finding.code == "machine-places" && trace.elsewhere)
-            }),
+            read_program(text, None)
+                .findings
+                .into_iter()
+                .filter(|finding| finding.code == "places-transformed" || finding.code == "machine-places"),
         );
         return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings }));
     }

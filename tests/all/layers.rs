@@ -202,13 +202,12 @@ fn the_forms_choices_are_the_registered_posts() {
 /// What reads, follows and judges a program has no code of what writes it: one mistake would hide the other.
 #[test]
 fn reading_and_writing_share_no_code() {
-    const READING: &[&str] =
-        &["prove", "safety", "trace", "release", "read", "machine", "script", "lines", "parse", "words", "codes"];
+    const READING: &[&str] = &["prove", "safety", "trace", "release", "read", "script", "lines", "parse", "words", "codes"];
     const WRITING: &[&str] = &["writer::", "print::", "moves::", "header::", "::writer", "::print;", "{writer", "{print"];
     let mut read = 0;
     for (_, file, text) in all().iter().filter(|(module, ..)| module == "control") {
         let name = file.trim_end_matches(".rs").rsplit('/').next().unwrap();
-        if READING.contains(&name) {
+        if READING.contains(&name) || file.contains("/machine/") {
             read += 1;
             let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
             assert!(WRITING.iter().all(|writing| !code.contains(writing)), "{file}");

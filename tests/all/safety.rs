@@ -96,6 +96,7 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("probe-asked", "sinumerik", "IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED\n", ""),
     ("probe-free-again", "sinumerik", "IF $A_PROBE[1]<>0 GOTOF TP_STUCK\n", ""),
     ("probe-free-again", "sinumerik", "TP_STUCK:\n", "TP_STUCK:\nG1 X500 F5000\n"),
+    ("probe-free-again", "sinumerik", "TP_STUCK:\n", "TP_STUCK:\nLIMS=5\n"),
     ("probe-free-again", "sinumerik unwatched", "IF $A_PROBE[1]<>0 GOTOF TP_STUCK\n", ""),
     ("low-start-goes-up", "linuxcnc", "o4 if [#<_z> LT 30]", "o4 if [#<_z> LT -900]"),
     ("low-start-goes-up", "sinumerik", "IF $AA_IW[Z]>=30 GOTOF TP_ABOVE", "IF $AA_IW[Z]>=-900 GOTOF TP_ABOVE"),

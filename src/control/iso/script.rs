@@ -209,6 +209,13 @@ pub enum Motion {
     MustBeFree,
 }
 
+impl Motion {
+    /// Whether it watches for a contact.
+    pub fn probes(self) -> bool {
+        matches!(self, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree)
+    }
+}
+
 /// Modes that a block states.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Modes {

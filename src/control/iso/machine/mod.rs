@@ -1,16 +1,16 @@
 //! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
 
+mod exits;
+mod values;
+
+pub use exits::deflected;
+
 use std::cell::Cell;
 
-use crate::control::iso::script::{
-    Ahead, Binary, Block, Modes, Motion, Node, NodeId, Part, Script, System, Trouble, Unary, What, Words,
-};
-use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write, Written};
+use crate::control::iso::script::{Ahead, Block, Modes, Motion, NodeId, Part, Script, Trouble, What, Words};
+use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write};
 use crate::geom::Plane;
 use crate::text::{Text, text};
-
-/// The most blocks that are followed after a probing move that went the other way: an exit is short.
-const LONGEST_EXIT: usize = 200;
 
 /// How much is done for one program: blocks, and copies of its variables at its motions. A second or so.
 const BUDGET: usize = 20_000_000;
@@ -20,16 +20,6 @@ const MOTION: usize = 20;
 
 /// So many motions in other modes than the first one are kept.
 const MOST_CHANGES: usize = 20;
-
-/// The most motions of an exit.
-const MOST_LIFTS: usize = 3;
-
-/// The length that the tool has along the tool axis, in units of the program: any number that is not 0.
-const TOOL_LENGTH: f64 = 97.25;
-
-/// The work offset as it is before the program writes it: any origin that is not 0, turned where the control can.
-const ORIGIN: Place = [311.5, -207.25, 43.75];
-const TURN: f64 = 25.0;
 
 /// What a probing move meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,23 +111,9 @@ struct Machine<'s, 't> {
     first: Option<Modes>,
     /// The first block that switches the spindle on.
     spun: Option<usize>,
-    elsewhere: bool,
-    strict: bool,
-    highest: f64,
-    /// Whether the block that is carried out leaves something to chance: it reads a value before the ball is where that tells of, or asks for a
-    /// variable without a value.
-    chance: Cell<bool>,
-}
-
-/// The probe while it is followed what a program leads to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Probe {
-    /// It does what the last probing move says.
-    Free,
-    /// It is deflected from the start.
-    Deflected,
-    /// It is still deflected from a motion that was not watched: what moves now belongs to the exit.
-    StillDeflected,
+    run: Run,
+    /// Whether the block that is carried out is refused because the run is strict: whatever comes of it, the program cannot rely on it.
+    refused: Cell<bool>,
 }
 
 /// What a block leads to.
@@ -184,8 +160,8 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                     trace.changed.push((line, modes));
                 }
                 let mut step = machine.motion(line, words, motion)?;
-                if machine.chance.take() {
-                    return Err(early(line));
+                if machine.refused.take() {
+                    return Err(trouble(line, reads_ahead()));
                 }
                 machine.go(&mut step, motion, world, &mut scratch)?;
                 trace.steps.push(step);
@@ -198,19 +174,13 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     if trace.steps.is_empty() {
         trace.modes = machine.state.modes;
     }
-    (trace.spun, trace.elsewhere) = (machine.spun, machine.elsewhere);
+    trace.spun = machine.spun;
     trace.written = machine.written(&trace);
     Ok(trace)
 }
 
-/// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
-pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
-    let mut machine = Machine::new(script, Run { deflected: true, ..run });
-    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
-}
-
-fn early(line: usize) -> Trouble {
-    trouble(line, text!("the control reads ahead: it evaluates this before the ball has arrived"))
+fn reads_ahead() -> Text {
+    text!("the control reads ahead: it evaluates this before the ball has arrived")
 }
 
 fn trouble(line: usize, message: Text) -> Trouble {
@@ -243,10 +213,8 @@ impl<'s, 't> Machine<'s, 't> {
             unwatched: Default::default(),
             first: None,
             spun: None,
-            elsewhere: false,
-            strict: run.strict,
-            highest: run.highest,
-            chance: Cell::new(false),
+            run,
+            refused: Cell::new(false),
         }
     }
 
@@ -265,11 +233,16 @@ impl<'s, 't> Machine<'s, 't> {
         let block = &script.blocks[self.state.pc];
         self.state.pc += 1;
         let flow = self.carry_out(block)?;
-        if self.strict && (self.chance.get() || self.acts_early(&flow)) {
-            self.chance.set(true);
-            return Err(early(block.line));
+        if self.refused.get() || (self.run.strict && self.acts_early(&flow)) {
+            return Err(self.refuse(block.line, reads_ahead()));
         }
         Ok(flow)
+    }
+
+    /// What a strict run refuses.
+    fn refuse(&self, line: usize, message: Text) -> Trouble {
+        self.refused.set(true);
+        trouble(line, message)
     }
 
     /// Whether a block does something while a motion before it may not be done.
@@ -285,13 +258,13 @@ impl<'s, 't> Machine<'s, 't> {
     /// Whether a condition is true. What depends on a variable without a value is not known.
     fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
         let value = self.value(condition);
-        if value.is_nan() && self.strict {
-            self.chance.set(true);
-            return Err(trouble(line, text!("this condition depends on a variable without a value")));
+        if value.is_nan() && self.run.strict {
+            return Err(self.refuse(line, text!("this condition depends on a variable without a value")));
         }
         Ok(value != 0.0)
     }
 
+    /// What a block does, whether or not it may here.
     fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
         match &block.what {
             What::Nothing => {}
@@ -306,15 +279,14 @@ impl<'s, 't> Machine<'s, 't> {
                 }
             }
             What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::SetOther(..) if self.strict => {
-                return Err(trouble(block.line, text!("the control's own values must not be written")));
+            What::SetOther(..) if self.run.strict => {
+                return Err(self.refuse(block.line, text!("the control's own values must not be written")));
             }
             What::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::Elsewhere(_) if self.strict => {
-                return Err(trouble(block.line, text!("this goes to a place of the machine's own system")));
+            What::Elsewhere(_) if self.run.strict => {
+                return Err(self.refuse(block.line, text!("this goes to a place of the machine's own system")));
             }
             What::Elsewhere(axes) => {
-                self.elsewhere = true;
                 (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
             }
             What::SetOffset(part, node) => {
@@ -420,9 +392,8 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Makes a motion. Of a probing one the way that it does not take is followed, too.
     fn go(&mut self, step: &mut Step, motion: Motion, world: &mut World<'_>, scratch: &mut State) -> Result<(), Trouble> {
-        let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
         self.state.ahead = self.runs_on(motion);
-        if !probes {
+        if !motion.probes() {
             self.state.at = step.to;
             self.unwatched.0 = true;
             self.unwatched.1.become_like(&self.state);
@@ -463,30 +434,11 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Whether the control evaluates what stands below a motion before it is done.
     fn runs_on(&self, motion: Motion) -> bool {
-        let probes = matches!(motion, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree);
         match self.script.ahead {
             Ahead::Harmless => false,
-            Ahead::Alarms => !probes,
+            Ahead::Alarms => !motion.probes(),
             Ahead::Reads | Ahead::ReadsAndActs => true,
         }
-    }
-
-    /// What a probing move leads to that meets this, without making it.
-    fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
-        scratch.become_like(&self.state);
-        self.arrive(to, met);
-        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::Free);
-        std::mem::swap(&mut self.state, scratch);
-        ending
-    }
-
-    /// What the program leads to from the last motion on, which nothing watched, if the probe is still deflected there.
-    fn still_deflected(&mut self) -> Result<Ending, Trouble> {
-        std::mem::swap(&mut self.state, &mut self.unwatched.1);
-        self.state.deflected = true;
-        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::StillDeflected);
-        std::mem::swap(&mut self.state, &mut self.unwatched.1);
-        ending
     }
 
     /// The ball stops where it met something, or at the end.
@@ -494,187 +446,7 @@ impl<'s, 't> Machine<'s, 't> {
         (self.state.at, self.state.trigger) = met.unwrap_or((to, to));
         self.state.contact = met.is_some();
     }
-
-    /// Follows the program until it stops, or until it clearly continues.
-    fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
-        let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
-        let (deflected, mut probes) = (probe != Probe::Free, 0);
-        for _ in 0..most_blocks {
-            let Some(block) = self.script.blocks.get(self.state.pc) else { break };
-            let line = block.line;
-            let flow = match self.step() {
-                // What is left to chance may go on.
-                Err(_) if self.chance.take() => return Ok(Ending::GoesOn),
-                flow => flow?,
-            };
-            match flow {
-                Flow::Next | Flow::Output(..) => {}
-                Flow::Wrote(..) => writes = true,
-                Flow::Native | Flow::End => return Ok(Ending::GoesOn),
-                Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
-                Flow::Moved(words, motion) => {
-                    let from = self.state.at;
-                    // An exit moves in the modes of the program.
-                    strays |= self.first.is_some_and(|first| first != self.state.modes);
-                    let step = self.motion(line, words, motion)?;
-                    if self.chance.take() {
-                        return Ok(Ending::GoesOn);
-                    }
-                    let up = self.tool_axis();
-                    self.state.ahead = self.runs_on(motion);
-                    match motion {
-                        Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
-                        // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
-                        Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
-                            self.arrive(from, Some((from, from)));
-                            probes += 1;
-                        }
-                        Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
-                        Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
-                            moves += 1;
-                            let across = (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
-                            let rises = step.to[up] > from[up];
-                            // From the start up to the first probing move the program does as it does with a free probe.
-                            if probe != Probe::Deflected || probes > 0 {
-                                lifts |= rises && !across;
-                                strays |= across || step.to[up] < from[up] || step.to[up] > self.highest;
-                            }
-                            if moves > most_moves {
-                                return Ok(Ending::GoesOn);
-                            }
-                            self.state.at = step.to;
-                        }
-                    }
-                }
-            }
-        }
-        Ok(Ending::GoesOn)
-    }
-
-    fn part(&self, part: Part) -> f64 {
-        if let Part::Turn(_, axis) = part
-            && axis != self.tool_axis()
-        {
-            return 0.0;
-        }
-        let known = self.state.origins.iter().find(|(known, _)| *known == part);
-        known.map_or_else(|| before(part, self.script.straight), |(_, value)| *value)
-    }
-
-    fn set_part(&mut self, part: Part, value: f64) {
-        match self.state.origins.iter_mut().find(|(known, _)| *known == part) {
-            Some((_, place)) => *place = value,
-            None => self.state.origins.push((part, value)),
-        }
-    }
-
-    /// What the written work offset comes to, for the place where the ball is.
-    fn written(&self, trace: &Trace) -> Option<Written> {
-        let number = trace.writes.first()?.number;
-        let plane = self.state.modes.plane.unwrap_or(Plane::G17);
-        let [a, o, tool] = plane.axes();
-        let turn = Part::Turn(number, tool);
-        let before = |part: Part| before(part, self.script.straight);
-        let (was, is) = (before(turn), self.part(turn));
-        let place = self.state.at;
-        // From the machine into the system as it is now.
-        let turned = |degrees: f64, x: f64, y: f64| {
-            let (sin, cos) = degrees.to_radians().sin_cos();
-            (x * cos - y * sin, x * sin + y * cos)
-        };
-        let shift = |axis: usize| before(Part::Origin(number, axis)) - self.part(Part::Origin(number, axis));
-        let (x, y) = turned(was, place[a], place[o]);
-        let mut reading = place;
-        (reading[a], reading[o]) = turned(-is, x + shift(a), y + shift(o));
-        reading[tool] += shift(tool);
-        if let Some(stated) = self.state.reading {
-            for axis in 0..3 {
-                reading[axis] = stated[axis].unwrap_or(reading[axis]);
-            }
-        }
-        Some(Written { place, reading, turn: is - was })
-    }
-
-    fn value(&self, node: NodeId) -> f64 {
-        match self.script.node(node) {
-            Node::Number(x) => x,
-            Node::Slot(slot) => self.state.slots[slot as usize],
-            Node::System(system) => self.system(system),
-            Node::Unary(unary, inner) => {
-                let x = self.value(inner);
-                match unary {
-                    Unary::Minus => -x,
-                    Unary::Abs => x.abs(),
-                    Unary::Sin => x.to_radians().sin(),
-                    Unary::Cos => x.to_radians().cos(),
-                    Unary::Sqrt => x.sqrt(),
-                }
-            }
-            Node::Binary(binary, left, right) => {
-                let (x, y) = (self.value(left), self.value(right));
-                let unknown = self.strict && (x.is_nan() || y.is_nan());
-                let truth = |is: bool| if unknown { f64::NAN } else { f64::from(u8::from(is)) };
-                match binary {
-                    Binary::Add => x + y,
-                    Binary::Subtract => x - y,
-                    Binary::Multiply => x * y,
-                    Binary::Divide => x / y,
-                    Binary::Atan => {
-                        let angle = x.atan2(y).to_degrees();
-                        if self.script.full_circle { angle.rem_euclid(360.0) } else { angle }
-                    }
-                    Binary::Equal => truth(x == y),
-                    Binary::Unequal => truth(x != y),
-                    Binary::Less => truth(x < y),
-                    Binary::AtMost => truth(x <= y),
-                    Binary::Greater => truth(x > y),
-                    Binary::AtLeast => truth(x >= y),
-                    Binary::And => truth(x != 0.0 && y != 0.0),
-                    Binary::Or => truth(x != 0.0 || y != 0.0),
-                }
-            }
-        }
-    }
-
-    fn system(&self, system: System) -> f64 {
-        let length = |axis: usize| if axis == self.tool_axis() { TOOL_LENGTH } else { 0.0 };
-        let truth = |is: bool| f64::from(u8::from(is));
-        let tells_of_the_ball = match system {
-            System::Place(_) | System::Trigger(_) | System::PlaceWithLength(_) | System::TriggerWithLength(_) => true,
-            System::Contact | System::Deflected => true,
-            System::Length | System::Metric | System::UnitsCode | System::Fixed(_) | System::Offset(_) => false,
-        };
-        if self.strict
-            && tells_of_the_ball
-            && self.state.ahead
-            && matches!(self.script.ahead, Ahead::Reads | Ahead::ReadsAndActs)
-        {
-            self.chance.set(true);
-        }
-        match system {
-            System::Place(axis) => self.state.at[axis],
-            System::Trigger(axis) => self.state.trigger[axis],
-            System::PlaceWithLength(axis) => self.state.at[axis] + length(axis),
-            System::TriggerWithLength(axis) => self.state.trigger[axis] + length(axis),
-            System::Length => TOOL_LENGTH,
-            System::Contact => truth(self.state.contact),
-            System::Deflected => truth(self.state.deflected),
-            System::Metric => self.metric,
-            System::UnitsCode => 20.0 + self.metric,
-            System::Fixed(x) => x,
-            System::Offset(part) => self.part(part),
-        }
-    }
 }
 
 /// The arguments of a subroutine.
 const ARGUMENTS: [&[u8]; 9] = [b"#1", b"#2", b"#3", b"#4", b"#5", b"#6", b"#7", b"#8", b"#9"];
-
-/// A part of a work offset before the program.
-fn before(part: Part, straight: bool) -> f64 {
-    match part {
-        Part::Origin(_, axis) => ORIGIN[axis],
-        Part::Turn(..) if straight => 0.0,
-        Part::Turn(..) => TURN,
-    }
-}

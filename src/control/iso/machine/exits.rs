@@ -1,0 +1,104 @@
+//! Where a program goes where a probing move, or the probe itself, does not do as on the path: to an exit, or on.
+
+use super::{Flow, Machine, Run, State};
+use crate::control::iso::script::{Motion, Script, Trouble};
+use crate::control::trace::{Ending, Place};
+
+/// The most blocks that are followed after a probing move that went the other way: an exit is short.
+const LONGEST_EXIT: usize = 200;
+
+/// The most motions of an exit.
+const MOST_LIFTS: usize = 3;
+
+/// The probe while it is followed what a program leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Probe {
+    /// It does what the last probing move says.
+    Free,
+    /// It is deflected from the start.
+    Deflected,
+    /// It is still deflected from a motion that was not watched: what moves now belongs to the exit.
+    StillDeflected,
+}
+
+/// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
+pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
+    let mut machine = Machine::new(script, Run { deflected: true, ..run });
+    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
+}
+
+impl Machine<'_, '_> {
+    /// What a probing move leads to that meets this, without making it.
+    pub(super) fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
+        scratch.become_like(&self.state);
+        self.arrive(to, met);
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::Free);
+        std::mem::swap(&mut self.state, scratch);
+        ending
+    }
+
+    /// What the program leads to from the last motion on, which nothing watched, if the probe is still deflected there.
+    pub(super) fn still_deflected(&mut self) -> Result<Ending, Trouble> {
+        std::mem::swap(&mut self.state, &mut self.unwatched.1);
+        self.state.deflected = true;
+        let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::StillDeflected);
+        std::mem::swap(&mut self.state, &mut self.unwatched.1);
+        ending
+    }
+
+    /// Follows the program until it stops, or until it clearly continues.
+    fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
+        let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
+        let (deflected, mut probes) = (probe != Probe::Free, 0);
+        for _ in 0..most_blocks {
+            let Some(block) = self.script.blocks.get(self.state.pc) else { break };
+            let line = block.line;
+            let flow = match self.step() {
+                // What is refused may go on: it is no stop of the control.
+                Err(_) if self.refused.take() => return Ok(Ending::GoesOn),
+                flow => flow?,
+            };
+            match flow {
+                Flow::Next | Flow::Output(..) => {}
+                Flow::Wrote(..) => writes = true,
+                Flow::Native | Flow::End => return Ok(Ending::GoesOn),
+                Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
+                Flow::Moved(words, motion) => {
+                    let from = self.state.at;
+                    // An exit moves in the modes of the program.
+                    strays |= self.first.is_some_and(|first| first != self.state.modes);
+                    let step = self.motion(line, words, motion)?;
+                    if self.refused.take() {
+                        return Ok(Ending::GoesOn);
+                    }
+                    let up = self.tool_axis();
+                    self.state.ahead = self.runs_on(motion);
+                    match motion {
+                        Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
+                        // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
+                        Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
+                            self.arrive(from, Some((from, from)));
+                            probes += 1;
+                        }
+                        Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
+                        Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
+                            moves += 1;
+                            let across = (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
+                            let rises = step.to[up] > from[up];
+                            // From the start up to the first probing move the program does as it does with a free probe.
+                            if probe != Probe::Deflected || probes > 0 {
+                                lifts |= rises && !across;
+                                strays |= across || step.to[up] < from[up] || step.to[up] > self.run.highest;
+                            }
+                            if moves > most_moves {
+                                return Ok(Ending::GoesOn);
+                            }
+                            self.state.at = step.to;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(Ending::GoesOn)
+    }
+}
