@@ -64,7 +64,7 @@ pub fn hash(text: &str) -> String {
     let mut rest = text;
     while !rest.is_empty() {
         // Some programs come back with carriage returns before their lines, or before those of a tape.
-        let line = next_line(&mut rest).trim_matches('\r').trim_end();
+        let line = next_line(&mut rest).trim_start_matches('\r').trim_end();
         if !line.is_empty() {
             state.update(line.as_bytes());
             state.update(b"\n");

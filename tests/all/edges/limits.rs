@@ -31,14 +31,18 @@ fn a_touch_that_meets_nothing_before_a_collision_is_said() {
     assert!(missed[0].starts_with("Touch 1 "), "{missed:?}");
 }
 
-/// Three touches over two degrees: by the chord of 2° a centre is known as the sagitta of its arc, r(1 − cos 1°), is: to 1/6565 of it.
+/// Three touches over two degrees, each off by a radial e: along the middle one the centre moves by d where d + ρ = e2 and
+/// d cos 1° + ρ = (e1 + e3) / 2, so d scatters by √1.5 / (1 − cos 1°) of a single touch, 8041 times.
 #[test]
 fn touches_side_by_side_wrote_an_offset_that_scatters_by_millimetres() {
     for kind in ["hole", "hole-protected", "boss"] {
         let job = cycle(&format!(r#"{{ "type": "{kind}", "variant": 1, "startAngle": 0, "angularStep": 1, "stepCount": 3 }}"#));
         assert!(warnings(&job).contains(&"uncertain-result".to_owned()), "{kind}");
-        let most = planned(&job).results.iter().filter_map(|row| row.uncertainty).fold(0.0, f64::max);
-        assert!(most > 5.0, "{most}");
+        let plan = planned(&job);
+        let center = plan.results.iter().find(|row| row.code == "center.x").unwrap();
+        let degree = 1f64.to_radians();
+        let expected = 0.001 * 1.5f64.sqrt() / (1.0 - degree.cos()) * degree.cos();
+        assert!((center.uncertainty.unwrap() / expected - 1.0).abs() < 1e-3, "{:?} {expected}", center.uncertainty);
     }
     let far =
         r#"{ "type": "double-wall-external-corner", "angle": 90, "distance1": 400, "distance2": 400, "step1": 2, "step2": 2 }"#;
