@@ -21,8 +21,27 @@ pub struct Rule {
     pub must: bool,
     /// Whether a cycle of the control's own answers for it, so that nothing can be said here.
     pub own_cycle: bool,
+    /// The lines that it is asked of, 0-based, whether they keep or break it.
+    pub about: About,
     /// The lines that break it, each with what is wrong there.
     pub breaks: fn(&Case<'_>) -> Vec<Break>,
+}
+
+/// Which lines a rule is asked of.
+#[derive(Clone, Copy, Debug)]
+pub enum About {
+    /// That of the first motion.
+    First,
+    /// That of the first touch.
+    FirstTouch,
+    /// That of the last motion.
+    Last,
+    /// Those of some motions.
+    Motions(fn(&Step) -> bool),
+    /// Those of the motions that are not the way back from a touch.
+    Positioning,
+    /// Those that write to a work offset.
+    Writes,
 }
 
 /// A line that breaks a rule: 0-based; none is the whole program.
@@ -48,6 +67,8 @@ pub struct Verdict {
     pub message: Text,
     /// The lines that break it, 0-based.
     pub lines: Vec<usize>,
+    /// The lines that it was asked of, in their order; those of the control's own cycles where they answer for it.
+    pub about: Vec<usize>,
     /// Whether a program without it is refused.
     pub must: bool,
 }
@@ -80,6 +101,7 @@ pub static RULES: &[Rule] = &[
         why: "A mode left over from another program moves the probe elsewhere.",
         must: true,
         own_cycle: false,
+        about: About::First,
         breaks: modes_stated,
     },
     Rule {
@@ -88,6 +110,7 @@ pub static RULES: &[Rule] = &[
         why: "A rotating probe breaks its cable or its stylus.",
         must: true,
         own_cycle: false,
+        about: About::First,
         breaks: spindle_off,
     },
     Rule {
@@ -96,6 +119,7 @@ pub static RULES: &[Rule] = &[
         why: "A deflected probe reports nothing: the first move would run into the part.",
         must: true,
         own_cycle: true,
+        about: About::FirstTouch,
         breaks: probe_asked,
     },
     Rule {
@@ -104,6 +128,7 @@ pub static RULES: &[Rule] = &[
         why: "A probe that stays deflected reports nothing: the next touch would run into the part.",
         must: true,
         own_cycle: true,
+        about: About::Motions(|step| step.stuck.is_some()),
         breaks: probe_free_again,
     },
     Rule {
@@ -112,6 +137,7 @@ pub static RULES: &[Rule] = &[
         why: "A low move in the plane can hit a fixture or the part.",
         must: true,
         own_cycle: false,
+        about: About::First,
         breaks: low_start,
     },
     Rule {
@@ -120,6 +146,7 @@ pub static RULES: &[Rule] = &[
         why: "A contact that goes unnoticed breaks the probe.",
         must: false,
         own_cycle: false,
+        about: About::Positioning,
         breaks: positioning_watched,
     },
     Rule {
@@ -128,6 +155,7 @@ pub static RULES: &[Rule] = &[
         why: "A probe left in contact is driven on by whatever runs next.",
         must: true,
         own_cycle: false,
+        about: About::Motions(|step| step.kind == Kind::Watched),
         breaks: contact_lifts,
     },
     Rule {
@@ -136,6 +164,7 @@ pub static RULES: &[Rule] = &[
         why: "A result without its touch is wrong, and would be written.",
         must: true,
         own_cycle: true,
+        about: About::Motions(|step| matches!(step.kind, Kind::Touch | Kind::Unchecked)),
         breaks: missed_touch_stops,
     },
     Rule {
@@ -144,6 +173,7 @@ pub static RULES: &[Rule] = &[
         why: "After a missed touch the ball stands where nothing has been checked.",
         must: true,
         own_cycle: true,
+        about: About::Motions(|step| step.kind == Kind::Touch),
         breaks: missed_touch_lifts,
     },
     Rule {
@@ -152,6 +182,7 @@ pub static RULES: &[Rule] = &[
         why: "A feed left over from a rapid move is a hundred times too fast for a touch.",
         must: true,
         own_cycle: false,
+        about: About::Motions(Step::probes),
         breaks: feeds_stated,
     },
     Rule {
@@ -160,6 +191,7 @@ pub static RULES: &[Rule] = &[
         why: "The part is below it, and a rapid move does not stop in time.",
         must: false,
         own_cycle: false,
+        about: About::Motions(|step| step.kind == Kind::Rapid),
         breaks: no_low_rapid,
     },
     Rule {
@@ -168,6 +200,7 @@ pub static RULES: &[Rule] = &[
         why: "A half-measured offset looks like a good one.",
         must: true,
         own_cycle: true,
+        about: About::Writes,
         breaks: offset_after_touches,
     },
     Rule {
@@ -176,6 +209,7 @@ pub static RULES: &[Rule] = &[
         why: "A value written twice is corrected twice.",
         must: true,
         own_cycle: true,
+        about: About::Writes,
         breaks: one_write,
     },
     Rule {
@@ -184,6 +218,7 @@ pub static RULES: &[Rule] = &[
         why: "The next program starts where this one ends.",
         must: true,
         own_cycle: false,
+        about: About::Last,
         breaks: ends_above,
     },
 ];
@@ -193,7 +228,14 @@ pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The control's own cycle makes every move itself");
     RULES
         .iter()
-        .map(|rule| Verdict { rule: rule.name, holds: None, message: message.to_owned(), lines: Vec::new(), must: rule.must })
+        .map(|rule| Verdict {
+            rule: rule.name,
+            holds: None,
+            message: message.to_owned(),
+            lines: Vec::new(),
+            about: Vec::new(),
+            must: rule.must,
+        })
         .collect()
 }
 
@@ -221,7 +263,12 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
             Some((_, what)) => (Some(false), what, lines),
         }
     };
-    Verdict { rule: rule.name, holds, message, lines, must: rule.must }
+    let about = match unable {
+        Some(_) => Vec::new(),
+        None if own_cycle => case.followed.trace.natives.clone(),
+        None => case.lines(rule.about),
+    };
+    Verdict { rule: rule.name, holds, message, lines, about, must: rule.must }
 }
 
 impl Case<'_> {
@@ -243,15 +290,40 @@ impl Case<'_> {
         self.request.post.half_digit(self.request.scale)
     }
 
+    /// The lines that a rule is asked of, in the order in which the program comes to them.
+    fn lines(&self, about: About) -> Vec<usize> {
+        if let About::Writes = about {
+            return self.followed.trace.writes.iter().map(|write| write.line).collect();
+        }
+        let mut lines = Vec::new();
+        for (i, step) in self.steps().iter().enumerate() {
+            let asked = match about {
+                About::First => i == 0,
+                About::FirstTouch => step.kind == Kind::Touch && lines.is_empty(),
+                About::Last => i + 1 == self.steps().len(),
+                About::Motions(which) => which(step),
+                About::Positioning => self.positions(i),
+                About::Writes => false,
+            };
+            if asked && lines.last() != Some(&step.line) {
+                lines.push(step.line);
+            }
+        }
+        lines
+    }
+
     /// Motions that are not the way back from a touch: index and motion.
     fn positioning(&self) -> impl Iterator<Item = (usize, &Step)> {
-        let steps = self.steps();
-        steps.iter().enumerate().filter(move |(i, step)| {
-            let after_touch = i.checked_sub(1).map(|before| &steps[before]).filter(|before| before.kind == Kind::Touch);
-            let leads_back =
-                after_touch.is_some_and(|touch| machine::near(touch.from, step.to, self.digit()) && step.arc.is_none());
-            step.kind != Kind::Touch && !leads_back
-        })
+        self.steps().iter().enumerate().filter(|(i, _)| self.positions(*i))
+    }
+
+    /// Whether a motion is neither a touch nor the way back from one.
+    fn positions(&self, i: usize) -> bool {
+        let (steps, step) = (self.steps(), &self.steps()[i]);
+        let after_touch = i.checked_sub(1).map(|before| &steps[before]).filter(|before| before.kind == Kind::Touch);
+        let leads_back =
+            after_touch.is_some_and(|touch| machine::near(touch.from, step.to, self.digit()) && step.arc.is_none());
+        step.kind != Kind::Touch && !leads_back
     }
 }
 
@@ -412,7 +484,7 @@ fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
 fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
     case.steps()
         .iter()
-        .filter(|step| matches!(step.kind, Kind::Watched | Kind::Touch | Kind::Unchecked) && !step.own_feed)
+        .filter(|step| step.probes() && !step.own_feed)
         .map(|step| (Some(step.line), text!("This probing block has no feed of its own")))
         .collect()
 }

@@ -57,6 +57,13 @@ pub struct Step {
     pub stuck: Option<Ending>,
 }
 
+impl Step {
+    /// Whether the probe is watched in it.
+    pub fn probes(&self) -> bool {
+        matches!(self.kind, Kind::Watched | Kind::Touch | Kind::Unchecked)
+    }
+}
+
 /// What a motion does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]

@@ -55,6 +55,8 @@ pub struct SafetyRow {
     pub said: Text,
     /// The 0-based lines that break it.
     pub lines: Vec<usize>,
+    /// The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it.
+    pub about: Vec<usize>,
 }
 
 /// What was proven of a program of moves: read back, it is the path.
@@ -214,6 +216,7 @@ impl SafetyRow {
             message: verdict.message.english(),
             said: verdict.message,
             lines: verdict.lines,
+            about: verdict.about,
         }
     }
 }

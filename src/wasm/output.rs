@@ -147,6 +147,7 @@ pub fn give(plan: &Plan, sink: &Sink) {
         out.flag(row.holds);
         out.said(&row.said);
         out.list(&row.lines, |out, line| out.count(*line));
+        out.list(&row.about, |out, line| out.count(*line));
     });
     sink.take(&out.numbers, &out.text);
 }

@@ -67,6 +67,51 @@ fn every_rule_holds_for_every_control_and_cycle() {
     assert!(held > 1500 && unable > 50, "{held} {unable}");
 }
 
+/// The lines of the moves come from the writer, those of the rules from the reader.
+#[test]
+fn a_rule_names_the_lines_that_it_was_asked_of() {
+    let mut written = 0;
+    for post in POSTS {
+        for def in CYCLES.iter().filter(|def| (post.serves)(def.probes, Form::Moves).is_ok()) {
+            let plan = plan(&job_for(def.key, post.key, Form::Moves, post.work_offsets > 0)).unwrap();
+            let about = |rule: &str| {
+                let row = plan.safety.iter().find(|row| row.rule == rule).unwrap();
+                row.about.iter().map(|line| i32::try_from(*line).unwrap()).collect::<Vec<_>>()
+            };
+            let lines = |touches: bool| -> Vec<i32> {
+                let moves = plan.moves.iter().zip(&plan.program.move_lines);
+                moves.filter(|(step, _)| (step.kind == "touch") == touches).map(|(_, line)| *line).collect()
+            };
+            let at = format!("{} {}", post.key, def.key);
+            let touches = lines(true);
+            assert_eq!(about("missed-touch-stops"), touches, "{at}");
+            assert_eq!(about("probe-asked"), touches.iter().take(1).copied().collect::<Vec<_>>(), "{at}");
+            assert!(touches.iter().all(|line| about("feeds-stated").contains(line)), "{at}");
+            if let Some(last) = plan.program.move_lines.last() {
+                assert_eq!(about("ends-above"), [*last], "{at}");
+                let before = about("modes-stated");
+                assert!(before.len() == 1 && plan.program.move_lines.iter().all(|line| *line >= before[0]), "{at}");
+            }
+            // A plain way back from a touch is no positioning.
+            let watched = about("positioning-watched");
+            let asked = plan.safety.iter().find(|row| row.rule == "positioning-watched").unwrap().holds.is_some();
+            let wanted = plan.moves.iter().zip(&plan.program.move_lines).filter(|(step, _)| step.kind == "position");
+            assert!(!asked || wanted.clone().all(|(_, line)| watched.contains(line)), "{at}");
+            assert!(!touches.iter().any(|line| watched.contains(line)), "{at}");
+            let text: Vec<&str> = plan.program.text.lines().collect();
+            for line in about("one-write") {
+                let block = text[usize::try_from(line).unwrap()];
+                assert!(
+                    ["G10 L2", "$P_UIFR", "#5221=", "#5222=", "#5223="].iter().any(|word| block.contains(word)),
+                    "{at}: {block}"
+                );
+                written += 1;
+            }
+        }
+    }
+    assert!(written > 60, "{written}");
+}
+
 #[test]
 fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
     for rule in RULES {

@@ -116,6 +116,41 @@ test("'Copied' stood beside a program that was not the copied one", async () => 
   assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
 });
 
+test("a safety rule shows its lines in the program", async () => {
+  await page.getByRole("tab", { name: "Checks" }).click();
+  const rule = page.locator("tp-checks .checks li", { hasText: "A missed touch ends the program" });
+  const lines = await page.evaluate(() => {
+    const { plan } = /** @type {any} */ (document.querySelector("touch-path"));
+    const { moveLines } = plan.program;
+    return plan.moves.flatMap((/** @type {any} */ move, /** @type {number} */ i) =>
+      move.kind === "touch" ? moveLines[i] : [],
+    );
+  });
+  assert.equal(lines.length, 4);
+  // Four lines are counted, fewer are named.
+  await rule.getByRole("button", { name: "4 lines" }).click();
+  const marked = page.locator("tp-program .line.match");
+  assert.deepEqual(
+    await marked.evaluateAll((all) => all.map((line) => Number(/** @type {HTMLElement} */ (line).dataset.line))),
+    lines,
+  );
+  assert.match(await textOf(page.locator("tp-program .found")), /1 of 4/);
+  assert.ok(await page.locator(`tp-program [data-line="${lines[0]}"].here`).isVisible());
+  // Enter in the field goes on to the next of them, and of another program nothing is marked.
+  await page.getByRole("searchbox", { name: "Find in the program" }).press("Enter");
+  assert.match(await textOf(page.locator("tp-program .found")), /2 of 4/);
+  await field("cycle.width1").fill("81");
+  assert.equal(await marked.count(), 0);
+  // A line of the folded header is unfolded.
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await page
+    .locator("tp-checks")
+    .getByRole("button", { name: /^Line / })
+    .first()
+    .click();
+  assert.ok(await page.locator("tp-program .here").isVisible());
+});
+
 test("the safety rules stand in Checks, with what this control cannot hold and what the job asked for", async () => {
   await page.getByRole("tab", { name: "Checks" }).click();
   const checks = page.locator("tp-checks");

@@ -133,6 +133,8 @@ export interface SafetyRow {
   said: Said;
   /** The 0-based lines that break it. */
   lines: number[];
+  /** The 0-based lines that it was asked of, whether they keep or break it; those of the control's own cycle where that answers for it. */
+  about: number[];
 }
 
 /** The program as text. */

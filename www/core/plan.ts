@@ -187,7 +187,8 @@ function finding(r: Reader): Finding {
 
 function safety(r: Reader): SafetyRow {
   const [rule, holds, said] = [r.text(), r.flag(), r.said()];
-  return { rule, holds, message: say(said), said, lines: r.list(() => r.number()) };
+  const [lines, about] = [r.list(() => r.number()), r.list(() => r.number())];
+  return { rule, holds, message: say(said), said, lines, about };
 }
 
 /** The rows of a parameter table. */

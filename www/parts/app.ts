@@ -222,7 +222,7 @@ export class App extends LitElement {
     const role = panels.length < 2 ? nothing : "tabpanel";
     const shape = [none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
     return html`
-      <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)}>
+      <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.showLines(e.detail)}>
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .away=${away} .saves=${!narrow}></tp-bar>
@@ -271,7 +271,7 @@ export class App extends LitElement {
         ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
         ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
         ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
-        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store}></tp-checks></section>` : nothing}
+        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed}></tp-viewer>` : nothing}
@@ -421,6 +421,13 @@ export class App extends LitElement {
     const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
     field?.scrollIntoView({ block: "center" });
     field?.focus();
+  }
+
+  /** To these lines of the program. */
+  private async showLines(lines: number[]): Promise<void> {
+    this.show("program");
+    await this.updateComplete;
+    this.renderRoot.querySelector<ProgramPart>("tp-program")?.find(lines);
   }
 
   private async use(tool: Tool): Promise<void> {

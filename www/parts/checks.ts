@@ -36,6 +36,8 @@ export function checked(store: Store): string {
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
 class ChecksPart extends Part {
   protected override follows = ["change"];
+  /** Whether the program is on the page, to show lines of it. */
+  linked = false;
   /** Whether the controls are looked at: nothing is planned for them before. */
   private open = false;
 
@@ -109,11 +111,21 @@ class ChecksPart extends Part {
   private row(row: Row): TemplateResult {
     const { mark, word } = sign(row);
     const why = this.store.catalog.rules.find((rule) => rule.name === row.rule)?.why;
-    const at = row.lines.length
-      ? html` <small>${this.t("Line {lines}", row.lines.map((line) => line + 1).join(", "))}</small>`
-      : nothing;
     return html`<li class=${row.holds === false ? "warning" : ""} title=${why ?? nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
-      ${this.store.say(row.said)}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${at}</li>`;
+      ${this.store.say(row.said)}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${this.lines(row)}</li>`;
+  }
+
+  /** The lines that break a rule, else those that it was asked of; a click shows them in the program. */
+  private lines({ lines, about }: Row): TemplateResult | typeof nothing {
+    const shown = lines.length ? lines : about;
+    if (shown.length === 0) return nothing;
+    const few = lines.length > 0 || about.length < 4;
+    const says = few
+      ? this.t("Line {lines}", shown.map((line) => line + 1).join(", "))
+      : this.t("{count} lines", about.length);
+    if (!this.linked) return html` <small>${says}</small>`;
+    const show = () => this.dispatchEvent(new CustomEvent("lines", { detail: shown, bubbles: true }));
+    return html` <button type="button" class="quiet" title=${this.t("Show in the program")} @click=${show}>${says}</button>`;
   }
 
   private go(event: Event, path: string): void {

@@ -4,9 +4,13 @@ import type { Found } from "./listing.js";
 
 /** Looks for words in a text, line by line: a field, and what it found. */
 export class Finder {
+  /** What stands in the field. */
+  private typed = "";
   /** What is looked for, in small letters. */
   private words = "";
   private lines: number[] = [];
+  /** The text that lines were given for; null where they were looked for. */
+  private givenFor: string | null = null;
   /** Which of the lines is shown. */
   private at = -1;
 
@@ -19,7 +23,7 @@ export class Finder {
 
   render(hidden = false): TemplateResult {
     const store = this.store();
-    return html`<input class="filter" ?hidden=${hidden} type="search" placeholder=${store.t("Find")} aria-label=${store.t("Find in the program")}
+    return html`<input class="filter" ?hidden=${hidden} type="search" .value=${this.typed} placeholder=${store.t("Find")} aria-label=${store.t("Find in the program")}
         @input=${(e: Event) => this.look((e.target as HTMLInputElement).value)}
         @keydown=${(e: KeyboardEvent) => {
           if (e.key === "Enter") this.step(e.shiftKey ? -1 : 1);
@@ -27,8 +31,9 @@ export class Finder {
       <span role="status" class="told found">${hidden ? "" : this.said()}</span>`;
   }
 
-  /** The text is another one: the words are looked for again, and the lines stay where they are. */
+  /** The text may be another one: the words are looked for again, and the lines stay where they are. Lines that were given go with their text. */
   again(): void {
+    if (this.givenFor !== null && this.givenFor !== this.text()) this.look("");
     if (this.words === "") return;
     this.find();
     this.at = Math.min(Math.max(this.at, 0), this.lines.length - 1);
@@ -38,8 +43,18 @@ export class Finder {
     return { matches: new Set(this.lines), here: this.lines[this.at] ?? -1 };
   }
 
+  /** Finds these lines, whatever stands in them. */
+  give(lines: number[]): void {
+    this.look("");
+    this.givenFor = this.text();
+    this.lines = lines;
+    this.step(1);
+  }
+
   private look(words: string): void {
+    this.typed = words;
     this.words = words.trim().toLowerCase();
+    this.givenFor = null;
     this.at = -1;
     this.find();
     this.step(1);
@@ -61,9 +76,9 @@ export class Finder {
 
   /** How many lines were found, and which of them is shown. */
   private said(): string {
-    if (this.words === "") return "";
     const store = this.store();
     const { length } = this.lines;
+    if (this.words === "" && length === 0) return "";
     return length ? store.t("{count} of {all}", this.at + 1, length) : store.t("not found");
   }
 }

@@ -251,6 +251,12 @@ class ProgramPart extends Part {
     this.requestUpdate();
   };
 
+  /** Shows these lines. */
+  find(lines: number[]): void {
+    this.against = "";
+    this.finder.give(lines);
+  }
+
   /** Marks the lines that hold what is looked for. */
   private mark(): void {
     const { matches, here } = this.finder.found;
