@@ -29,7 +29,7 @@ pub struct Catalog {
     pub rapid_rate: f64,
     /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
     pub max_touches: usize,
-    /// The longest text that is read, in bytes.
+    /// The longest text that is read, in characters as JavaScript counts them (UTF-16 units).
     pub longest_text: usize,
 }
 

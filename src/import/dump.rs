@@ -19,7 +19,7 @@ const SAME: f64 = 1e-6;
 
 /// Whether a text names a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
-    text.len() <= crate::job::LONGEST_TEXT && entries(text).iter().any(|e| e.code == -1)
+    crate::import::fits(text, crate::job::LONGEST_TEXT) && entries(text).iter().any(|e| e.code == -1)
 }
 
 /// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the

@@ -144,13 +144,15 @@ impl Reader {
     }
 
     fn tool_call(&mut self, words: &[&str]) {
-        match words.first().map(|t| t.parse::<i32>()) {
+        let first = words.first().copied().unwrap_or_default();
+        let speed = |word: &str| word.strip_prefix('S').is_some_and(|speed| crate::num::read(speed).is_some());
+        match first.parse::<i32>() {
             // The empty tool is no probe.
-            Some(Ok(0)) => {}
-            Some(Ok(number)) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
-            // Only a spindle speed: the tool stays.
-            Some(Err(_)) if words[0].starts_with('S') && crate::num::read(&words[0][1..]).is_some() => {}
-            _ => {
+            Ok(0) => {}
+            Ok(number) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
+            // Only a tool axis or a spindle speed: the tool stays.
+            Err(_) if matches!(first, "" | "X" | "Y" | "Z") || speed(first) => {}
+            Err(_) => {
                 let message = text!("The tool is called by name: its number is unknown, so the job calls no tool");
                 self.checker.warning("tool-by-name", "control.tool", message);
             }

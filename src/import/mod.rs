@@ -38,19 +38,29 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
 }
 
 fn check_length(text: &str) -> Result<(), JobError> {
-    if text.len() <= LONGEST_TEXT { Ok(()) } else { Err(too_long(text.len())) }
+    if fits(text, LONGEST_TEXT) { Ok(()) } else { Err(too_long(length(text))) }
 }
 
-/// Refuses a text of so many bytes.
-pub fn too_long(bytes: usize) -> JobError {
-    longer_than(LONGEST_TEXT, bytes)
+/// The length of a text as JavaScript counts it, in UTF-16 units.
+fn length(text: &str) -> usize {
+    text.encode_utf16().count()
 }
 
-fn longer_than(most: usize, bytes: usize) -> JobError {
+/// Whether a text has no more than so many UTF-16 units. It has never more of them than bytes.
+pub(crate) fn fits(text: &str, most: usize) -> bool {
+    text.len() <= most || length(text) <= most
+}
+
+/// Refuses a text of so many UTF-16 units.
+pub fn too_long(units: usize) -> JobError {
+    longer_than(LONGEST_TEXT, units)
+}
+
+fn longer_than(most: usize, units: usize) -> JobError {
     let most = most / 1_000_000;
     let message = text!(
         "This text has {size} million characters: at most {most} million are read",
-        crate::num::decimal(bytes as f64 / 1e6, 1),
+        crate::num::decimal(units as f64 / 1e6, 1),
         most
     );
     JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }

@@ -302,19 +302,16 @@ fn tokens(code: &str) -> Vec<Token> {
     let mut tokens = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
-        let end = bytes[at..].iter().position(|b| !(b.is_ascii_digit() || *b == b'.')).map_or(bytes.len(), |n| at + n);
-        match code.get(at..end).and_then(crate::num::read) {
-            Some(number) if end > at => {
-                tokens.push(Token::Number(number));
-                at = end;
-            }
-            _ => {
-                if !bytes[at].is_ascii_whitespace() {
-                    tokens.push(Token::Sign(bytes[at].to_ascii_uppercase()));
-                }
-                at += 1;
+        let digits = bytes[at..].iter().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
+        let end = at + digits.max(1);
+        match code.get(at..end).filter(|_| digits > 0).and_then(crate::num::read) {
+            Some(number) => tokens.push(Token::Number(number)),
+            None => {
+                let signs = bytes[at..end].iter().filter(|b| !b.is_ascii_whitespace());
+                tokens.extend(signs.map(|b| Token::Sign(b.to_ascii_uppercase())));
             }
         }
+        at = end;
     }
     tokens
 }

@@ -45,7 +45,7 @@ mod inside {
 
 use crate::form::{Checker, Finding, Value};
 
-/// The longest text that is read, in bytes. A longer one is refused: half of a program would be another.
+/// The longest text that is read, in UTF-16 units. A longer one is refused: half of a program would be another.
 pub const LONGEST_TEXT: usize = 2_000_000;
 
 /// A job that no plan can be made of, with every finding.

@@ -94,6 +94,31 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
     }
 }
 
+/// Each of these took from a minute to hours: the way out of every probing move was followed for nothing, and a run of points was read anew at every point.
+#[test]
+fn long_exits_and_long_numbers_come_back() {
+    let exit = format!("#100=1.{}\n", "+1.".repeat(390)).repeat(190);
+    let probing = "G31 X1. F100.\nIF [#5061 NE 1.] GOTO 900\nG31 X0. F100.\nIF [#5061 NE 0.] GOTO 900\n";
+    let error = import(&format!("G21 G17 G90 G94\nN1\n{probing}GOTO 1\nM30\nN900\n{exit}#3000=1(X)\nM30\n")).unwrap_err();
+    assert!(error.findings.iter().any(|f| f.message.contains("does not come to an end")), "{error}");
+    for post in ["linuxcnc", "heidenhain"] {
+        let (cycle, form) = if post == "heidenhain" { ("probing-two-circles", "cycle") } else { ("hole", "moves") };
+        let job = with(&default_job(cycle).unwrap(), "control.post", Value::Text(post.to_owned()));
+        let plan = planned(&with(&job, "control.form", Value::Text(form.to_owned())));
+        let found = said(&format!("{}\n{}", plan.program.text, ".".repeat(1_900_000)));
+        assert!(found.contains(&"not-understood".to_owned()) || found.contains(&"program-differs".to_owned()), "{found:?}");
+    }
+}
+
+/// Any endsub closed any sub.
+#[test]
+fn a_subroutine_is_closed_by_its_own_name() {
+    let program = |end: &str| format!("o<a> sub\nG0 Z1\no<{end}> endsub\nG38.2 X1 F10\nM2\n");
+    assert_eq!(import(&program("a")).unwrap().trace.unwrap().moves.len(), 1);
+    let error = import(&program("x")).unwrap_err();
+    assert!(error.findings[0].message.contains("an endsub without its sub"), "{error}");
+}
+
 /// The approach of a program whose first place is the origin was `unchecked`.
 #[test]
 fn a_program_without_a_job_has_no_unchecked_move() {

@@ -86,13 +86,14 @@ class Coder {
         return;
       }
       const before = this.codes.length;
+      const said = this.text;
       this.codes.push(key.length);
       this.text += `${key}\n`;
       this.inner(value, key, depth);
       // A key that is set to undefined is a key that is not there.
       if (this.codes[before + 1] === OTHER && this.codes[before + 2] === UNDEFINED) {
         this.codes.length = before;
-        this.text = this.text.slice(0, this.text.length - key.length - 1);
+        this.text = said;
       } else count++;
     }
     this.codes[codes + 1] = count;

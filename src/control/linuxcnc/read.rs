@@ -44,7 +44,8 @@ fn system(name: &[u8]) -> Option<System> {
 
 /// O words that are open.
 enum Open<'t> {
-    Sub,
+    /// The jump past the subroutine.
+    Sub(&'t [u8], usize),
     /// The jump of the `if`, and that of its `else`.
     If(&'t [u8], usize, Option<usize>),
 }
@@ -126,13 +127,14 @@ fn o_word<'t>(
             // The main program passes by.
             script.push(line, What::Jump(0));
             targets.known.push((label, here + 1));
-            open.push(Open::Sub);
+            open.push(Open::Sub(label, here));
         }
         "endsub" => {
             script.push(line, What::Return);
-            let Some(Open::Sub) = open.pop() else { return fault(text!("an endsub without its sub")) };
-            let begin = targets.known.last().map_or(0, |(_, place)| place - 1);
-            script.blocks[begin].what = What::Jump(here + 1);
+            match open.pop() {
+                Some(Open::Sub(own, begin)) if own == label => jump_to(script, begin, here + 1),
+                _ => return fault(text!("an endsub without its sub")),
+            }
         }
         "call" => {
             let mut arguments = Vec::new();

@@ -15,12 +15,12 @@ use crate::job::JobError;
 use block::{EMPTY, numbered};
 use reader::Reader;
 
-/// The longest program that is read, in bytes.
+/// The longest program that is read, in UTF-16 units.
 pub const LONGEST_PROGRAM: usize = 20_000_000;
 
-/// Refuses a program of so many bytes.
-pub fn too_long(bytes: usize) -> JobError {
-    super::longer_than(LONGEST_PROGRAM, bytes)
+/// Refuses a program of so many UTF-16 units.
+pub fn too_long(units: usize) -> JobError {
+    super::longer_than(LONGEST_PROGRAM, units)
 }
 
 /// What a move is, by its place in the column `kind`.

@@ -198,7 +198,7 @@ impl View {
     /// Shows the moves of any program, as `readProgram` reads it.
     #[wasm_bindgen(js_name = showProgram)]
     pub fn show_program(&mut self, text: &str) {
-        if text.len() > crate::import::toolpath::LONGEST_PROGRAM {
+        if !crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM) {
             return;
         }
         let path = read_program(text, None);

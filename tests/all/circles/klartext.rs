@@ -144,6 +144,11 @@ fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
     assert_eq!(later.job.get("plane"), Some(&text("G18")), "a call without an axis leaves the plane");
     let named = with_tools("1 TOOL CALL \"TOUCH_PROBE\" Z", "");
     assert!(named.findings.iter().any(|f| f.code == "tool-by-name"));
+    // A block without a tool states the tool axis or the spindle speed only.
+    for axis in ["1 TOOL CALL Z S50", "1 TOOL CALL S50", "1 TOOL CALL"] {
+        let read = with_tools(axis, "");
+        assert!(read.findings.iter().all(|f| f.code != "tool-by-name"), "{axis}");
+    }
     let block = SEED.replace(" ~\n", " ").replacen("11 TCH PROBE 1411 PROBING TWO CIRCLES", "N20 G1411", 1);
     let block: String = block
         .split_whitespace()

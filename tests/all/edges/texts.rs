@@ -206,6 +206,11 @@ fn a_text_of_any_length_is_read() {
     assert_eq!(error.findings[0].code, "text-too-long");
     assert_eq!(catalog().longest_text, 2_000_000);
     assert!(import(&long[..1_000_000]).is_ok());
+    // Letters are counted, not bytes: 3.8 million of them here.
+    let cyrillic = format!("CmdPrm.Int[-1] = 7\n;{}", "Ж".repeat(1_900_000));
+    assert!(import(&cyrillic).is_ok());
+    let error = import(&format!("{cyrillic}{}", "Ж".repeat(200_000))).unwrap_err();
+    assert!(error.findings[0].message.starts_with("This text has 2.1 million characters"), "{error}");
 }
 
 /// A job read natively and in a browser is the same to the last bit.

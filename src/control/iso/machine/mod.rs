@@ -12,7 +12,7 @@ use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write};
 use crate::geom::Plane;
 use crate::text::{Text, text};
 
-/// How much is done for one program: blocks, and copies of its variables at its motions. A second or so.
+/// How much is done for one program: blocks, the numbers and signs of their formulas, and copies of its variables at its motions. A second or so.
 const BUDGET: usize = 20_000_000;
 
 /// What a motion counts for: it is kept.
@@ -114,6 +114,8 @@ struct Machine<'s, 't> {
     run: Run,
     /// Whether the block that is carried out is refused because the run is strict: whatever comes of it, the program cannot rely on it.
     refused: Cell<bool>,
+    /// How much may still be done.
+    left: Cell<usize>,
 }
 
 /// What a block leads to.
@@ -132,10 +134,10 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     let mut machine = Machine::new(script, run);
     let mut trace = Trace::default();
     let mut scratch = State::default();
-    let mut budget = BUDGET;
     while let Some(block) = script.blocks.get(machine.state.pc) {
-        let work = if matches!(block.what, What::Words(_)) { MOTION + script.slots.len() / 8 } else { 1 };
-        budget = budget.checked_sub(work).ok_or_else(|| trouble(block.line, text!("the program does not come to an end")))?;
+        if matches!(block.what, What::Words(_)) {
+            machine.spend(MOTION + script.slots.len() / 8);
+        }
         let line = machine.line(block.line);
         match machine.step()? {
             Flow::Next => {}
@@ -215,6 +217,7 @@ impl<'s, 't> Machine<'s, 't> {
             spun: None,
             run,
             refused: Cell::new(false),
+            left: Cell::new(BUDGET),
         }
     }
 
@@ -227,10 +230,18 @@ impl<'s, 't> Machine<'s, 't> {
         self.state.modes.plane.unwrap_or(Plane::G17).axes()[2]
     }
 
+    fn spend(&self, work: usize) {
+        self.left.set(self.left.get().saturating_sub(work));
+    }
+
     /// Carries out a block, but for its motion.
     fn step(&mut self) -> Result<Flow<'s>, Trouble> {
         let script = self.script;
         let block = &script.blocks[self.state.pc];
+        self.spend(1);
+        if self.left.get() == 0 {
+            return Err(trouble(block.line, text!("the program does not come to an end")));
+        }
         self.state.pc += 1;
         let flow = self.carry_out(block)?;
         if self.refused.get() || (self.run.strict && self.acts_early(&flow)) {

@@ -58,6 +58,7 @@ impl Machine<'_, '_> {
     }
 
     pub(super) fn value(&self, node: NodeId) -> f64 {
+        self.spend(1);
         match self.script.node(node) {
             Node::Number(x) => x,
             Node::Slot(slot) => self.state.slots[slot as usize],
