@@ -23,6 +23,26 @@ export interface TouchPathEvents {
 const INPUTS = ["job", "cycle", "post", "units"] as const;
 type Input = (typeof INPUTS)[number];
 
+/** One attempt to load the element. */
+class Attempt {
+  /** Whether it has failed. */
+  over = false;
+  done!: () => void;
+  fail!: (why: unknown) => void;
+  readonly ready = new Promise<void>((done, fail) => {
+    this.done = done;
+    this.fail = (why) => {
+      this.over = true;
+      fail(why);
+    };
+  });
+
+  constructor() {
+    // Whoever does not wait for it sees it in the element.
+    this.ready.catch(() => undefined);
+  }
+}
+
 // The class is named where there is no DOM, too: a server that imports this file renders the bare tag.
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
@@ -70,10 +90,7 @@ export class TouchPath extends Base {
   /** What is shown. Not part of what is promised. @internal */
   app?: App;
   private readonly inside: ElementInternals;
-  /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. */
-  readonly ready: Promise<void>;
-  private loaded!: () => void;
-  private failed!: (why: unknown) => void;
+  private attempt = new Attempt();
   private loading = false;
   /** What the attributes said before there was anything to put it into, and what was set since, in its order. */
   private readonly waiting = new Map<Input, unknown>();
@@ -88,10 +105,11 @@ export class TouchPath extends Base {
     this.inside = this.attachInternals();
     // What the page around has put inside is seen until there is more.
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
-    this.ready = new Promise((done, fail) => {
-      this.loaded = done;
-      this.failed = fail;
-    });
+  }
+
+  /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. Put into a document again it is tried again, and this is another promise. */
+  get ready(): Promise<void> {
+    return this.attempt.ready;
   }
 
   connectedCallback(): void {
@@ -105,10 +123,11 @@ export class TouchPath extends Base {
     if (this.app) this.shadow.append(this.app);
     if (this.loading) return;
     this.loading = true;
-    this.load().then(this.loaded, (why) => {
-      // Put into a document again, it is tried again.
+    if (this.attempt.over) this.attempt = new Attempt();
+    const { attempt } = this;
+    this.load().then(attempt.done, (why) => {
       this.loading = false;
-      this.failed(why);
+      attempt.fail(why);
     });
   }
 

@@ -249,7 +249,6 @@ export class Store extends Phrases {
 
   /** The points of a log that was opened. */
   openPoints(text: string): void {
-    if (this.refuses) throw this.refusal(LOOK_ONLY);
     this.settle();
     this.measured = text;
     this.settle();

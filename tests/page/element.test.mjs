@@ -487,14 +487,16 @@ test("an invalid job says why where the browser can show it, and the focus comes
 
 test("what is handed out are copies; points stay with their job, and no job is said to change with them", async () => {
   await open("<touch-path cycle=hole readonly></touch-path>", LISTEN);
+  // Of a job that can only be looked at, too, a log of the probe is taken: its points change no job.
+  const log = ["20 0", "0 20", "-20 0", "0 -20"].map((at) => `${at} -10 0 0 0 0 0 0\n`).join("");
+  await page.locator("#file").setInputFiles({ name: "probe.log", mimeType: "text/plain", buffer: Buffer.from(log) });
+  await page.getByText("4 measured points were taken from this log").waitFor();
   await on((element) => {
     element.plan.program.text = "M30";
     element.findings.push({});
   });
   assert.match(await on((element) => element.plan.program.text), /M2\n$/);
   await heard();
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.getByText("Points that a machine measured").click();
   await page.locator("#measured").fill("17,0,-10\n0,17,-10\n-17,0,-10\n0,-17,-10");
   assert.deepEqual(await heard(), []);
   await on((element) => {
@@ -603,6 +605,48 @@ test("the language that is set last is shown, however late the words of the one 
     return element.shadowRoot.querySelector("#tab-results").textContent;
   });
   assert.equal(german, wordsOf("de").Results);
+});
+
+test("an element whose files did not come is tried again where it is put into the document again", async () => {
+  await open("<main></main>");
+  await page.route(/\/app\.js$/, (route) => route.abort());
+  const ready = () =>
+    page.evaluate(async () => {
+      const place = /** @type {Element} */ (document.querySelector("main"));
+      const element = /** @type {any} */ (place.firstElementChild ?? document.createElement("touch-path"));
+      element.remove();
+      place.append(element);
+      return element.ready.then(
+        () => "shown",
+        () => "failed",
+      );
+    });
+  assert.equal(await ready(), "failed");
+  assert.deepEqual(problems.splice(0), ["Failed to load resource: net::ERR_FAILED"]);
+  await page.unroute(/\/app\.js$/);
+  assert.equal(await ready(), "shown");
+});
+
+test("what was asked for last is shown, however late what was asked for before comes", async () => {
+  await open("<main></main>");
+  await page.route(/\/gallery\.js$/, async (route) => {
+    await new Promise((done) => setTimeout(done, 700));
+    await route.continue();
+  });
+  await page.evaluate(async () => {
+    const element = /** @type {any} */ (document.createElement("touch-path"));
+    element.style.height = "700px";
+    document.querySelector("main")?.append(element);
+    await element.ready;
+  });
+  const coming = page.waitForResponse(/\/gallery\.js$/);
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await page.locator("tp-sheet").waitFor();
+  await coming;
+  await page.waitForTimeout(200);
+  assert.ok(await page.locator("tp-sheet").isVisible());
+  assert.equal(await page.locator("tp-gallery").count(), 0);
 });
 
 test("what a page puts in as undefined is not there: the default stands in, and units convert", async () => {

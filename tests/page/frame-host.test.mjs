@@ -261,6 +261,13 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "PROBE");
 });
 
+test("a frame that was taken out answers nothing: what is asked of it fails", async () => {
+  await open();
+  await connect({ patience: 5000 });
+  await page.evaluate(() => document.querySelector("iframe")?.remove());
+  assert.match(/** @type {any} */ (await on("frame.get()")).failed, /The frame does not answer/);
+});
+
 test("a frame whose module cannot be loaded says so at once", async () => {
   const wasm = join(folder, "own", "wasm", "touchpath_bg.wasm");
   const kept = readFileSync(wasm);

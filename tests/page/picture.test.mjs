@@ -60,6 +60,22 @@ test("a dragged part ran away where errors came up under an open list: the canva
   await page.mouse.up();
 });
 
+test("a gesture that the browser took over pinned a move", async () => {
+  const lit = () => page.locator("tp-program .line[aria-selected=true]").count();
+  const { x, y } = await page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => {
+    const box = canvas.getBoundingClientRect();
+    return { x: box.x + box.width / 2 + 90, y: box.y + box.height / 2 };
+  });
+  const session = await page.context().newCDPSession(page);
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  await session.send("Input.dispatchTouchEvent", { type: "touchCancel", touchPoints: [] });
+  await page.waitForTimeout(100);
+  assert.equal(await lit(), 0);
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await page.locator("tp-program .line[aria-selected=true]").waitFor();
+});
+
 test("the canvas changed its height with every message", async () => {
   const high = async () => (await boxOf(page.locator(`tp-picture ${PICTURE}`))).height;
   const height = await high();

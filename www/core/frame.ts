@@ -15,12 +15,15 @@ export class FrameError extends Error {
   }
 }
 
+/** How long is waited for an answer of the frame, milliseconds. */
+const PATIENCE = 15_000;
+
 interface Options {
   /** The origin that the frame is served from. A frame of another origin gets no message. */
   origin: string;
   /** Whether the portal saves programs itself; else the frame hands them out as files. */
   saves?: boolean;
-  /** How long to wait for the frame, milliseconds. */
+  /** How long to wait for an answer of the frame, milliseconds. */
   patience?: number;
 }
 
@@ -47,6 +50,8 @@ export class Frame extends EventTarget {
     private readonly port: MessagePort,
     /** The version of Touchpath in the frame. */
     readonly version: string,
+    /** How long to wait for an answer, milliseconds. */
+    private readonly patience = PATIENCE,
   ) {
     super();
     port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
@@ -102,7 +107,21 @@ export class Frame extends EventTarget {
         return;
       }
       const id = ++this.last;
-      this.waiting.set(id, { done, fail });
+      // A frame that was taken out or has loaded another page says nothing any more.
+      const ending = setTimeout(() => {
+        this.waiting.delete(id);
+        fail(new FrameError("The frame does not answer"));
+      }, this.patience);
+      this.waiting.set(id, {
+        done: (view) => {
+          clearTimeout(ending);
+          done(view);
+        },
+        fail: (why) => {
+          clearTimeout(ending);
+          fail(why);
+        },
+      });
       this.port.postMessage(request(id));
     });
   }
@@ -121,7 +140,7 @@ export class Frame extends EventTarget {
 /** Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. */
 export function connect(
   iframe: HTMLIFrameElement,
-  { origin, saves = false, patience = 15_000 }: Options,
+  { origin, saves = false, patience = PATIENCE }: Options,
 ): Promise<Frame> {
   return new Promise((done, fail) => {
     let port: MessagePort | null = null;
@@ -133,6 +152,7 @@ export function connect(
     const refused = ({ source, data, origin: from }: MessageEvent) => {
       if (source !== iframe.contentWindow || from !== origin || data?.type !== "refused") return;
       end();
+      port?.close();
       fail(new FrameError(`The frame refuses: ${data.reason}`));
     };
     // A frame that is not loaded yet gets no message: the hello is repeated until it answers.
@@ -144,10 +164,11 @@ export function connect(
         if (data.type !== "welcome" && data.type !== "error") return;
         end();
         if (data.type === "error") {
+          channel.port1.close();
           fail(new FrameError(data.message, data.findings));
           return;
         }
-        done(new Frame(channel.port1, data.version));
+        done(new Frame(channel.port1, data.version, patience));
       };
       const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
       try {

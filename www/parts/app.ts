@@ -199,6 +199,7 @@ export class App extends LitElement {
     super.disconnectedCallback();
     this.observer.disconnect();
     const { intake } = this;
+    intake.stop();
     this.removeEventListener("paste", intake.refuse);
     this.removeEventListener("drop", intake.refuse);
     this.removeEventListener("dragover", intake.welcome);
@@ -430,8 +431,12 @@ export class App extends LitElement {
     this.renderRoot.querySelector<ProgramPart>("tp-program")?.find(lines);
   }
 
+  /** Counts what was asked for: what was asked for last is shown, whatever is loaded first. */
+  private turns = 0;
+
   private async use(tool: Tool): Promise<void> {
-    if (await this.loads(tool)) {
+    const turn = ++this.turns;
+    if ((await this.loads(tool)) && turn === this.turns) {
       // What is said of an opened program belongs to its picture.
       if (this.tool === "viewer" && tool !== "viewer") this.tell(null);
       this.tool = tool;

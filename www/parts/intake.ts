@@ -100,7 +100,7 @@ export class Intake {
   readonly link = async (): Promise<void> => {
     const { hash } = location;
     if (!isFragment(hash)) return;
-    history.replaceState(null, "", location.pathname + location.search);
+    history.replaceState(history.state, "", location.pathname + location.search);
     const { signal } = this.begin();
     const state = await fromFragment(hash, this.store.longest);
     if (signal.aborted) return;
@@ -134,6 +134,11 @@ export class Intake {
       if (!signal.aborted) this.page.tell(this.store.t("This text cannot be read"));
       return false;
     }
+  }
+
+  /** What is being read is of no use any more. */
+  stop(): void {
+    this.last.abort();
   }
 
   /** Begins with another text. */

@@ -79,7 +79,7 @@ class PicturePart extends DrawnPart {
       ${this.tools(this.t("Picture"))}
       <div class=${!stale || this.live ? "canvas" : blank ? "canvas blank" : "canvas stale"}>
         <canvas tabindex="0" role="img" aria-label=${this.describe()}
-          @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.up} @pointerleave=${this.leave} @click=${this.clicked}
+          @pointerdown=${this.down} @pointermove=${this.move} @pointerup=${this.up} @pointercancel=${this.cancel} @pointerleave=${this.leave} @click=${this.clicked}
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         <canvas class="over" aria-hidden="true"></canvas>
@@ -403,6 +403,12 @@ class PicturePart extends DrawnPart {
       if (field) this.tapped = field;
       else this.store.pin(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
     }
+    this.release();
+  }
+
+  /** The browser has taken the gesture over: nothing was tapped. */
+  private cancel(event: PointerEvent): void {
+    this.pointers.delete(event.pointerId);
     this.release();
   }
 
