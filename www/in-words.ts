@@ -65,11 +65,15 @@ export function resultInWords(store: Store, { code, said }: ResultRow): string {
     : store.say(said.meaning);
 }
 
+/** How many moves the path of the plan has, and its length. */
+export function pathInWords(store: Store): string {
+  const { moves, length } = store.plan;
+  return store.t("{count} moves · {length}", moves.length, `${length.toFixed(0)} ${store.units}`);
+}
+
 /** The run of the plan in a line: moves, length, minutes and seconds. */
 export function runInWords(store: Store): string {
-  const { moves, length, time } = store.plan;
-  const way = `${length.toFixed(0)} ${store.units}`;
-  return store.t("{count} moves · {length} · {time}", moves.length, way, clockOf(time * 60));
+  return `${pathInWords(store)} · ${clockOf(store.plan.time * 60)}`;
 }
 
 /** How the virtual part lies other than the drawing says; empty where it does not. */

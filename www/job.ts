@@ -100,8 +100,9 @@ export function alike(a: unknown, b: unknown): boolean {
   return one.length === two.size && one.every(([key, value]) => two.has(key) && alike(value, two.get(key)));
 }
 
-/** A cycle's own form in other units. */
-export function cycleIn(units: "mm" | "inch", cycle: Draft, from: "mm" | "inch"): Draft {
-  const job = { format: 1, units: from, cycle } as unknown as Job;
-  return convertUnits(job, units).cycle as unknown as Draft;
+/** A cycle's own form, and the sizes of the virtual part that go with it, in other units. */
+export function formIn(units: "mm" | "inch", cycle: Draft, sizes: Draft, from: "mm" | "inch"): [Draft, Draft] {
+  const job = { format: 1, units: from, cycle, part: { sizes } } as unknown as Job;
+  const converted = convertUnits(job, units) as unknown as { cycle: Draft; part: { sizes: Draft } };
+  return [converted.cycle, converted.part.sizes];
 }

@@ -18,7 +18,7 @@ import {
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
 import { History } from "./history.js";
-import { alike, complete, cycleIn, type Draft, isObject, misfit } from "./job.js";
+import { alike, complete, type Draft, formIn, isObject, misfit } from "./job.js";
 import { keepSoon, kept } from "./keep.js";
 import { tidy } from "./number.js";
 import { Outside } from "./outside.js";
@@ -34,6 +34,8 @@ interface Left {
   units: Units;
   cycle: Draft;
   points: Points;
+  /** How much larger the sizes of the virtual part are. */
+  sizes?: Draft;
 }
 
 export type Units = "mm" | "inch";
@@ -284,7 +286,8 @@ export class Store extends Phrases {
     if (type === old.type) return;
     this.mark(null);
     const { units } = this;
-    this.left.set(String(old.type), { units, cycle: old, points: this.points });
+    const part = this.draft.part as Draft;
+    this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: part.sizes as Draft });
     const back = this.left.get(type);
     const fresh = defaultJob(type) as unknown as Draft;
     const home = (fresh.control as Draft).post;
@@ -300,9 +303,10 @@ export class Store extends Phrases {
           workOffset: this.postOf(home)?.workOffsets ? control.workOffset : null,
         };
     this.document = ++this.documents;
-    this.draft.cycle = cycleIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.units ?? "mm");
+    const [cycle, sizes] = formIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.sizes ?? {}, back?.units ?? "mm");
+    this.draft.cycle = cycle;
+    part.sizes = sizes;
     this.points = back?.points ?? noPoints();
-    (this.draft.part as Draft).sizes = {};
     this.forget("cycle");
     this.forget("part.sizes");
     this.pinned = null;
@@ -587,7 +591,7 @@ export class Store extends Phrases {
     const [type, left] = Array.isArray(one) ? one : [];
     if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points)) return false;
     const texts = Object.values(left.points as Draft).every((text) => typeof text === "string");
-    const job = { format: 1, units: left.units, cycle: left.cycle };
+    const job = { format: 1, units: left.units, cycle: left.cycle, part: { sizes: left.sizes } };
     return texts && ["mm", "inch"].includes(String(left.units)) && left.cycle.type === type && !this.unusable(job);
   }
 

@@ -334,7 +334,19 @@ export class App extends LitElement {
     const width = this.getBoundingClientRect().width || WIDE;
     if (width === this.width) return;
     this.width = width;
+    this.keepPlace();
+  }
+
+  /** Renders again; the form, which may be put elsewhere, keeps its place and the focus. */
+  private async keepPlace(): Promise<void> {
+    const at = this.querySelector<HTMLElement>("tp-form :focus");
+    const top = this.querySelector("tp-form")?.scrollTop ?? 0;
     this.requestUpdate();
+    await this.updateComplete;
+    if (!at?.checkVisibility() || at.matches(":focus")) return;
+    at.focus({ preventScroll: true });
+    this.querySelector("tp-form")?.scrollTo({ top, behavior: "instant" });
+    at.scrollIntoView({ block: "nearest" });
   }
 
   private show(panel: Panel): void {
@@ -420,6 +432,7 @@ export class App extends LitElement {
     await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);
     const find = (p: string) => this.renderRoot.querySelector<HTMLElement>(`[id="f-${p}"]`);
     const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
+    if (!field) this.show("checks");
     field?.scrollIntoView({ block: "center" });
     field?.focus();
   }
@@ -431,16 +444,25 @@ export class App extends LitElement {
     this.renderRoot.querySelector<ProgramPart>("tp-program")?.find(lines);
   }
 
+  /** What had the focus when the job was left. */
+  private opener: HTMLElement | null = null;
   /** Counts what was asked for: what was asked for last is shown, whatever is loaded first. */
   private turns = 0;
 
   private async use(tool: Tool): Promise<void> {
     const turn = ++this.turns;
     if ((await this.loads(tool)) && turn === this.turns) {
+      const leaves = this.tool === "cycles" && tool !== "cycles";
+      if (leaves) this.opener = this.querySelector<HTMLElement>(":focus");
       // What is said of an opened program belongs to its picture.
       if (this.tool === "viewer" && tool !== "viewer") this.tell(null);
       this.tool = tool;
       this.requestUpdate();
+      if (tool !== "cycles") return;
+      await this.updateComplete;
+      // Back where it came from, where nothing else has the focus.
+      if (!this.querySelector(":focus") && this.opener?.checkVisibility()) this.opener.focus({ preventScroll: true });
+      this.opener = null;
     }
   }
 

@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, type Job, type Plan, type Programmed, programs } from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
-import { LEVELS, NAMES } from "./findings.js";
+import { LEVELS, NAMES, remedy } from "./findings.js";
 import { Part } from "./part.js";
 
 type Row = Plan["safety"][number];
@@ -45,6 +45,10 @@ class ChecksPart extends Part {
     const { plan, stale, findings } = this.store;
     const sorted = LEVELS.flatMap((level) => findings.filter((f) => f.level === level));
     const bad = plan.safety.some((row) => row.holds === false);
+    // Where one reason is that of every rule, it is said once.
+    const [first, ...others] = plan.safety;
+    const same = first?.holds === null && others.every((row) => row.holds === null && row.message === first.message);
+    const shared = same ? first.said : null;
     return html`
       <h2>${this.t("Findings")}</h2>
       ${sorted.length === 0 ? html`<p class="fine">✓ ${this.t("No problems found")}</p>` : html`<ul class="found">${sorted.map((f) => this.finding(f))}</ul>`}
@@ -52,7 +56,8 @@ class ChecksPart extends Part {
         stale
           ? nothing
           : html`<h2>${this.t("Safety rules of this program")}</h2><p class=${bad ? "proof warning" : "proof"}>${checked(this.store)}</p>
-            <ul class="checks">${plan.safety.map((row) => this.row(row))}</ul>`
+            ${shared ? html`<p class="proof">${this.store.say(shared)}</p>` : nothing}
+            <ul class="checks">${plan.safety.map((row) => this.row(row, shared === null))}</ul>`
       }
       <details class="controls" @toggle=${this.toggle}>
         <summary>${this.t("This job on every control")}</summary>
@@ -99,6 +104,7 @@ class ChecksPart extends Part {
 
   private finding(f: Finding): TemplateResult {
     return html`<li class=${f.level}><span class="level">${this.t(NAMES[f.level])}</span> ${this.message(f)}
+      ${remedy(this.store, f) ?? nothing}
       ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.named(f.path)}</a>` : nothing}</li>`;
   }
 
@@ -108,11 +114,13 @@ class ChecksPart extends Part {
     return this.store.fieldAt(path)?.label ?? (group ? this.t(group) : path);
   }
 
-  private row(row: Row): TemplateResult {
+  /** A rule; `reason`: with why this control cannot hold it. */
+  private row(row: Row, reason: boolean): TemplateResult {
     const { mark, word } = sign(row);
-    const why = this.store.catalog.rules.find((rule) => rule.name === row.rule)?.why;
-    return html`<li class=${row.holds === false ? "warning" : ""} title=${why ?? nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
-      ${this.store.say(row.said)}${row.holds === null ? html` <small>(${row.rule})</small>` : nothing}${this.lines(row)}</li>`;
+    const rule = this.store.catalog.rules.find((rule) => rule.name === row.rule);
+    const unable = row.holds === null;
+    return html`<li class=${row.holds === false ? "warning" : ""} title=${rule ? `${rule.why} (${rule.name})` : nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
+      ${unable ? rule?.says : this.store.say(row.said)}${unable && reason ? html`: <small>${this.store.say(row.said)}</small>` : nothing}${this.lines(row)}</li>`;
   }
 
   /** The lines that break a rule, else those that it was asked of; a click shows them in the program. */

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Finding, Said } from "../core/browser.js";
 import { runInWords } from "../in-words.js";
+import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 import { saveButton } from "./save.js";
@@ -9,6 +10,12 @@ export const LEVELS = ["error", "warning", "info"] as const;
 export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
 const ONE = { error: w("1 error"), warning: w("1 warning"), info: w("1 note") } as const;
 const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info: w("{count} notes") } as const;
+
+/** A key that no job has is in no field: what helps is to remove it. Undo brings it back. */
+export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
+  if (code !== "unknown-key" || store.get(path) === undefined) return null;
+  return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
+}
 
 /** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
 class FindingsPart extends Part {
@@ -37,7 +44,7 @@ class FindingsPart extends Part {
       ${
         worst
           ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
-            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>` : nothing}
+            ${worst.path && this.panels.includes("form") ? (remedy(this.store, worst) ?? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>`) : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }

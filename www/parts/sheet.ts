@@ -16,6 +16,9 @@ function conditions(text: string): string[] {
   return said;
 }
 
+/** Of a sheet with more results than these the print is smaller: it is one page. */
+const MANY_RESULTS = 12;
+
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
 class SheetPart extends Part {
   protected override follows = ["change"];
@@ -51,47 +54,55 @@ class SheetPart extends Part {
       <article aria-label=${this.t("Setup sheet")}>
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
         <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
-        <div class="upper">
-          <canvas role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>
-          <table>
-            <caption>${this.t("Dimensions and probe")}</caption>
-            <tbody>
-              ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
-              ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
-              <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td><td></td></tr>
-              ${
-                cycle.ownFeeds
-                  ? nothing
-                  : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td><td></td></tr>
-                <tr><td>${this.store.fieldAt("feeds.work")?.label}</td><td class="n">${shown(feeds.work)} ${units}/min</td><td></td></tr>`
-              }
-            </tbody>
-          </table>
+        <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
+          <div>
+            <canvas role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>
+            <table>
+              <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
+              <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
+              <tbody>${plan.results.map(
+                (
+                  r,
+                ) => html`<tr><td>${resultInWords(this.store, r)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
+                  <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
+              )}</tbody>
+            </table>
+          </div>
+          <div>
+            <table>
+              <caption>${this.t("Dimensions and probe")}</caption>
+              <tbody>
+                ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
+                ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
+                <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td><td></td></tr>
+                ${
+                  cycle.ownFeeds
+                    ? nothing
+                    : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td><td></td></tr>
+                  <tr><td>${this.store.fieldAt("feeds.work")?.label}</td><td class="n">${shown(feeds.work)} ${units}/min</td><td></td></tr>`
+                }
+              </tbody>
+            </table>
+            <table>
+              <caption>${this.t("Touches: contact on the surface")}</caption>
+              <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
+              <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
+            </table>
+            ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${head.join("\n")}</div>` : nothing}
+          </div>
         </div>
-        <div class="lower">
-        <table>
-          <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
-          <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
-          <tbody>${plan.results.map(
-            (
-              r,
-            ) => html`<tr><td>${resultInWords(this.store, r)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html` <small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
-              <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
-          )}</tbody>
-        </table>
-        <table>
-          <caption>${this.t("Touches: contact on the surface")}</caption>
-          <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
-          <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
-        </table>
-        </div>
-        <p>${checked(this.store)}.${plan.safety.filter((rule) => rule.holds === null).map((rule) => ` ${this.store.say(rule.said)}.`)}</p>
-        ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${head.join("\n")}</div>` : nothing}
+        <p>${checked(this.store)}.${this.reasons().map((why) => ` ${why}.`)}</p>
         ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>${this.t("Warning:")}</b> ${this.message(f)}</p>`)}
         <p class="hash">${this.t("SHA-256 of the program:")} <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
         <p class="sign">${this.t("Machine")} <span></span> ${this.t("Date")} <span></span> ${this.t("Name")} <span></span></p>
       </article>
     `;
+  }
+
+  /** Why this control cannot hold some of the rules, each reason once. */
+  private reasons(): string[] {
+    const unable = this.store.plan.safety.filter((rule) => rule.holds === null);
+    return [...new Set(unable.map((rule) => this.store.say(rule.said)))];
   }
 
   /** What a field says; the postprocessor's own are no part of a set-up. */

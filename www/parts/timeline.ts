@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from "lit";
 import type { View } from "../core/browser.js";
-import { clockOf, moveInShort, moveInWords, runInWords } from "../in-words.js";
+import { clockOf, moveInShort, moveInWords, pathInWords, runInWords } from "../in-words.js";
 import type { Store } from "../store.js";
 
 /** How many times as fast as the machine the run is played. */
@@ -77,7 +77,7 @@ export class Timeline {
     scrub.value = String(this.at);
     scrub.setAttribute("aria-valuetext", this.says(moveInWords));
     words.classList.toggle("rest", this.at === 0);
-    words.textContent = this.says(moveInShort);
+    words.textContent = this.at === 0 && !this.store().stale ? pathInWords(this.store()) : this.says(moveInShort);
     this.tell();
   }
 
@@ -118,12 +118,12 @@ export class Timeline {
     return this.at === 0 ? runInWords(store) : inWords(store, this.at - 1);
   }
 
-  /** Tells the seconds of the run that are over, while it plays or where a move is pointed at. */
+  /** Tells the seconds of the run that are over, while it plays or up to the move that is pointed at. */
   private tell(): void {
     const clock = this.box.querySelector(".clock");
     if (!clock) return;
-    const over = this.at === 0 ? null : (this.clock ?? this.until(this.at));
-    clock.textContent = over === null ? "" : `${clockOf(over)} / ${clockOf(this.whole)}`;
+    const over = this.clock ?? this.until(this.at);
+    clock.textContent = this.count === 0 ? "" : `${clockOf(over)} / ${clockOf(this.whole)}`;
   }
 
   /** To a move, counted from 1; 0 is none. */
