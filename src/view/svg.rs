@@ -42,8 +42,13 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
         escaped(legend.title)
     );
     drawing.material(scene, &mut text);
-    let walls = scene.walls.iter().filter(|wall| legend.deviates || !wall.actual);
-    walls.for_each(|wall| drawing.wall(wall, scene.material.is_empty(), &mut text));
+    let solid = scene.material.is_empty();
+    scene.walls(legend.deviates, false).for_each(|wall| drawing.wall(wall, solid, &mut text));
+    for corners in &scene.tops {
+        let points: Vec<String> = corners.iter().map(|corner| drawing.at(*corner)).collect();
+        let _ = writeln!(text, "<polygon points=\"{}\" fill=\"#eef0f3\" stroke=\"#8a94a3\"/>", points.join(" "));
+    }
+    scene.walls(legend.deviates, true).for_each(|wall| drawing.wall(wall, solid, &mut text));
     let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
     for arc in drawing.camera.angles(scene, None) {
         if let Some(name) = name(arc.angle.field) {

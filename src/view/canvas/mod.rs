@@ -187,9 +187,10 @@ impl Painter {
         c.set_line_cap("round");
         c.set_line_join("round");
         self.material(scene, camera);
-        for wall in scene.walls.iter().filter(|w| deviates || !w.actual) {
-            self.wall(wall, camera, scene.material.is_empty());
-        }
+        let solid = scene.material.is_empty();
+        scene.walls(deviates, false).for_each(|wall| self.wall(wall, camera, solid));
+        scene.tops.iter().for_each(|corners| self.top(corners, camera));
+        scene.walls(deviates, true).for_each(|wall| self.wall(wall, camera, solid));
         // Beneath the moves, the touches and the dimensions.
         let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
         for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
@@ -353,6 +354,24 @@ impl Painter {
                 c.line_to(to[0], to[1]);
             }
         }
+        c.stroke();
+        c.set_global_alpha(1.0);
+    }
+
+    /// A top side: lighter than the walls below it.
+    fn top(&self, corners: &[Spot], camera: &Camera) {
+        let c = &self.context;
+        c.begin_path();
+        self.outline(&corners.iter().map(|corner| camera.pixel(*corner)).collect::<Vec<_>>());
+        c.set_fill_style_str(&self.theme.background);
+        c.fill();
+        c.set_fill_style_str(&self.theme.wall);
+        c.set_global_alpha(0.09);
+        c.fill();
+        c.set_global_alpha(0.8);
+        c.set_stroke_style_str(&self.theme.wall);
+        c.set_line_width(1.0);
+        self.dash(&[]);
         c.stroke();
         c.set_global_alpha(1.0);
     }

@@ -151,6 +151,8 @@ pub struct DrawnAngle {
 pub struct Scene {
     /// The walls; the actual ones first, so that they lie behind.
     pub walls: Vec<WallShape>,
+    /// Isometric, the top sides of what is seen whole, as polygons.
+    pub tops: Vec<Vec<Spot>>,
     /// The nominal material behind the walls that are seen edge-on.
     pub material: Vec<Material>,
     /// The path.
@@ -220,6 +222,15 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         Surface::Unknown => Vec::new(),
         Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().map(|w| one(w, actual, true)).collect(),
     };
+    // The far side of what has a top is behind it.
+    let hidden = |surface: &Surface, shape: &WallShape| {
+        let topped = match surface {
+            Surface::Flat(wall) => whole(&path.surfaces, wall.body),
+            Surface::Round(round) => !round.hole,
+            Surface::Unknown => false,
+        };
+        view == Projection::Isometric && topped && !shape.faces
+    };
     let stretch = |nominal: Spot, real: Spot| stretched(nominal, real, actual.magnify);
     // A surface of the actual part is that of the nominal one elsewhere: corner for corner.
     let displaced = |(surface, nominal): (&Surface, &Surface)| {
@@ -235,7 +246,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         shapes
     };
     let real = actual.surfaces.iter().zip(&path.surfaces).flat_map(displaced);
-    let all = real.chain(path.surfaces.iter().flat_map(|s| shape(s, false)));
+    let nominal = path.surfaces.iter().flat_map(|s| shape(s, false).into_iter().filter(|(_, shape)| !hidden(s, shape)));
+    let all = real.chain(nominal);
     let mut walls: Vec<(f64, WallShape)> = Vec::new();
     for wall in all {
         // What is seen through comes last, so that it veils what lies behind it and hides nothing.
@@ -245,6 +257,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         walls.insert(place, wall);
     }
     let walls = walls.into_iter().map(|(_, shape)| shape);
+    let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u) } else { Vec::new() };
     let mut lines = Vec::new();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -287,6 +300,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     );
     Scene {
         walls: walls.collect(),
+        tops: tops.into_iter().map(|corners| corners.into_iter().map(spot).collect()).collect(),
         material,
         lines,
         touches: touches.collect(),
@@ -350,6 +364,41 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
+/// Whether a body of flat walls has two that face away from each other, and a top side between them.
+fn whole(surfaces: &[Surface], body: usize) -> bool {
+    let walls = || {
+        surfaces.iter().filter_map(move |surface| match surface {
+            Surface::Flat(wall) if wall.body == body => Some(wall),
+            _ => None,
+        })
+    };
+    walls().all(|wall| wall.has_top) && walls().any(|wall| walls().any(|other| wall.normal.dot(other.normal) < -0.999))
+}
+
+/// The top sides of what is seen whole: of studs, and between walls that face away from each other.
+fn tops(surfaces: &[Surface], up: Vec3, u: Vec3) -> Vec<Vec<Vec3>> {
+    let ends = |wall: &Wall| [wall.extent.0, wall.extent.1].map(|at| wall.point + wall.along * at);
+    let v = up.cross(u);
+    let mut tops: Vec<Vec<Vec3>> = Vec::new();
+    // The flat walls of a feature are of one body, or of none that is whole.
+    let mut flat: Vec<Vec3> = Vec::new();
+    for surface in surfaces {
+        match surface {
+            Surface::Round(round) if !round.hole => tops.push(strips(round, up, u).iter().map(|wall| ends(wall)[0]).collect()),
+            Surface::Flat(wall) if whole(surfaces, wall.body) => flat.extend(ends(wall)),
+            Surface::Flat(_) | Surface::Round(_) | Surface::Unknown => {}
+        }
+    }
+    let middle = flat.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / (flat.len().max(1) as f64);
+    let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
+    let mut around: Vec<Vec3> = Vec::new();
+    for corner in flat {
+        around.insert(around.partition_point(|other| turn(*other) < turn(corner)), corner);
+    }
+    tops.extend((!around.is_empty()).then_some(around));
+    tops
+}
+
 /// A round wall as flat strips.
 fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
     const COUNT: usize = 60;
@@ -391,6 +440,12 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
 }
 
 impl Scene {
+    /// The walls in the order in which they are drawn: those below the top sides, and the virtual part's above them.
+    pub fn walls(&self, deviates: bool, above: bool) -> impl Iterator<Item = &WallShape> {
+        let over = move |wall: &WallShape| wall.actual && !self.tops.is_empty();
+        self.walls.iter().filter(move |wall| (deviates || !wall.actual) && over(wall) == above)
+    }
+
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
     pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
         let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();

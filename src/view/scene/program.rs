@@ -58,6 +58,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let names = moves.plane.axes().map(|axis| AXIS_NAMES[axis]);
     Scene {
         walls: Vec::new(),
+        tops: Vec::new(),
         material: Vec::new(),
         lines,
         touches: Vec::new(),
