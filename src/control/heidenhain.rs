@@ -1,8 +1,8 @@
 //! HEIDENHAIN TNC7: Klartext programs with the control's own cycles 1411 and 1493.
 //!
 //! The block head, the order of parameters and their comments are those of the manual's example, letter by letter
-//! (`TRANSER POSITION` too). That values with a tolerance go out as `QS1116="10H7"`, and the parameters of 1493, are recalled
-//! and not verified on a control.
+//! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
+//! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
 use crate::control::iso::writer::{stated_start, wrapped};
 use crate::control::{Form, PostDef, Program, Request, header};

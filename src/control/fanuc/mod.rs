@@ -1,7 +1,8 @@
 //! Fanuc 30i and its kin, and Haas NGC: plain moves with the skip function G31.
 //!
 //! Sources, as far as anything of this has one: posts for G31 inspection on Mazak, Fanuc and Haas, and what the Renishaw macros do. G31 moves
-//! until the skip signal, or to its end; #5061… hold the ball centre at the skip, or the end where there was none. So every probing move is
+//! until the skip signal, or to its end; #5061… hold the ball centre at the skip, or (derived from the posts' comparison; the Classic manual of a
+//! Haas says it) the end where there was none. So every probing move is
 //! followed by a comparison of the two: a touch must have ended before its end, a positioning move must not. On a Haas M78 and M79 in the
 //! block of G31 raise the alarm in the control itself; the comparison follows, too.
 //! #5043 and #5063 have the length of the tool in them, but for Fanucs with parameter 6014 bit 4 set: so the program takes the length from the
@@ -9,7 +10,7 @@
 //! before it still runs: a block stands between the two.
 //!
 //! Ours, and marked [I] in the docs: that comparison with 0.05 mm, the lift before the alarm, the check of the length. Recalled and not
-//! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, #5221… as the origin that a program may write.
+//! verified on a control, [R]: the modal values #4006, #4011 and #4016 for units, scaling and rotation, IF … THEN, common variables up to #149, #5221… as the origin that a program may write.
 
 mod check;
 mod flavour;

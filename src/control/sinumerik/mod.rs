@@ -7,10 +7,12 @@
 //! move that was not watched the program asks before the next MEAS block whether the probe is free. Results stand in
 //! R parameters, the first ones; what is needed on the way follows them. `G70` and `G71` do not touch feeds and system
 //! variables, which stay in the control's basic system (function manual G2, 7.3), so the program first makes sure that the two
-//! agree. MEAS takes the positions of the axes that its block names (programming manual, 5.7), so a touch names all three.
+//! agree. MEAS takes the positions of the axes that its block names (a converter's specification that cites the programming manual 03/2006,
+//! 5.7), so a touch names all three.
 //!
 //! Recalled and not verified on a control: that MEAS ends a move at the contact, the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
-//! system, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
+//! system, `$AA_IW` as the place in it, the values of `$MN_SCALING_SYSTEM_IS_METRIC`, R0 to R99 by default (MD28050), that `TRANS` switches
+//! programmable frames off, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
 
 mod cycle977;
 mod read;
@@ -67,7 +69,7 @@ static DIALECT: Dialect = Dialect {
     arcs: "",
 };
 
-/// R parameters beyond this number are not on every control: MD28050 has 100 of them, R0 to R99, by default.
+/// R parameters beyond this number are not on every control. Recalled: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
 
 /// How many more the write of the frame needs.
