@@ -22,6 +22,17 @@ pub const UNCHECKED: &str =
     "The top clearance that is not checked is left out of the parameter table: how the source stores it is not documented.";
 pub const RECTANGLE: &str = "Touch point 1 is the wall in the first direction, 2 its opposite, 3 the wall a quarter turn counter-clockwise from 1, \
                              4 its opposite.";
+pub const THREE_MORE: &str = "\"Repeated 3 times\" in the source's steps is read as three times more: four touches in all.";
+pub const AS_MANY: &str =
+    "The source repeats the steps as many times as there are touch points: the first touch counts among them.";
+pub const VARIANT: &str = "In the rectangular variant the codes -60 to -62 are left out of the parameter table: the source has them for the \
+                           angular one.";
+pub const COUNTED: &str = "The source repeats the step of the further touches as many times as the measure count says: the first touch counts \
+                           among them.";
+pub const FEET: &str =
+    "The start is one point at the clearances from the walls, and the first touch of each wall is its foot on that wall.";
+pub const START_OUTSIDE: &str = "The source has the start at the clearances \"along orthogonal direction of their vectors\" of the first touches: it is taken \
+                                 to lie outside, at clearance 1 from wall 1 and clearance 2 from wall 2.";
 pub const PAIR: &str = "Touch point 1 is the wall in the first direction, 2 its opposite.";
 pub const RECTANGULAR: &str =
     "Rectangular: touch point 2 lies opposite 1, 3 a quarter turn counter-clockwise from 1, 4 opposite 3.";

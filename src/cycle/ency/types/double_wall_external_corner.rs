@@ -38,6 +38,8 @@ pub static DEF: CycleDef = CycleDef {
         words::NORMAL,
         words::ALONG,
         words::COMPENSATION,
+        words::COUNTED,
+        words::START_OUTSIDE,
         words::WALLS,
         "The distances from the corner to the first touches are ours: the source has the touch points only.",
         words::LINES,

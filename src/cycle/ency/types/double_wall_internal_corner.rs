@@ -34,7 +34,16 @@ pub static DEF: CycleDef = CycleDef {
         "Back to the start",
         "Up by the feed distance",
     ],
-    readings: &[words::HEIGHTS, words::NORMAL, words::ALONG, words::WALLS, words::LINES, words::TURN],
+    readings: &[
+        words::HEIGHTS,
+        words::NORMAL,
+        words::ALONG,
+        words::COUNTED,
+        words::FEET,
+        words::WALLS,
+        words::LINES,
+        words::TURN,
+    ],
     read: |section| {
         let form = Form::read(section);
         ency::read(section, (13, "double wall internal corner probing"), form, shape)

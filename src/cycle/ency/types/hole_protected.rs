@@ -34,8 +34,10 @@ pub static DEF: CycleDef = CycleDef {
         words::NORMAL,
         words::FEEDS,
         words::COMPENSATION,
+        words::AS_MANY,
         words::RECTANGULAR,
         words::ANGULAR,
+        words::VARIANT,
         words::CIRCLE,
     ],
     read: |section| {

@@ -28,7 +28,15 @@ pub static DEF: CycleDef = CycleDef {
         "With the top clearance checked: up by top clearance and depth",
         "Up to the feed distance",
     ],
-    readings: &[words::HEIGHTS, words::NORMAL, words::WAY_BACK, words::RECTANGLE, words::COSINE_INSIDE, words::UNCHECKED],
+    readings: &[
+        words::HEIGHTS,
+        words::NORMAL,
+        words::WAY_BACK,
+        words::THREE_MORE,
+        words::RECTANGLE,
+        words::COSINE_INSIDE,
+        words::UNCHECKED,
+    ],
     read: |section| {
         let form = Form::read(section);
         ency::read(section, (6, "internal rectangle probing"), form, shape)

@@ -29,7 +29,15 @@ pub static DEF: CycleDef = CycleDef {
         "Steps 2 to 6 three times more, once for each touch point that is left",
         words::LIFT,
     ],
-    readings: &[words::HEIGHTS, words::NORMAL, words::FEEDS, words::COMPENSATION, words::RECTANGLE, words::COSINE_INSIDE],
+    readings: &[
+        words::HEIGHTS,
+        words::NORMAL,
+        words::FEEDS,
+        words::COMPENSATION,
+        words::THREE_MORE,
+        words::RECTANGLE,
+        words::COSINE_INSIDE,
+    ],
     read: |section| {
         let form = RectangleProtected::read(section);
         ency::read(section, (7, "internal rectangle probing protected"), form, shape)

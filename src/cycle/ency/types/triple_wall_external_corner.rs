@@ -35,6 +35,7 @@ pub static DEF: CycleDef = CycleDef {
         words::HEIGHTS,
         words::NORMAL,
         words::LAST_LIFT,
+        words::START_OUTSIDE,
         words::WALLS,
         "The distances to the touches are ours: the source has the touch points only.",
         words::PLANES,

@@ -32,6 +32,7 @@ pub static DEF: CycleDef = CycleDef {
         words::HEIGHTS,
         words::NORMAL,
         words::LAST_LIFT,
+        words::FEET,
         words::WALLS,
         "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
         words::PLANES,

@@ -48,9 +48,9 @@ pub static DEF: CycleDef = CycleDef {
         "Where the clearance height mode says so, back to the clearance height; the results are stored",
     ],
     readings: &[
-        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3, the parameters of 1493, and that Q1125 of 1 or 2 does \
-         not count for a semi-automatic object are recalled from the control's manuals and not seen in print; they are not verified on \
-         a control.",
+        "The English dialog texts, the forms of tolerances, the meaning of Q1120 = 3, the parameters of 1493, that PREDEF stands for a value \
+         of GLOBAL DEF, and that Q1125 of 1 or 2 does not count for a semi-automatic object are recalled from the control's manuals and \
+         not seen in print; they are not verified on a control.",
         "Heights are of the ball centre. Touch points lie at Q325 + k·Q1119/Q423 for a full circle, else at Q325 + \
          k·Q1119/(Q423 - 1); a negative Q1119 runs clockwise.",
         "Between the points of one object the ball goes over the clearance height with Q1125 = 2, else along the arc of the \
@@ -61,6 +61,9 @@ pub static DEF: CycleDef = CycleDef {
         "Nothing is measured along the tool axis: Q952, Q955, Q982 and Q985 are the nominal heights, with the deviation 0.",
         "Q964 is the measured angle less the nominal one, counter-clockwise positive. With Q1121 = 2 the table's offset is that with its sign turned.",
         "The source prints +9999.9999 as the upper limit of Q1101 to Q1105: it is taken to be +99999.9999, as the lower one is -99999.9999.",
+        "Step 7 of the source calls Q1105 a clearance height: it is read as the measuring height of the second object, as Q1102 is that of \
+         the first.",
+        "The range of Q1119 has 360 and not -360: there is no full circle clockwise, and -359.999 is spread as an arc.",
         "With Q1125 = -1 the ball never goes to the clearance height: it crosses at the height where the stylus stands straight to \
          before the first touch, goes down at the probing feed, and the cycle ends where its last touch began.",
         "DIST is the longest way of a touch, counted from where it begins.",
@@ -75,6 +78,8 @@ pub static DEF: CycleDef = CycleDef {
         "Deviations are measured from the middle of the tolerance zone. Q183: in the zone, limits included, is good; a hole too \
          small or a stud too big is rework; a hole too big, a stud too small or a position out of its zone is scrap; the worst \
          counts.",
+        "Q980 to Q985 are deviations from that middle. What Q1120 transfers is the measured place less the nominal one, as the source has \
+         it, and not less the middle of the zone.",
         "No basic rotation is taken to be active, so Q994 = Q964; the table has to turn the other way, so Q965 = -Q964.",
         "With 1493 each touch is repeated along the extrusion and the mean goes into the fit; Q970, Q971, Q973, Q974 are the \
          largest deviations of the circles fitted at the single places.",
