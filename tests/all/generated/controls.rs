@@ -40,12 +40,15 @@ pub fn page() -> String {
          |---|---|---|---|---|---|\n",
     );
     let yes = |is: bool| if is { "yes" } else { "no" };
+    // A control that takes no plain moves does both by its own cycle.
+    let moves = |post: &PostDef| CYCLES.iter().any(|def| (post.serves)(def.probes, Form::Moves).is_ok());
+    let by = |post: &PostDef, is: bool| if moves(post) { yes(is) } else { "by its own cycle" };
     for post in POSTS {
         let offsets = match post.work_offsets {
             0 => format!("none: {}", post.no_work_offset),
             last => format!("{} to {}", (post.work_offset_word)(1), (post.work_offset_word)(last)),
         };
-        let cells = [post.title, post.key, post.extension, &offsets, yes(post.watches), yes(post.computes)];
+        let cells = [post.title, post.key, post.extension, &offsets, by(post, post.watches), by(post, post.computes)];
         writeln!(text, "| {} | `{}` | `.{}` | {} | {} | {} |", cells[0], cells[1], cells[2], cells[3], cells[4], cells[5])
             .unwrap();
     }
