@@ -519,7 +519,7 @@ export class Store extends Phrases {
     return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
   }
 
-  /** Findings at a path, or at something inside it. */
+  /** Findings at a path. */
   at(path: string): Finding[] {
     return this.findings.filter((f) => f.path === path);
   }
@@ -623,7 +623,7 @@ export class Store extends Phrases {
   }
 }
 
-/** How much a size of the trial part differs. */
+/** How much a size of the virtual part differs. */
 export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
   if (!field) return undefined;
   const label = say([w("{label} differs by"), field.label], words);

@@ -28,8 +28,8 @@ pub struct Imported {
     pub findings: Vec<Finding>,
 }
 
-/// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a SINUMERIK program of
-/// ours, or a Klartext or ISO program with cycle 1411.
+/// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a program for any control
+/// that was written here, or a Klartext or ISO program with cycle 1411. Of any other program of moves the moves are read, without a job.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn import(text: &str) -> Result<Imported, JobError> {
     check_length(text)?;

@@ -8,10 +8,9 @@ use crate::text::text;
 pub type Measured = Vec<Option<Vec3>>;
 
 /// Reads one point a touch: a list of `[X, Y, Z]` or `{x, y, z}`, or text with one point a line. Text may be CSV (comma,
-/// semicolon, tab or space; a heading without digits is passed over; with semicolons, tabs, or one comma at most in each of three numbers apart
-/// by spaces, a comma is a decimal comma) or
-/// LinuxCNC's PROBEOPEN log (nine numbers a line, of which the first three count). Reports every problem at paths
-/// `measured[i]`; `None` stands where no point could be read.
+/// semicolon, tab or space; a heading without digits is passed over) or LinuxCNC's PROBEOPEN log (nine numbers a line, of which the first
+/// three count). A comma is a decimal comma where semicolons or tabs separate the numbers, or where spaces separate three or nine numbers and none
+/// has more than one comma. Reports every problem at paths `measured[i]`; `None` stands where no point could be read.
 pub fn read(checker: &mut Checker, value: &Value) -> Measured {
     match value {
         Value::List(items) => {
