@@ -12,6 +12,9 @@ const versions = {
   "Cargo.lock": /name = "touchpath"\nversion = "(.*)"/.exec(text("Cargo.lock"))?.[1],
 };
 const problems = [];
+// npm holds a provenance against the repository that package.json names.
+if (!JSON.parse(text("package.json")).repository)
+  problems.push("package.json names no repository: npm publishes no provenance without it");
 const wanted = versions["package.json"];
 for (const [place, version] of Object.entries(versions))
   if (version !== wanted) problems.push(`${place} says ${version}, package.json ${wanted}`);

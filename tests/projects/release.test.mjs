@@ -22,16 +22,20 @@ test("a function with type parameters was missing in the reference", async () =>
   for (const name of names) assert.match(page, new RegExp(`^### ${name}\n\n\`{3}ts\n${name}[<(]`, "m"), name);
 });
 
-test("a release is refused where a version or the changelog does not fit, and the workflow asks before it publishes", () => {
+test("a release is refused where a version or the changelog does not fit or no repository is named, and the workflow asks before it publishes", () => {
   const release = (/** @type {string} */ tag) =>
     spawnSync("node", ["scripts/release.mjs", tag], { cwd: at(), encoding: "utf8" });
-  const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
+  const { version, repository } = JSON.parse(readFileSync(at("package.json"), "utf8"));
   const wrong = release("v99.0.0");
   assert.equal(wrong.status, 1);
   assert.match(wrong.stderr, /the tag says 99\.0\.0/);
   const { status, stderr } = release(`v${version}`);
-  // Between releases only the changelog may stand in the way.
-  assert.ok(status === 0 || /^CHANGELOG\.md .*\n$/.test(stderr), stderr);
+  // Between releases only the changelog may stand in the way, and a repository that has no name yet.
+  const nameless = "package.json names no repository: npm publishes no provenance without it\n";
+  assert.equal(stderr.startsWith(nameless), !repository);
+  const rest = stderr.replace(nameless, "");
+  assert.ok(rest === "" || /^CHANGELOG\.md .*\n$/.test(rest), stderr);
+  assert.equal(status, stderr === "" ? 0 : 1);
   const workflow = readFileSync(at(".github", "workflows", "release.yml"), "utf8");
   const order = [
     "id-token: write",
