@@ -1,4 +1,4 @@
-// Sets up what a machine lacks and runs every test. `setup` only sets up; `check` only reads the sources.
+// Sets up what a machine lacks and runs every test. `setup` only sets up; `check` builds, then checks format, lints and types.
 import { spawnSync } from "node:child_process";
 import { readdirSync } from "node:fs";
 import { build } from "./build.mjs";
