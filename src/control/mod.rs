@@ -306,6 +306,25 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         };
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
+    let axes = request.path.formula.datum.as_ref().map_or(0, |datum| datum.measured().iter().filter(|axis| **axis).count());
+    if request.work_offset.is_some() && axes > directions(request.path) {
+        let message = text!(
+            "Only a shift along the touches is measured: each axis of the work offset gets its share of it, and a shift across them is not seen"
+        );
+        checker.warning("offset-one-direction", "control.workOffset", message);
+    }
+}
+
+/// In how many directions that do not follow from each other a path touches.
+fn directions(path: &Path) -> usize {
+    let mut found: Vec<Vec3> = Vec::new();
+    for touch in &path.touches {
+        let rest = found.iter().fold(touch.vector, |rest, known| rest - *known * rest.dot(*known));
+        if rest.length() > 1e-6 {
+            found.push(rest.normalize());
+        }
+    }
+    found.len()
 }
 
 /// What a program does with a work offset, in words. `word` selects one, and `write` says what becomes of it.

@@ -88,6 +88,8 @@ pub const CONTACT_LIFTS: &str = "contact-lifts";
 pub const MISS_LIFTS: &str = "missed-touch-lifts";
 /// A low stylus goes up first.
 pub const LOW_START: &str = "low-start-goes-up";
+/// No rapid is low.
+pub const NO_LOW_RAPID: &str = "no-low-rapid";
 /// A work offset is written once.
 pub const ONE_WRITE: &str = "one-write";
 /// A work offset is written last.
@@ -186,7 +188,7 @@ pub static RULES: &[Rule] = &[
         breaks: feeds_stated,
     },
     Rule {
-        name: "no-low-rapid",
+        name: NO_LOW_RAPID,
         says: "No rapid goes down or across below the clearance plane, except back from a touch",
         why: "The part is below it, and a rapid move does not stop in time.",
         must: false,

@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::control::release::{Refusal, release};
+use crate::control::safety::{NO_LOW_RAPID, Verdict, WATCHED};
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
 use crate::geom::AXIS_NAMES;
@@ -92,7 +93,49 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
         };
         checker.error(code, field, message);
     }
+    if !checker.failed() {
+        report_close(job, path, checker);
+    }
     job.cycle.review(&job.setup, path, checker);
+}
+
+/// A touch that begins so near to its contact that a part a little off is met before it, by a move that expects no contact.
+fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
+    /// A part lies as exactly as this, mm; and a touch scatters by six sigma at most.
+    const NEAR: f64 = 0.5;
+    let least = NEAR.max(6.0 * job.repeatability);
+    let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
+    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else { return };
+    let message = text!(
+        "Touch {touch} begins only {way} before its nominal contact: a part that is off by as much is met on the way there",
+        k + 1,
+        checker.length(way)
+    );
+    let field = if path.feature.picked() { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
+    checker.warning("touch-close", field, message);
+}
+
+/// What the safety rules say of what the job asks for, and the rest of the findings does not.
+fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
+    let broken = |rule: &str| verdicts.iter().any(|verdict| verdict.rule == rule && verdict.holds == Some(false));
+    if job.protected && broken(WATCHED) {
+        let message = text!("Some positioning moves are too short to be watched: a contact there goes unnoticed");
+        checker.warning("positioning-not-watched", "control.protection", message);
+    }
+    if broken(NO_LOW_RAPID) {
+        let message = text!("A rapid goes down or across below the clearance plane, and nothing watches it");
+        checker.warning("low-rapid", "feeds", message);
+    }
+}
+
+/// A turn that is measured and stays where it is.
+fn report_turn(job: &Job, path: &Path, results: &[ResultRow], checker: &mut Checker) {
+    let turned = results.iter().any(|row| row.code == "rotation" && row.value.is_some());
+    if job.work_offset.is_some() && turned && path.formula.datum.as_ref().is_some_and(|datum| datum.rotation.is_none()) {
+        let message =
+            text!("The rotation that is measured is not written: the work offset is right at the measured place only");
+        checker.info("rotation-not-written", "control.workOffset", message);
+    }
 }
 
 /// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
@@ -122,6 +165,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
+    report_turn(job, path, &results, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
@@ -134,6 +178,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         JobError { findings: std::mem::take(&mut checker).findings() }
     })?;
     let (program, proof, verdicts) = released.into_parts();
+    report_rules(job, &verdicts, &mut checker);
     let (length, time) = length_and_time(job, &request);
     Ok(Plan {
         touches: path

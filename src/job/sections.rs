@@ -122,7 +122,7 @@ form! {
     /// The stylus.
     pub struct Stylus {
         /// Effective diameter of the ball; 0 is a point.
-        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.0, 20.0).group("Probe"),
+        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
         /// One sigma of a single touch along its probing direction.
         repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
     }

@@ -128,24 +128,60 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
     );
 }
 
-/// Of a round wall one half faces who looks: of a boss the near one, of a hole the far one.
+/// Of a hole the far half of its wall faces who looks, and the near one is a veil that hides nothing. A boss is seen whole: the near half, and its top.
 #[test]
 fn a_hole_is_not_a_boss() {
-    for (cycle, near) in [("hole", false), ("boss", true)] {
-        let job = of(cycle);
-        let (scene, _) = built(&job, Projection::Isometric);
-        let walls: Vec<_> = scene.walls.iter().filter(|w| !w.actual).collect();
-        let middle = walls.iter().map(|w| w.corners[0][1]).sum::<f64>() / walls.len() as f64;
-        let low = |faces: bool| {
-            let of: Vec<f64> = walls.iter().filter(|w| w.faces == faces).map(|w| w.corners[0][1]).collect();
-            assert!(of.len() > 20, "{cycle}: half of the strips");
-            of.iter().sum::<f64>() / (of.len() as f64)
+    let seen = |cycle: &str| {
+        let (scene, _) = built(&of(cycle), Projection::Isometric);
+        let walls: Vec<_> = scene.walls(false, false).map(|w| (w.faces, w.corners[0][1])).collect();
+        let middle = |faces: bool| {
+            let of: Vec<f64> = walls.iter().filter(|w| w.0 == faces).map(|w| w.1).collect();
+            (of.len(), of.iter().sum::<f64>() / of.len() as f64)
         };
-        // Lower in the picture is nearer.
-        assert_eq!(low(true) < middle, near, "{cycle}");
-        let first_veil = walls.iter().position(|w| !w.faces).expect("there is one");
-        assert!(walls[first_veil..].iter().all(|w| !w.faces), "veils hide nothing that is solid");
+        let first_veil = walls.iter().position(|w| !w.0).unwrap_or(walls.len());
+        assert!(walls[first_veil..].iter().all(|w| !w.0), "veils hide nothing that is solid");
+        (middle(true), middle(false), scene.tops)
+    };
+    let (far, near, tops) = seen("hole");
+    // Higher in the picture is farther.
+    assert!(far.0 > 20 && near.0 > 20 && far.1 > near.1 && tops.is_empty());
+    let (near, far, tops) = seen("boss");
+    assert!(near.0 > 20 && far.0 == 0);
+    // The top is 40 wide: foreshortened to sin(atan(1/√2)) = 1/√3 of a circle's area.
+    let circle = std::f64::consts::PI * 20.0 * 20.0 / 3f64.sqrt();
+    assert!((area(&tops[0]) - circle).abs() < 0.005 * circle, "{}", area(&tops[0]));
+}
+
+/// Twice the sum of its triangles, halved.
+fn area(corners: &[[f64; 2]]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs() / 2.0
+}
+
+#[test]
+fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
+    for (cycle, tops) in [
+        ("external-rectangle", 1),
+        ("web", 1),
+        ("web-three-points", 1),
+        ("internal-rectangle", 0),
+        ("groove", 0),
+        ("double-wall-external-corner", 0),
+        ("double-wall-internal-corner", 0),
+        ("surface", 0),
+    ] {
+        for view in [Projection::Isometric, Projection::Top] {
+            let (scene, _) = built(&of(cycle), view);
+            assert_eq!(scene.tops.len(), if view == Projection::Isometric { tops } else { 0 }, "{cycle}");
+        }
     }
+    let turned = with(&of("external-rectangle"), "cycle.rotation", crate::common::number(33.0));
+    let (scene, _) = built(&turned, Projection::Isometric);
+    // 80 × 50, whatever its rotation.
+    let rectangle = 80.0 * 50.0 / 3f64.sqrt();
+    assert!((area(&scene.tops[0]) - rectangle).abs() < 1e-6 * rectangle, "{}", area(&scene.tops[0]));
+    let studs = with(&of("probing-two-circles"), "cycle.geometryType", crate::common::number(1.0));
+    assert_eq!(built(&studs, Projection::Isometric).0.tops.len(), 2);
 }
 
 #[test]

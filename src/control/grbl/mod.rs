@@ -74,7 +74,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         text!("grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
          those points give"),
     );
-    checker.info(
+    checker.warning(
         "positioning-not-watched",
         "control.protection",
         text!("grbl does not watch the probe in positioning moves: a contact there goes unnoticed"),

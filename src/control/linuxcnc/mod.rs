@@ -70,7 +70,8 @@ static DIALECT: Dialect = Dialect {
     arcs: " G91.1",
 };
 
-/// The shortest probe move, mm: the interpreter's documents refuse less than 0.254 mm. Shorter positioning moves are plain.
+/// The shortest probe move, mm: the text of RS274/NGC, from which the interpreter comes, refuses less than 0.254 mm. The interpreter of today takes
+/// shorter ones, and how old the control is is not known. Shorter positioning moves are plain.
 const SHORTEST_PROBE: f64 = 0.3;
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
@@ -93,7 +94,7 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
     let mut ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to) + path.touches[k].search)));
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_PROBE) {
         let message = text!(
-            "LinuxCNC refuses probe moves this short: touch {touch} searches {way} in all, at least {least} is needed. Use a larger clearance or overtravel",
+            "Touch {touch} searches {way} in all: older interpreters refuse a probe move below {least}. Use a larger clearance or overtravel",
             k + 1,
             checker.length(way),
             checker.length(SHORTEST_PROBE)

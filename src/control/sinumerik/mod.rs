@@ -88,7 +88,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
-        "MEAS, $AC_MEA, $AA_MW, $P_UIFR and CYCLE977 follow manuals and working programs; none of it was run on a control: try it with a hand on the feed override"
+        "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: try it without a part first, with a hand on the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {

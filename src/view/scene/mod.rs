@@ -225,7 +225,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     // The far side of what has a top is behind it.
     let hidden = |surface: &Surface, shape: &WallShape| {
         let topped = match surface {
-            Surface::Flat(wall) => whole(&path.surfaces, wall.body),
+            Surface::Flat(wall) => bounds(&path.surfaces, wall, path.frame.w),
             Surface::Round(round) => !round.hole,
             Surface::Unknown => false,
         };
@@ -364,15 +364,17 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// Whether a body of flat walls has two that face away from each other, and a top side between them.
-fn whole(surfaces: &[Surface], body: usize) -> bool {
+/// Whether a wall stands around a body that is seen whole: it has two that face away from each other, and a top side between them.
+fn bounds(surfaces: &[Surface], wall: &Wall, up: Vec3) -> bool {
+    let upright = |wall: &Wall| wall.normal.dot(up).abs() < 1e-6;
     let walls = || {
-        surfaces.iter().filter_map(move |surface| match surface {
-            Surface::Flat(wall) if wall.body == body => Some(wall),
+        surfaces.iter().filter_map(|surface| match surface {
+            Surface::Flat(other) if other.body == wall.body && upright(other) => Some(other),
             _ => None,
         })
     };
-    walls().all(|wall| wall.has_top) && walls().any(|wall| walls().any(|other| wall.normal.dot(other.normal) < -0.999))
+    let opposite = || walls().any(|one| walls().any(|other| one.normal.dot(other.normal) < -0.999));
+    upright(wall) && walls().all(|wall| wall.has_top) && opposite()
 }
 
 /// The top sides of what is seen whole: of studs, and between walls that face away from each other.
@@ -385,7 +387,7 @@ fn tops(surfaces: &[Surface], up: Vec3, u: Vec3) -> Vec<Vec<Vec3>> {
     for surface in surfaces {
         match surface {
             Surface::Round(round) if !round.hole => tops.push(strips(round, up, u).iter().map(|wall| ends(wall)[0]).collect()),
-            Surface::Flat(wall) if whole(surfaces, wall.body) => flat.extend(ends(wall)),
+            Surface::Flat(wall) if bounds(surfaces, wall, up) => flat.extend(ends(wall)),
             Surface::Flat(_) | Surface::Round(_) | Surface::Unknown => {}
         }
     }

@@ -142,3 +142,75 @@ fn the_empty_tool_is_no_probe() {
     assert_eq!(errors(&job), ["out-of-range control.tool"]);
     assert!(plan(&with(&job, "control.tool", number(1.0))).is_ok());
 }
+
+/// A slope that lies 1 off along X is met 0.5 lower or higher: Z got a part of that, though the part is as high as ever.
+#[test]
+fn an_offset_in_axes_that_were_not_measured_apart_is_said() {
+    let said = |text: &str| warnings(&cycle(text)).contains(&"offset-one-direction".to_owned());
+    let offset = r#""control": { "workOffset": 1 }"#;
+    for (text, expected) in [
+        (r#"{ "type": "surface", "elevation": 30 }"#, true),
+        (r#"{ "type": "surface", "elevation": 90 }"#, false),
+        (r#"{ "type": "surface", "elevation": 0 }"#, false),
+        (r#"{ "type": "web", "rotation": 30 }"#, true),
+        (r#"{ "type": "web", "rotation": 90 }"#, false),
+        (r#"{ "type": "web-three-points", "rotation": 30 }"#, true),
+        (r#"{ "type": "web-three-points" }"#, false),
+        (r#"{ "type": "hole", "rotation": 30 }"#, false),
+        (r#"{ "type": "double-wall-internal-corner", "rotation": 30, "angle": 60 }"#, false),
+        (r#"{ "type": "triple-wall-external-corner", "rotation": 30 }"#, false),
+    ] {
+        assert_eq!(said(&format!("{text}, {offset}")), expected, "{text}");
+        assert!(!said(text), "nothing is written: {text}");
+    }
+}
+
+/// The ball's edge is 0.4 from the wall where the touch begins; or 0.55, with a sigma of 0.1.
+#[test]
+fn a_touch_that_begins_close_to_its_wall_is_said() {
+    let said = |text: &str| warnings(&cycle(text)).contains(&"touch-close".to_owned());
+    assert!(said(r#"{ "type": "boss", "sideClearance": 3.4 }"#));
+    assert!(!said(r#"{ "type": "boss", "sideClearance": 3.5 }"#));
+    assert!(said(r#"{ "type": "boss", "sideClearance": 3.55 }, "stylus": { "repeatability": 0.1 }"#));
+    assert!(said(r#"{ "type": "hole", "diameter": 6.9 }"#), "half of what a hole leaves free");
+    assert!(said(r#"{ "type": "probing-two-circles", "probe": { "setUp": 0.3 } }"#));
+    let inch = r#"{ "type": "boss", "diameter": 1.5, "sideClearance": 0.2 }, "units": "inch", "stylus": { "diameter": 0.37 }"#;
+    assert!(said(inch), "0.015 inch");
+}
+
+/// From the middle to 3.25 before the wall of a groove of 7 it is 0.25 across: too short for a probe move.
+#[test]
+fn positioning_that_is_not_watched_though_the_job_asks_for_it_is_said() {
+    let said = |text: &str| warnings(&cycle(text)).into_iter().filter(|code| code == "positioning-not-watched").count();
+    let groove = r#"{ "type": "groove-protected", "width": 7, "sideClearance": 3.25 }"#;
+    for (post, expected) in [("linuxcnc", 1), ("grbl", 1)] {
+        assert_eq!(said(&format!(r#"{groove}, "control": {{ "post": "{post}" }}"#)), expected, "{post}");
+    }
+    assert_eq!(said(&format!(r#"{groove}, "control": {{ "protection": "none" }}"#)), 1);
+    assert_eq!(said(r#"{ "type": "groove-protected" }"#), 0);
+}
+
+#[test]
+fn a_low_rapid_is_said() {
+    let feeds = r#""feeds": { "approach": null, "longLink": null, "retract": null, "return": null }"#;
+    let said = |control: &str| {
+        let job = cycle(&format!(r#"{{ "type": "internal-rectangle-protected" }}, {feeds}, "control": {{ {control} }}"#));
+        warnings(&job).contains(&"low-rapid".to_owned())
+    };
+    assert!(said(r#""post": "grbl""#));
+    assert!(said(r#""post": "linuxcnc", "protection": "none""#));
+    assert!(!said(r#""post": "linuxcnc""#), "watched, it is no rapid");
+    assert!(warnings(&cycle(r#"{ "type": "hole" }, "control": { "post": "grbl" }"#)).iter().all(|code| code != "low-rapid"));
+}
+
+#[test]
+fn a_rotation_that_is_measured_and_not_written_is_said() {
+    let said = |more: &str| {
+        let job = cycle(&format!(r#"{{ "type": "double-wall-internal-corner" }}{more}"#));
+        check(&job).iter().any(|f| f.code == "rotation-not-written")
+    };
+    assert!(said(r#", "control": { "workOffset": 1 }"#));
+    assert!(!said(""));
+    let circles = r#"{ "type": "probing-two-circles", "transferPosition": 1, "confirmRotation": 1 }, "control": { "post": "linuxcnc", "workOffset": 1 }"#;
+    assert!(check(&cycle(circles)).iter().all(|f| f.code != "rotation-not-written"));
+}
