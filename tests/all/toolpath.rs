@@ -440,3 +440,60 @@ fn a_code_of_the_machines_system_without_places_goes_nowhere() {
         assert!(codes(&program(code)).contains(&"machine-places".to_owned()), "{code}");
     }
 }
+
+/// A program below `G21 G90 F100`, `G0 X10 Y0 Z20`: its last move ends where the interpreter's does, with its feed, but for what is not known (axes, and
+/// F for the feed), and this is said of it.
+fn ends_as_interpreted(cases: &[(&str, &str, &[&str])]) {
+    for (text, unknown, wanted) in cases {
+        let text = format!("G21 G90 F100\nG0 X10 Y0 Z20\n{text}\nM2\n");
+        let ran = interpret(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let path = read_program(&text, Some("iso"));
+        let (last, true_last) = (path.end(path.len() - 1).to_array(), ran.moves.last().expect("a move"));
+        for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
+            let right =
+                if unknown.contains(name) { last[axis].is_nan() } else { (last[axis] - true_last.to[axis]).abs() < 1e-3 };
+            assert!(right, "{text}{name}: {last:?}, truly {:?}", true_last.to);
+        }
+        let feed = path.feed[path.len() - 1];
+        let right = if unknown.contains('F') || true_last.kind == "rapid" { feed.is_nan() } else { feed == true_last.feed };
+        assert!(right, "{text}feed {feed}, truly {}", true_last.feed);
+        assert_eq!(said(&path), *wanted, "{text}");
+    }
+}
+
+/// Places, modes and feeds of lines that are not followed were those of before.
+#[test]
+fn nothing_stale_stays_after_a_line_that_is_not_followed() {
+    ends_as_interpreted(&[
+        ("#1=5 G91 G1 X7\nG1 Y1", "X", &["lines-skipped"]),
+        ("#1=[3+4]G91G1Z7\nG1 Y1", "Z", &["lines-skipped"]),
+        ("#<x1>=5 (X5 G91)\nG1 Y1", "", &["lines-skipped"]),
+        ("#1 = 5 F83\nG1 Y1", "", &["lines-skipped"]),
+        ("G1 XSIN[30]\nY1", "X", &["places-computed"]),
+        ("ZATAN[1]/[2]\nG1 Y1", "Z", &["lines-skipped"]),
+        ("G1 FSQRT[49] Y1", "F", &[]),
+        ("G1 @5 ^30\nZ1", "XY", &["places-computed"]),
+        ("G1 @5^30Z1", "XY", &["places-computed"]),
+        ("G1 @5 ^30\nG1 X1 Y2", "", &["places-computed"]),
+        ("F1 00\nG1 Y1", "F", &["lines-skipped"]),
+        ("G1 Y1 X1 0 F70\nY2", "X", &["lines-skipped"]),
+    ]);
+    // A SINUMERIK's own words stand before a feed; its variables may begin with the letter of an axis.
+    let path = read_program("G71\nG1 X1 Y1 F100\nX2 RND=5 F200\nXMAX=5\nG1 Y2\nSOFT FFWON\nG1 Y3\n", Some("sinumerik"));
+    assert_eq!((path.feed[1], path.feed[2]), (200.0, 200.0));
+    assert!(path.end(1).x.is_nan() && path.end(1).y == 2.0);
+    let kept = read_program("G71\nG1 X1 Y1 Z1 F100\nXMAX=5\nDEF REAL Y_POS\nG1 Z2\n", Some("sinumerik"));
+    assert_eq!(kept.end(1).to_array(), [1.0, 1.0, 2.0]);
+}
+
+/// The body of a subroutine was read as moves where its O words stood behind a number or a slash.
+#[test]
+fn an_o_word_may_stand_behind_a_number() {
+    ends_as_interpreted(&[
+        ("N5 o100 sub\nG1 X77\nN6 o100 endsub\nG1 X1", "", &["lines-skipped"]),
+        ("/o100 sub\nG1 X77\n/ N6 O100 endsub\nG1 X1", "", &["lines-skipped"]),
+        ("n5o<s>sub\nG1 X77\nN6 o<s> endsub\nG1 X1\nN7 o<s> call\nG1 X2 Y3", "Z", &["lines-skipped"]),
+        ("N5 o1 if [0]\nM2\nN6 o1 endif\nG1 X5", "", &["lines-skipped"]),
+        ("G1 Y5\n/N5\nN6.5\nX4", "", &[]),
+    ]);
+}

@@ -63,6 +63,8 @@ pub(super) struct Block {
     pub ends: bool,
     /// Something in it is not a word.
     pub strange: bool,
+    /// It jumps.
+    pub jumps: bool,
 }
 
 pub(super) const EMPTY: Block = Block {
@@ -86,6 +88,7 @@ pub(super) const EMPTY: Block = Block {
     feed: None,
     ends: false,
     strange: false,
+    jumps: false,
 };
 
 impl Block {
@@ -95,7 +98,7 @@ impl Block {
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.machine, self.home, self.others) = (false, false, false);
-        (self.ends, self.strange) = (false, false);
+        (self.ends, self.strange, self.jumps) = (false, false, false);
     }
 }
 
@@ -131,6 +134,43 @@ pub(super) fn end_of_value(line: &[u8], at: usize) -> usize {
         }
     }
     line.len()
+}
+
+/// Where the next word begins behind something that is none: a letter with a value, outside of brackets and comments.
+pub(super) fn next_word(line: &[u8], at: usize) -> usize {
+    let mut depth = 0usize;
+    for n in at + 1..line.len() {
+        match line[n - 1] {
+            b'[' | b'(' | b'<' => depth += 1,
+            b']' | b')' | b'>' => depth = depth.saturating_sub(1),
+            b';' => break,
+            before if before.is_ascii_alphabetic() || before == b'_' => continue,
+            _ => {}
+        }
+        if depth == 0 && line[n].is_ascii_alphabetic() && valued(line, n) {
+            return n;
+        }
+    }
+    line.len()
+}
+
+/// Whether what may be a value stands after a letter.
+pub(super) fn valued(line: &[u8], at: usize) -> bool {
+    line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
+}
+
+/// Where the words of a block begin: behind its number, `N10` or `:10`, and what leaves it out, `/2`.
+pub(super) fn head(line: &[u8]) -> usize {
+    let mut at = 0;
+    while let Some(b'/' | b':' | b'N' | b'n') = line.get(at) {
+        let digits = line[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let end = at + 1 + digits;
+        if line[at].is_ascii_alphabetic() && (digits == 0 || line.get(end) == Some(&b'.')) {
+            break;
+        }
+        at = end + line[end..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    }
+    at
 }
 
 /// A line without the number of its block.

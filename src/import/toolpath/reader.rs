@@ -2,7 +2,7 @@
 
 use crate::form::Checker;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Block, Motion, end_of, end_of_value, numbered};
+use crate::import::toolpath::block::{Axes, Block, Motion, end_of, end_of_value, head, next_word, number, numbered, valued};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 use crate::text::{Text, text};
 
@@ -107,54 +107,47 @@ impl Reader {
             return;
         }
         self.begun |= !matches!(first, b'(' | b';');
-        match first {
-            b';' => return,
-            b'(' if self.ended => return,
-            _ if self.ended => return count(&mut self.after_end, self.line),
+        if first == b';' || first == b'(' && self.ended {
+            return;
+        }
+        if self.ended {
+            return count(&mut self.after_end, self.line);
+        }
+        let begin = head(line);
+        match line.get(begin) {
             // O words jump, loop and call; alone they number a program.
-            b'O' | b'o' if !self.sinumerik => return self.o_word(line),
+            Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
-            // A variable gets a value.
-            b'#' => return count(&mut self.skipped, self.line),
             _ => {}
         }
         let before = self.modes;
         block.empty();
-        // A block that may be left out, `/2`, and the number of a main block, `:10`.
-        let mut at = usize::from(matches!(first, b'/' | b':'));
-        while at > 0 && line.get(at).is_some_and(u8::is_ascii_digit) {
-            at += 1;
-        }
-        at = at.max(left_out(line));
+        // Between a jump and the end that it leaves out may stand comments, and variables that get a value.
         let leaped = self.leaps;
-        self.leaps &= first == b'(';
+        self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
+        let mut at = begin;
         while at < line.len() {
-            match line[at] {
-                b' ' | b'\t' => at += 1,
+            at = match line[at] {
+                b' ' | b'\t' => at + 1,
                 b';' => break,
-                b'(' if !self.sinumerik => at = end_of(line, at, b')'),
-                letter if letter.is_ascii_alphabetic() => {
-                    let Some(next) = self.word(line, at, block) else {
-                        block.strange = true;
-                        break;
-                    };
-                    at = next;
-                }
-                _ => {
-                    block.strange = true;
-                    break;
-                }
-            }
+                b'(' if !self.sinumerik => end_of(line, at, b')'),
+                b'@' | b'^' if !self.sinumerik => self.polar(line, at, block),
+                letter if letter.is_ascii_alphabetic() => match self.word(line, at, block) {
+                    Some(next) => next,
+                    None => self.odd(line, at, block),
+                },
+                _ => self.odd(line, at, block),
+            };
         }
         if block.strange {
-            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. The modes before an
-            // odd word count, unless the line jumps.
-            if jumps(line) {
+            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. Its modes count,
+            // unless it jumps.
+            if block.jumps {
                 self.modes = before;
             }
             self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
-            self.forget(line);
-            self.leaps = jumps_perhaps(line);
+            self.forget(if self.sinumerik && runs_cycle(line) { 7 } else { block.given });
+            self.leaps |= block.jumps && line[begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
             if self.sinumerik {
                 self.condition(line);
             }
@@ -183,6 +176,30 @@ impl Reader {
             self.place = [f64::NAN; 3];
             count(&mut self.machine, self.line);
         }
+    }
+
+    /// Something that is no word: nothing of its line is a move. Gives where the next word begins, unless the line jumps.
+    fn odd(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
+        if !block.strange {
+            (block.strange, block.jumps) = (true, jumps(line));
+        }
+        match line[at].to_ascii_uppercase() {
+            axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => block.given |= 1 << (axis - b'X'),
+            b'F' if !self.sinumerik => block.feed = Some(f64::NAN),
+            b',' | b'#' | b'A'..=b'Z' => {}
+            // The number before may go on: F1 00.
+            _ => block.feed = block.feed.map(|_| f64::NAN),
+        }
+        if block.jumps { line.len() } else { next_word(line, at) }
+    }
+
+    /// A place by a distance and a direction, `@5 ^30`: the control computes it.
+    fn polar(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
+        let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
+        let axes = 1 << a | 1 << o;
+        block.given |= axes;
+        block.computed |= axes;
+        number(line, at + 1).map_or_else(|| end_of_value(line, at + 1), |(_, end)| end)
     }
 
     /// What moves the system that places are in: another work offset, or one that is written.
@@ -246,17 +263,11 @@ impl Reader {
         }
     }
 
-    /// The axes that a line names which is not followed are somewhere else afterwards.
-    fn forget(&mut self, line: &[u8]) {
-        if self.sinumerik && runs_cycle(line) {
-            self.place = [f64::NAN; 3];
-        }
-        for (at, b) in line.iter().enumerate() {
-            let axis = b.to_ascii_uppercase().wrapping_sub(b'X');
-            let begins = at == 0 || !(line[at - 1].is_ascii_alphabetic() || b"_[,".contains(&line[at - 1]));
-            let valued = line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next));
-            if axis < 3 && begins && valued {
-                self.place[usize::from(axis)] = f64::NAN;
+    /// These axes are somewhere else.
+    fn forget(&mut self, axes: Axes) {
+        for (axis, place) in self.place.iter_mut().enumerate() {
+            if axes & (1 << axis) != 0 {
+                *place = f64::NAN;
             }
         }
     }
@@ -322,21 +333,8 @@ pub(super) fn count(count: &mut Count, line: usize) {
     count.times += 1;
 }
 
-/// Where a block begins that has a number and may be left out: `N10 /G31 X5`.
-fn left_out(line: &[u8]) -> usize {
-    let [b'N' | b'n', rest @ ..] = line else { return 0 };
-    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-    let blanks = rest[digits..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
-    if digits > 0 && rest.get(digits + blanks) == Some(&b'/') { 2 + digits + blanks } else { 0 }
-}
-
 fn jumps(line: &[u8]) -> bool {
-    line.to_ascii_uppercase().windows(4).any(|word| word == b"GOTO")
-}
-
-/// Whether a line is a jump under a condition, such as `IF [#1 EQ 2] GOTO 10`.
-fn jumps_perhaps(line: &[u8]) -> bool {
-    jumps(line) && numbered(line).to_ascii_uppercase().starts_with(b"IF")
+    line.windows(4).any(|word| word.eq_ignore_ascii_case(b"GOTO"))
 }
 
 /// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.

@@ -39,6 +39,14 @@ impl Reader {
                     None => (Word::Computed, end),
                 }
             }
+            // What a function gives: XSIN[30].
+            _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
+                let name = line[next..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+                if line.get(next + name) != Some(&b'[') {
+                    return None;
+                }
+                (Word::Computed, end_of_value(line, next))
+            }
             _ => return self.name(line, at, block),
         };
         match (letter, word) {
