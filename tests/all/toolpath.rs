@@ -281,7 +281,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ("G81 X20 Y20 Z-5 R2 F100\nX25 Y5\nX27 Z-8\nG80\nG0 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
         ("G81 X20 Y20 Z-5 R2 F100\nX25\nG1 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
         // A tool's length, and planes that are turned.
-        ("G43.1 Z-1.5\nX2", 2, known(2.0, 10.0, 10.0), &[]),
+        ("G43.1 Z-1.5\nX2", 2, known(2.0, 10.0, f64::NAN), &["places-computed"]),
         ("G68.2 X0 Y0 Z0 I0 J90 K0\nX2", 2, known(2.0, 10.0, 10.0), &["places-transformed"]),
         // Moves before any selection were in G54.
         ("G55\nX30", 2, known(30.0, 10.0, 10.0), &["places-transformed"]),
@@ -496,4 +496,68 @@ fn an_o_word_may_stand_behind_a_number() {
         ("N5 o1 if [0]\nM2\nN6 o1 endif\nG1 X5", "", &["lines-skipped"]),
         ("G1 Y5\n/N5\nN6.5\nX4", "", &[]),
     ]);
+}
+
+/// A tool that is longer or shorter stands at another place: it was read as standing where it was.
+#[test]
+fn a_tools_length_changes_places() {
+    let computed: &[&str] = &["places-computed"];
+    ends_as_interpreted(&[
+        ("G43.1 Z50\nG0 X5", "Z", computed),
+        ("G43.1 Z50\nG0 X5\nY3\nZ4", "", computed),
+        ("G43.1 X3\nG0 Z5", "X", computed),
+        ("G43.1 X3\nG0 X5\nG49\nZ6", "X", computed),
+        ("G43.1 Z50\nG0 X5 Z3", "", &[]),
+        ("G43.1 X50\nG0 X0\nG49 G0 Z3", "X", computed),
+        ("T1 M6\nG43 H1 Z50", "", &[]),
+        ("T1 M6\nG0 X3", "", &[]),
+        ("T1 M6\nG43 H1\nG0 X3", "Z", computed),
+        ("G43 H1\nG49\nG0 X3", "Z", computed),
+        ("G4 P0\nM70\nG43.1 Z5\nG0 Z3\nM72\nX5", "Z", computed),
+    ]);
+    // Incremental moves are counted from 0, as ever from a place that is not known.
+    let path = read_program("G21 G90 F100\nG0 X10 Y0 Z20\nG43.1 Z50\nG0 X5\nG91 G38.2 Z-5\n", None);
+    assert!(path.end(1).z.is_nan() && path.end(2).z == -5.0, "{:?}", places(&path));
+    assert_eq!(said(&path), ["places-computed", "start-unknown"]);
+    // Nothing has moved: nothing was known.
+    let first = read_program("G21 G90\nG43 H1\nG0 X1\nY2 Z3\n", None);
+    assert_eq!((said(&first).len(), first.end(1).to_array()), (0, [1.0, 2.0, 3.0]));
+    let edge = read_program("G71\nG0 X1 Y2 Z3\nT=\"PROBE\" D1\nM6\nG0 X4\nZ5\n", Some("sinumerik"));
+    assert!(edge.end(1).z.is_nan() && edge.end(1).y == 2.0 && edge.end(2).z == 5.0);
+    assert_eq!(said(&edge), ["places-computed"]);
+}
+
+/// M70 and M73 keep the modes, M72 gives them back.
+#[test]
+fn modes_are_kept_and_given_back() {
+    ends_as_interpreted(&[
+        ("M70\nG91\nG0 X5\nM72\nX5", "", &[]),
+        ("M73\nG91\nM72\nG91\nM72\nX5\nX5", "", &[]),
+        ("G91 M70\nG90\nM72\nX5\nX5", "", &[]),
+        ("M70 G91\nX5\nM72 G91\nX5", "", &[]),
+        ("M70\nG20 F10 G1 X1\nM72\nG1 X5", "", &[]),
+        ("M70 F50\nF60\nM72 F30\nG1 X5", "", &[]),
+        ("M70\nG1 X5\nM72\nX6", "", &[]),
+        ("M70\nG93\nM72\nG1 X6 F7", "", &[]),
+    ]);
+    // A SINUMERIK's M70 is its spindle's.
+    let path = read_program("G71\nG0 X1 Y1 Z1\nM70\nG91\nM72\nX5\nX5\n", Some("sinumerik"));
+    assert_eq!(path.end(2).x, 11.0);
+}
+
+/// The feed of a block that goes nowhere was lost, and so was a place beside the time of a dwell.
+#[test]
+fn feeds_and_places_of_blocks_that_are_left_early_stay() {
+    ends_as_interpreted(&[
+        ("G43.1 Z0 F83\nG1 X5 Z5", "", &[]),
+        ("G4 P.01 F35\nG1 X5", "", &[]),
+        ("G10 L1 P1 Z0 F36\nG1 X5", "", &[]),
+        ("G92 X10 F33\nG1 X5", "", &["places-transformed"]),
+        ("G52 X0 F44\nG1 X5", "", &["places-transformed"]),
+        ("G4 P0.1 X7", "", &[]),
+        ("G1 Y1\nG4 P0.1 X7 F83", "", &[]),
+    ]);
+    assert_eq!(read_program("G21\nG0 X1\nG4 X2.\n", None).len(), 1, "the time of a dwell");
+    let call = read_program("G21\nG1 X1 F100\nG65 P9811 X5. F300\nG1 X2\n", None);
+    assert_eq!(call.feed, [100.0, 100.0], "an argument of a macro");
 }

@@ -22,6 +22,13 @@ pub(super) enum Word {
     Computed,
 }
 
+impl Word {
+    /// NaN where the control would compute it.
+    pub fn number(self) -> f64 {
+        if let Word::Number(x) = self { x } else { f64::NAN }
+    }
+}
+
 /// Which of X, Y, Z, or of I, J, K: a bit each.
 pub(super) type Axes = u8;
 
@@ -42,13 +49,17 @@ pub(super) struct Block {
     pub motion: bool,
     /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
     pub elsewhere: bool,
-    /// It waits. Its axis words are its time, unless it names a motion, too.
+    /// It waits. Its axis words are its time, unless it names a motion or its time by P, too.
     pub dwells: bool,
     /// It writes settings, G10: which by L.
     pub writes: bool,
+    /// It changes the length of the tool.
+    pub lengthens: bool,
+    /// It keeps the modes (M70, M73), forgets them (M71) or gives them back (M72).
+    pub keeps: Option<u8>,
     /// The work offset that it selects, as ten times its code.
     pub offset: Option<i32>,
-    /// L and P.
+    /// L and P; NaN where the control would compute them.
     pub l: Option<f64>,
     pub p: Option<f64>,
     /// It moves axes other than X, Y and Z.
@@ -57,8 +68,9 @@ pub(super) struct Block {
     pub machine: bool,
     /// It goes to a place that the machine knows, whether or not it names axes.
     pub home: bool,
-    /// Its feed, or the time of a dwell.
     pub feed: Option<f64>,
+    /// Its F is no feed that stays: a time, or an argument of a macro.
+    pub feedless: bool,
     /// It ends the program.
     pub ends: bool,
     /// Something in it is not a word.
@@ -79,6 +91,8 @@ pub(super) const EMPTY: Block = Block {
     elsewhere: false,
     dwells: false,
     writes: false,
+    lengthens: false,
+    keeps: None,
     offset: None,
     l: None,
     p: None,
@@ -86,6 +100,7 @@ pub(super) const EMPTY: Block = Block {
     machine: false,
     home: false,
     feed: None,
+    feedless: false,
     ends: false,
     strange: false,
     jumps: false,
@@ -97,6 +112,7 @@ impl Block {
         (self.given, self.computed, self.centered) = (0, 0, 0);
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
+        (self.lengthens, self.feedless, self.keeps) = (false, false, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
     }

@@ -11,7 +11,7 @@ impl Reader {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
         for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
-            let x = block.places[axis] * self.scale;
+            let x = block.places[axis] * self.modes.scale;
             *place = if block.computed & (1 << axis) != 0 {
                 count(&mut self.computed, self.line);
                 f64::NAN
@@ -29,6 +29,12 @@ impl Reader {
         }
         if block.machine {
             count(&mut self.machine, self.line);
+        }
+        if self.lost != 0 {
+            if self.lost & !block.given != 0 {
+                count(&mut self.computed, self.line);
+            }
+            self.lost = 0;
         }
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             match self.arc(block, from, motion == Motion::Counter) {
@@ -53,7 +59,7 @@ impl Reader {
             Motion::Probe => PROBE,
         };
         self.path.kind.push(kind);
-        self.path.feed.push(if kind == RAPID || self.by_other { f64::NAN } else { self.feed });
+        self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
     }
 
@@ -65,10 +71,10 @@ impl Reader {
             return None;
         }
         let middle = match block.radius {
-            Some(radius) => by_radius(begin, end, radius * self.scale, counter)?,
+            Some(radius) => by_radius(begin, end, radius * self.modes.scale, counter)?,
             None => {
                 let given = |axis: usize| block.centered & (1 << axis) != 0;
-                let offset = |axis: usize| if given(axis) { block.center[axis] * self.scale } else { 0.0 };
+                let offset = |axis: usize| if given(axis) { block.center[axis] * self.modes.scale } else { 0.0 };
                 if self.modes.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
             }
         };

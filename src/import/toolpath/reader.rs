@@ -22,6 +22,10 @@ pub(super) struct Modes {
     pub absolute: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
+    /// Units of the path in a unit that the program has now.
+    pub scale: f64,
+    /// Feeds are not by the minute: G93, G95.
+    pub by_other: bool,
 }
 
 /// Follows a program block by block.
@@ -45,11 +49,15 @@ pub(super) struct Reader {
     pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
-    /// Units of the path in a unit that the program has now.
-    pub scale: f64,
     pub feed: f64,
-    /// Feeds are not by the minute: G93, G95.
-    pub by_other: bool,
+    /// The modes and the feed that M72 gives back.
+    pub kept: Option<(Modes, f64)>,
+    /// The axes along which a tool has been long.
+    pub long: Axes,
+    /// Those whose tool length changed after the modes were kept.
+    pub lengthened: Axes,
+    /// Those that a tool length made unknown: not said yet.
+    pub lost: Axes,
     pub skipped: Count,
     pub after_end: Count,
     pub computed: Count,
@@ -76,7 +84,15 @@ impl Reader {
             line: 0,
             sinumerik: dialect == DIALECTS[1],
             place: [f64::NAN; 3],
-            modes: Modes { motion: Motion::Rapid, cycle: false, absolute: true, centers_absolute: false, plane: None },
+            modes: Modes {
+                motion: Motion::Rapid,
+                cycle: false,
+                absolute: true,
+                centers_absolute: false,
+                plane: None,
+                scale: 1.0,
+                by_other: false,
+            },
             plane: None,
             offset: None,
             inside: false,
@@ -84,9 +100,11 @@ impl Reader {
             leaps: false,
             begun: false,
             ended: false,
-            scale: 1.0,
             feed: f64::NAN,
-            by_other: false,
+            kept: None,
+            long: 0,
+            lengthened: 0,
+            lost: 0,
             skipped: Count::default(),
             after_end: Count::default(),
             computed: Count::default(),
@@ -145,7 +163,7 @@ impl Reader {
             if block.jumps {
                 self.modes = before;
             }
-            self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
+            self.settle(block, before);
             self.forget(if self.sinumerik && runs_cycle(line) { 7 } else { block.given });
             self.leaps |= block.jumps && line[begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
             if self.sinumerik {
@@ -158,13 +176,14 @@ impl Reader {
         if block.offset.is_some() | block.writes {
             self.shift(block);
         }
-        if block.elsewhere || block.dwells && !block.motion {
+        self.settle(block, before);
+        let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
+        if block.elsewhere || waits {
             return;
         }
         if block.others {
             count(&mut self.others, self.line);
         }
-        self.feed = block.feed.map_or(self.feed, |feed| feed * self.scale);
         if self.modes.cycle && block.once.is_none() && block.given != 0 {
             self.place = [f64::NAN; 3];
             return count(&mut self.skipped, self.line);
@@ -200,6 +219,43 @@ impl Reader {
         block.given |= axes;
         block.computed |= axes;
         number(line, at + 1).map_or_else(|| end_of_value(line, at + 1), |(_, end)| end)
+    }
+
+    /// What a block changes whether or not it is followed: the feed, then the modes that are kept, then the length of the tool.
+    fn settle(&mut self, block: &Block, before: Modes) {
+        if let Some(feed) = block.feed.filter(|_| !block.feedless) {
+            self.feed = feed * self.modes.scale;
+        }
+        match block.keeps {
+            None => {}
+            Some(71) => self.kept = None,
+            Some(72) => self.give_back(),
+            _ => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
+        }
+        if block.lengthens {
+            // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
+            let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
+            let axes = if block.elsewhere && block.given != 0 { block.given } else { 4 | across | self.long };
+            self.long |= axes;
+            self.lengthen(axes);
+        }
+    }
+
+    /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system.
+    fn lengthen(&mut self, axes: Axes) {
+        let known = (0..3).filter(|axis| !self.place[*axis].is_nan()).fold(0, |known, axis| known | 1 << axis);
+        self.lost |= axes & known;
+        self.lengthened |= axes;
+        self.forget(axes);
+    }
+
+    /// M72: the modes and the feed that M70 kept, whatever its block says beside it. Not the motion, nor the place along a tool whose length
+    /// is another one now.
+    fn give_back(&mut self) {
+        let Some((kept, feed)) = self.kept else { return };
+        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, ..kept };
+        self.feed = feed;
+        self.lengthen(self.lengthened);
     }
 
     /// What moves the system that places are in: another work offset, or one that is written.

@@ -62,10 +62,10 @@ impl Reader {
                 let axis = letter - b'I';
                 block.centered |= 1 << axis;
                 // A centre that is computed makes no arc.
-                block.center[usize::from(axis)] = if let Word::Number(x) = word { x } else { f64::NAN };
+                block.center[usize::from(axis)] = word.number();
             }
-            (b'F', word) => block.feed = Some(if let Word::Number(x) = word { x } else { f64::NAN }),
-            (b'R', Word::Number(x)) => block.radius = Some(x),
+            (b'F', word) => block.feed = Some(word.number()),
+            (b'R', word) => block.radius = Some(word.number()),
             (b'G', Word::Number(x)) => self.code((x * 10.0 + 0.5) as i32, block),
             (b'G', Word::Computed) => return None,
             // Another program is called: where the ball is afterwards is not known.
@@ -74,13 +74,16 @@ impl Reader {
                 count(&mut self.skipped, self.line);
             }
             (b'M', Word::Number(2.0 | 30.0)) => block.ends = true,
+            (b'M', Word::Number(x @ (70.0 | 71.0 | 72.0 | 73.0))) if !self.sinumerik => block.keeps = Some(x as u8),
+            // A tool and its edge have their length from here on.
+            (b'D', _) | (b'M', Word::Number(6.0)) if self.sinumerik => block.lengthens = true,
             // A subprogram: L100 P2.
             (b'L', _) if self.sinumerik => {
                 self.place = [f64::NAN; 3];
                 count(&mut self.skipped, self.line);
             }
-            (b'L', Word::Number(x)) => block.l = Some(x),
-            (b'P', Word::Number(x)) => block.p = Some(x),
+            (b'L', word) => block.l = Some(word.number()),
+            (b'P', word) => block.p = Some(word.number()),
             (b'A'..=b'C' | b'U'..=b'W', _) => block.others = true,
             _ => {}
         }
@@ -143,15 +146,17 @@ impl Reader {
             910 => self.modes.absolute = false,
             901 => self.modes.centers_absolute = true,
             911 => self.modes.centers_absolute = false,
-            40 => block.dwells = true,
+            40 => (block.dwells, block.feedless) = (true, block.feedless || self.sinumerik),
             // A feed stays in the mode that it was stated in.
-            930 | 950 => (self.by_other, self.feed) = (true, f64::NAN),
-            940 if self.by_other => (self.by_other, self.feed) = (false, f64::NAN),
+            930 | 950 => (self.modes.by_other, self.feed) = (true, f64::NAN),
+            940 if self.modes.by_other => (self.modes.by_other, self.feed) = (false, f64::NAN),
             940 => {}
             100 => (block.elsewhere, block.writes) = (true, true),
             // Tables, zones and what the control measures by itself are no places to go to, nor are a tool's lengths and the end of a scale.
             220 | 230 | 370 => block.elsewhere = true,
-            431 | 432 | 500 | 501 if !self.sinumerik => block.elsewhere = true,
+            430 | 434 | 435 | 440 | 490 if !self.sinumerik => block.lengthens = true,
+            431 | 432 if !self.sinumerik => (block.elsewhere, block.lengthens) = (true, true),
+            500 | 501 if !self.sinumerik => block.elsewhere = true,
             250 | 260 | 1100 | 1110 | 1120 if self.sinumerik => block.elsewhere = true,
             // Nor are shifts, turns, mirrors, scales and polar places; but what comes after them is another place than it says.
             160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 if !self.sinumerik => {
@@ -173,7 +178,7 @@ impl Reader {
             }
             // A macro that is called, or a cycle of the control's own, moves by itself: where to is not known.
             120 | 130 | 650 | 660 | 661 | 750 | 1500 if !self.sinumerik => {
-                block.elsewhere = true;
+                (block.elsewhere, block.feedless) = (true, matches!(tenths, 650..=661));
                 self.place = [f64::NAN; 3];
                 count(&mut self.skipped, self.line);
             }
@@ -197,7 +202,7 @@ impl Reader {
 
     fn units(&mut self, metric: bool) {
         let first = *self.path.metric.get_or_insert(metric);
-        self.scale = match (first, metric) {
+        self.modes.scale = match (first, metric) {
             (true, false) => 25.4,
             (false, true) => 1.0 / 25.4,
             _ => 1.0,
