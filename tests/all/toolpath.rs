@@ -561,3 +561,48 @@ fn feeds_and_places_of_blocks_that_are_left_early_stay() {
     let call = read_program("G21\nG1 X1 F100\nG65 P9811 X5. F300\nG1 X2\n", None);
     assert_eq!(call.feed, [100.0, 100.0], "an argument of a macro");
 }
+
+/// P was no word of an arc: its whole turns were lost.
+#[test]
+fn an_arc_turns_as_often_as_p_says() {
+    for (arc, sweep) in [
+        ("G2 X-10 I-10 P3", -900.0),
+        ("G3 X-10 I-10 P1", 180.0),
+        ("G3 X0 Y10 R10 P2", 450.0),
+        ("G2 X10 Y0 I-10 P2", -720.0),
+        ("G3 Z21 I-26 J-9 P2", 720.0),
+    ] {
+        let text = format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\nM2\n");
+        let turns = crate::common::canonical(&text).iter().find_map(|line| {
+            let (_, rest) = line.split_once("ARC_FEED(")?;
+            rest.split(", ").nth(4)?.parse::<f64>().ok()
+        });
+        let path = read_program(&text, None);
+        assert!((path.arcs[0][4] - sweep).abs() < 1e-9, "{arc}: {:?}", path.arcs);
+        assert_eq!(turns, Some((sweep / 360.0).abs().ceil().copysign(sweep)), "{arc}");
+    }
+    // How often is not known, or is more than can be drawn.
+    for arc in ["G2 X-10 I-10 P#5", "G2 X-10 I-10 P1000000000"] {
+        let path = read_program(&format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\n"), None);
+        assert_eq!((path.arcs.len(), said(&path)), (0, vec!["arc-unsolved"]), "{arc}");
+    }
+    let sinumerik = read_program("G71\nG0 X10 Y0 Z0\nG2 X-10 I-10 P3\n", Some("sinumerik"));
+    assert_eq!(sinumerik.arcs[0][4], -180.0);
+}
+
+/// What turns the system, and the radius of a tool, were unsaid; a diameter was a place.
+#[test]
+fn rotations_diameters_and_radii_are_not_passed_over() {
+    ends_as_interpreted(&[
+        ("G7 X30\nG1 X5", "", &[]),
+        ("G7\nG91 X3\nG8 X3", "", &[]),
+        ("G7\nG0 X30\nG2 X30 I5\nG1 Y3", "", &[]),
+        ("M70\nG7\nG0 X30\nM72\nX7", "", &[]),
+        ("G10 L1 P1 R90\nG0 Z5", "", &[]),
+    ]);
+    for code in ["G10 L2 P1 R90", "G10 L[1+1] P1 X7", "G10 L2 P1 R#5", "G41 D1", "G42 X5 D1", "G41.1 D6", "G42.1 D6"] {
+        let path = read_program(&format!("G21 G90\nG0 X1 Y2 Z3\n{code}\nG1 X5 F100\n"), None);
+        assert_eq!(said(&path), ["places-transformed"], "{code}");
+    }
+    assert_eq!(said(&read_program("G71\nG41 D1\nG1 X5\n", Some("sinumerik"))), ["places-transformed"]);
+}

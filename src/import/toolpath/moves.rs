@@ -5,6 +5,9 @@ use crate::import::toolpath::block::{Block, Motion};
 use crate::import::toolpath::reader::{Reader, count};
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
+/// More whole turns in a program, by P, are straight: whoever draws them has an end.
+const MOST_TURNS: f64 = 10_000.0;
+
 impl Reader {
     /// Makes the move of a block that names places.
     pub fn moves(&mut self, block: &Block) {
@@ -64,7 +67,7 @@ impl Reader {
     }
 
     /// Centre and sweep of an arc, in degrees; none where the block does not give one.
-    fn arc(&self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
+    fn arc(&mut self, block: &Block, from: [f64; 3], counter: bool) -> Option<[f64; 4]> {
         let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
         let (begin, end) = ([from[a], from[o]], [self.place[a], self.place[o]]);
         if begin.iter().chain(&end).any(|x| x.is_nan()) {
@@ -87,6 +90,17 @@ impl Reader {
         let same = (end[0] - begin[0]).hypot(end[1] - begin[1]) < 1e-9;
         if same || sweep == 0.0 {
             sweep = if counter { 360.0 } else { -360.0 };
+        }
+        // P says how many turns, the last of which ends there.
+        if let Some(turns) = block.p.filter(|_| !self.sinumerik && block.offset.is_none()) {
+            let more = (turns - 1.0).trunc();
+            if more >= 1.0 {
+                self.turns += more;
+                sweep += 360.0 * more.copysign(sweep);
+            }
+            if turns.is_nan() || self.turns > MOST_TURNS {
+                return None;
+            }
         }
         let out = (begin[0] - middle[0]).hypot(begin[1] - middle[1]);
         // An end that is not on the circle is an alarm of any control, but for rounding.

@@ -26,6 +26,8 @@ pub(super) struct Modes {
     pub scale: f64,
     /// Feeds are not by the minute: G93, G95.
     pub by_other: bool,
+    /// X is a diameter: G7.
+    pub diameter: bool,
 }
 
 /// Follows a program block by block.
@@ -50,6 +52,8 @@ pub(super) struct Reader {
     /// After the end of the program.
     pub ended: bool,
     pub feed: f64,
+    /// Whole turns of arcs by P.
+    pub turns: f64,
     /// The modes and the feed that M72 gives back.
     pub kept: Option<(Modes, f64)>,
     /// The axes along which a tool has been long.
@@ -92,6 +96,7 @@ impl Reader {
                 plane: None,
                 scale: 1.0,
                 by_other: false,
+                diameter: false,
             },
             plane: None,
             offset: None,
@@ -101,6 +106,7 @@ impl Reader {
             begun: false,
             ended: false,
             feed: f64::NAN,
+            turns: 0.0,
             kept: None,
             long: 0,
             lengthened: 0,
@@ -188,6 +194,9 @@ impl Reader {
             self.place = [f64::NAN; 3];
             return count(&mut self.skipped, self.line);
         }
+        if self.modes.diameter {
+            block.places[0] *= 0.5;
+        }
         // Without a place, a centre makes a whole circle back to where it begins.
         if block.given | block.centered != 0 {
             self.moves(block);
@@ -270,8 +279,10 @@ impl Reader {
                 count(&mut self.transformed, self.line);
             }
         }
-        let written = block.writes && matches!(block.l, Some(2.0 | 20.0));
-        if written && block.given != 0 && !self.path.is_empty() {
+        // An L that is computed may be any.
+        let written = block.writes && block.l.is_some_and(|l| l == 2.0 || l == 20.0 || l.is_nan());
+        // R turns it.
+        if written && (block.given != 0 || block.radius.is_some()) && !self.path.is_empty() {
             count(&mut self.transformed, self.line);
         }
     }
@@ -359,7 +370,7 @@ impl Reader {
             self.transformed,
             "places-transformed",
             text!(
-                "Shifts, rotations, mirroring, scaling, polar coordinates and other work offsets are ignored: later positions are as written"
+                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
             ),
         );
         say(

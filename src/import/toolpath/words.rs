@@ -163,6 +163,10 @@ impl Reader {
                 block.elsewhere = true;
                 count(&mut self.transformed, self.line);
             }
+            // The radius of the tool.
+            410 | 420 => count(&mut self.transformed, self.line),
+            411 | 421 if !self.sinumerik => count(&mut self.transformed, self.line),
+            70 | 80 if !self.sinumerik => self.modes.diameter = tenths == 70,
             121 | 1120 if !self.sinumerik => count(&mut self.transformed, self.line),
             580 | 590 if self.sinumerik => {
                 block.elsewhere = true;
