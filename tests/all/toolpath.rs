@@ -606,3 +606,43 @@ fn rotations_diameters_and_radii_are_not_passed_over() {
     }
     assert_eq!(said(&read_program("G71\nG41 D1\nG1 X5\n", Some("sinumerik"))), ["places-transformed"]);
 }
+
+/// A loop was read once, and what its body moves by a distance was said to be where one round leaves it.
+#[test]
+fn a_loop_leaves_its_incremental_moves_somewhere() {
+    let skipped: &[&str] = &["lines-skipped"];
+    ends_as_interpreted(&[
+        ("o1 repeat [3]\nG91 G1 X5\no1 endrepeat\nG90 Y3", "X", skipped),
+        ("#1=0\no1 while [#1 LT 3]\nG91 G1 X5\nG90 Y7\n#1=[#1+1]\no1 endwhile\nZ3", "X", skipped),
+        ("#1=0\no1 do\nG91 G1 X5\n#1=[#1+1]\no1 while [#1 LT 3]\nG90 Y3", "X", skipped),
+        ("#1=0\nG91 G1 X5\nG90\no1 while [#1 LT 3]\nY7\n#1=[#1+1]\no1 endwhile\nZ3", "", skipped),
+        (
+            "o1 repeat [2]\nG91 G1 X5\nG90\no2 repeat [2]\nG91 Y5\nG90\no2 endrepeat\nG91 Z1\nG90\no1 endrepeat\nZ3",
+            "XY",
+            skipped,
+        ),
+        ("o1 repeat [2]\nG91 G1 X5\nG90 X3\no1 endrepeat\nG1 Y6", "", skipped),
+    ]);
+    let unknown = |text: &str, dialect: &'static str| {
+        let path = read_program(&format!("G90\nG1 X1 Y1 Z1 F100\n{text}\n"), Some(dialect));
+        ["X", "Y", "Z"]
+            .into_iter()
+            .zip(path.end(path.len() - 1).to_array())
+            .filter(|(_, x)| x.is_nan())
+            .map(|(name, _)| name)
+            .collect::<String>()
+    };
+    let body = "G91\nX5\nG90\nY4";
+    for (begin, end, dialect) in [
+        ("WHILE [#1 LT 3] DO1", "END1", "iso"),
+        ("N5 WHILE R1<3", "N6 ENDWHILE", "sinumerik"),
+        ("FOR R1=1 TO 3", "ENDFOR", "sinumerik"),
+        ("LOOP", "ENDLOOP", "sinumerik"),
+        ("REPEAT", "UNTIL R1>3", "sinumerik"),
+        ("o1 do", "o1 while [1]", "iso"),
+    ] {
+        assert_eq!(unknown(&format!("{begin}\n{body}\n{end}\nY6"), dialect), "X", "{begin}");
+        assert_eq!(unknown(&format!("{begin}\nG91\nX5\nG90\n{begin}\nZ4\n{end}\n{body}\n{end}\nZ6"), dialect), "X", "{begin}");
+    }
+    assert_eq!(unknown(&format!("DEF INT LOOP1\nLOOP1=2\n{body}"), "sinumerik"), "");
+}

@@ -30,6 +30,7 @@ impl Reader {
                 from[axis] + x
             };
         }
+        self.relative = if self.modes.absolute { self.relative & !block.given } else { self.relative | block.given };
         if block.machine {
             count(&mut self.machine, self.line);
         }

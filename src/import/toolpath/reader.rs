@@ -43,8 +43,12 @@ pub(super) struct Reader {
     pub offset: Option<i32>,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
     pub inside: bool,
-    /// How many conditions of O words are open.
+    /// How many conditions are open.
     pub conditions: usize,
+    /// How many loops are open.
+    pub loops: usize,
+    /// The axes that were last moved by a distance, not to a place.
+    pub relative: Axes,
     /// Whether the block before may jump over this one.
     pub leaps: bool,
     /// Whether there was any code: a tape sign `%` before it begins the program, one after it ends it.
@@ -102,6 +106,8 @@ impl Reader {
             offset: None,
             inside: false,
             conditions: 0,
+            loops: 0,
+            relative: 0,
             leaps: false,
             begun: false,
             ended: false,
@@ -172,8 +178,10 @@ impl Reader {
             self.settle(block, before);
             self.forget(if self.sinumerik && runs_cycle(line) { 7 } else { block.given });
             self.leaps |= block.jumps && line[begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
-            if self.sinumerik {
-                self.condition(line);
+            if !block.jumps {
+                let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
+                let word = &line[begin..][..line[begin..].iter().take_while(named).count()];
+                self.branch(word, self.sinumerik);
             }
             return count(&mut self.skipped, self.line);
         }
@@ -302,12 +310,10 @@ impl Reader {
             self.inside = true;
         } else if is(b"endsub") {
             self.inside = false;
-        } else if is(b"if") {
-            self.conditions += 1;
-        } else if is(b"endif") {
-            self.conditions = self.conditions.saturating_sub(1);
         } else if is(b"call") {
             self.place = [f64::NAN; 3];
+        } else {
+            self.branch(word, true);
         }
         let alone = label > 0 && rest.is_empty();
         if !alone {
@@ -315,18 +321,25 @@ impl Reader {
         }
     }
 
-    /// `IF R1>5` opens a condition, `ENDIF` closes it; `IF R1>5 GOTOF END` does neither.
-    fn condition(&mut self, line: &[u8]) {
-        let code = numbered(line);
-        let is = |word: &[u8]| {
-            code.len() >= word.len()
-                && code[..word.len()].eq_ignore_ascii_case(word)
-                && !code.get(word.len()).is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_')
-        };
-        if is(b"IF") && !jumps(line) {
-            self.conditions += 1;
-        } else if is(b"ENDIF") {
+    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. What a loop moves by a distance is somewhere else after its
+    /// next round. A `WHILE` within a loop may be
+    /// the end of a `DO`.
+    fn branch(&mut self, word: &[u8], conditional: bool) {
+        let is = |words: &[&[u8]]| words.iter().any(|name| word.eq_ignore_ascii_case(name));
+        if is(&[b"IF"]) {
+            self.conditions += usize::from(conditional);
+        } else if is(&[b"ENDIF"]) {
             self.conditions = self.conditions.saturating_sub(1);
+        } else if is(&[b"WHILE", b"DO", b"REPEAT", b"FOR", b"LOOP"]) {
+            if self.loops == 0 {
+                self.relative = 0;
+            } else {
+                self.forget(self.relative);
+            }
+            self.loops += 1;
+        } else if is(&[b"END", b"ENDWHILE", b"ENDREPEAT", b"ENDFOR", b"ENDLOOP", b"UNTIL"]) {
+            self.loops = self.loops.saturating_sub(1);
+            self.forget(self.relative);
         }
     }
 
