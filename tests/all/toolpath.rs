@@ -258,6 +258,12 @@ fn hostile_texts_are_read() {
         }
     }
     assert_eq!(said(&read_program("G91 G1 X1\n", None)), ["start-unknown", "no-units"]);
+    // Long lines of what is no word take no longer than they are long.
+    for part in ["Xa1X1", "X1!", "#1=", "XSIN[", "_X1 ", "/N1"] {
+        for dialect in ["iso", "sinumerik"] {
+            read_program(&part.repeat(1_000_000 / part.len()), Some(dialect));
+        }
+    }
 }
 
 /// The end of each program's moves, and what was said: each of these was read as something that it is not.

@@ -95,21 +95,16 @@ impl Reader {
         if !self.sinumerik {
             return None;
         }
-        let past = |mut at: usize, such: fn(&u8) -> bool| {
-            while line.get(at).is_some_and(such) {
-                at += 1;
-            }
-            at
-        };
-        let blank: fn(&u8) -> bool = |b| matches!(b, b' ' | b'\t');
-        let end = past(at, |b| b.is_ascii_alphanumeric() || *b == b'_');
+        let past_blanks = |at: usize| at + line[at..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        // No name is longer.
+        let end = at + line[at..].iter().take(32).take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
         let name = &line[at..end];
-        match line.get(past(end, blank)) {
+        match line.get(past_blanks(end)) {
             Some(b':') if line.get(end) == Some(&b':') => return Some(end + 1),
             Some(b'=') => {}
             _ => return None,
         }
-        let value = past(past(end, blank) + 1, blank);
+        let value = past_blanks(past_blanks(end) + 1);
         // A number ends where the next word begins: MEAS=1G1X5.
         let stated = number(line, value);
         let stop = stated.map_or_else(|| end_of_value(line, value), |(_, end)| end);
