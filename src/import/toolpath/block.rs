@@ -68,6 +68,7 @@ pub(super) struct Block {
     pub machine: bool,
     /// It goes to a place that the machine knows, whether or not it names axes.
     pub home: bool,
+    /// Its F.
     pub feed: Option<f64>,
     /// Its F is no feed that stays: a time, or an argument of a macro.
     pub feedless: bool,

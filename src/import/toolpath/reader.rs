@@ -321,9 +321,8 @@ impl Reader {
         }
     }
 
-    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. What a loop moves by a distance is somewhere else after its
-    /// next round. A `WHILE` within a loop may be
-    /// the end of a `DO`.
+    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. What a loop moves by a distance is somewhere else after
+    /// its next round. A `WHILE` within a loop may be the end of a `DO`.
     fn branch(&mut self, word: &[u8], conditional: bool) {
         let is = |words: &[&[u8]]| words.iter().any(|name| word.eq_ignore_ascii_case(name));
         if is(&[b"IF"]) {
