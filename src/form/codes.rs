@@ -93,11 +93,11 @@ pub const CODES: &[(&str, &str)] = &[
     ("picks-out-of-range", "Picked touches give a size outside of what is allowed."),
     (
         "places-computed",
-        "A program goes to places that the control computes: they are not known here, until a number is given.",
+        "A program goes to places that the control computes, or along a tool whose length was changed: they are not known here, until a number is given.",
     ),
     (
         "places-transformed",
-        "A program shifts, rotates, mirrors or scales its system, or uses another work offset: that is ignored, and later positions are as written.",
+        "A program shifts, rotates, mirrors or scales its system, uses another work offset or compensates the radius of the tool: that is ignored, and later positions are as written.",
     ),
     ("plane-from-dump", "The plane was found from the points of a dump."),
     ("plane-unknown", "The points of a dump fit several planes, or none."),
