@@ -49,10 +49,12 @@ export interface Programmed {
   findings: Finding[];
 }
 
-/** What was made of a text: a job, or, of a program of moves that says none, its moves. */
-export type Imported =
-  | { job: Job; trace?: undefined; findings: Finding[] }
-  | { job: null; trace: TraceRow; findings: Finding[] };
+/** What was made of a text. Look at `trace` first: a program of moves that says no job has its moves there, and `job` is `null` then. */
+export interface Imported {
+  job: Job;
+  trace?: TraceRow;
+  findings: Finding[];
+}
 
 /** What is asked of LENTOAX; what is left out is the standard case. */
 export interface LentoaxQuery {
