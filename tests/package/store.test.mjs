@@ -76,12 +76,15 @@ test("a cycle that was left comes back with its values, in the present units", (
   const store = new Store();
   store.set("cycle.width1", 63.5);
   store.measured = "1,2,3";
+  store.set("part.sizes.width1", 0.508);
   store.choose("hole");
+  assert.deepEqual(store.get("part.sizes"), {});
   assert.equal(store.cycle.type, "hole");
   assert.equal(store.measured, "");
   store.setUnits("inch");
   store.choose("internal-rectangle-protected");
   assert.equal(store.get("cycle.width1"), 2.5);
+  assert.deepEqual(store.get("part.sizes"), { width1: 0.02 });
 });
 
 test("the repeatability of a good probe was 20 % larger after inch and back", () => {

@@ -1,7 +1,7 @@
 // What is handed out is what the form says: with an error in it, nothing is.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, PICTURE, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
+import { field, openText, PICTURE, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -114,6 +114,32 @@ test("'Copied' stood beside a program that was not the copied one", async () => 
   await page.getByText("Copied").waitFor();
   await field("cycle.width1").fill("81");
   assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
+});
+
+test("a key that no job has could only be got rid of by Reset", async () => {
+  await openText('{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}');
+  assert.equal(await field("cycle.width").inputValue(), "41");
+  const foot = page.locator("tp-findings");
+  for (let left = 2; left > 0; left--) {
+    await page.locator("tp-findings .verdict.error").waitFor();
+    await foot.getByRole("button", { name: "Remove it" }).click();
+  }
+  await page.locator("tp-findings .verdict.error").waitFor({ state: "detached" });
+  assert.match(await program(), /G38\.2/);
+  await page.keyboard.press("Control+z");
+  await page
+    .getByText(/knows? .*origin|colour/)
+    .first()
+    .waitFor();
+});
+
+test("a cycle of the control's own had the same reason fourteen times in Checks, and no rule", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("control.post").selectOption("heidenhain");
+  await page.getByRole("tab", { name: "Checks" }).click();
+  const checks = await textOf(page.locator("tp-checks"));
+  assert.equal(checks.split("The control's own cycle makes every move itself").length, 2);
+  assert.match(checks, /The spindle is off before the first motion/);
 });
 
 test("a safety rule shows its lines in the program", async () => {

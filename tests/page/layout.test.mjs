@@ -1,7 +1,7 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, field, open, page, problems, put, SIZES, settles, setUp, textOf } from "./common.mjs";
+import { boxOf, field, focusedId, open, page, problems, put, SIZES, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -372,3 +372,75 @@ for (const width of [768, 844, 900, 1024, 1080, 1280, 1440])
     const track = await boxOf(page.locator("#scrub"));
     assert.ok(track.width >= 120, `${track.width}`);
   });
+
+for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
+  test(`on a touch screen boxes of the form stood outside of it: ${locale}`, async () => {
+    for (const [width, height] of [
+      [320, 700],
+      [390, 844],
+      [1024, 768],
+    ])
+      for (const type of ["internal-rectangle-protected", "probing-two-circles"]) {
+        await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true, isMobile: true, locale });
+        await put("cycle.type", type);
+        await page.evaluate(() =>
+          /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot.querySelector("tp-form").unfold(),
+        );
+        const beyond = await page.locator("tp-form").evaluate((form) => {
+          const right = form.getBoundingClientRect().left + form.clientWidth + 1;
+          const boxes = [...form.querySelectorAll(".group *")];
+          return boxes
+            .filter((box) => box.getBoundingClientRect().right > right)
+            .map((box) => box.outerHTML.slice(0, 90));
+        });
+        assert.deepEqual(beyond, [], `${width} ${type}`);
+      }
+  });
+
+test("a phone that was turned lost the field that had the focus", async () => {
+  await open({ viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
+  await field("cycle.width2").focus();
+  for (const [width, height] of [
+    [390, 844],
+    [844, 390],
+  ]) {
+    await page.setViewportSize({ width: width ?? 0, height: height ?? 0 });
+    await page.waitForTimeout(200);
+    assert.equal(await focusedId(), "f-cycle.width2", `${width}`);
+    await settles(async () => {
+      const [box, form] = [await boxOf(field("cycle.width2")), await boxOf(page.locator("tp-form"))];
+      return box.y >= form.y && box.y + box.height <= form.y + form.height + 1;
+    });
+  }
+});
+
+test("on a phone on its side the views covered the picture, and the timeline had no time", async () => {
+  for (const [width, height] of [
+    [844, 390],
+    [390, 844],
+    [1024, 768],
+    [1440, 900],
+  ]) {
+    await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true });
+    const [tools, canvas] = [await boxOf(page.locator(".picture .tools")), await boxOf(page.locator(".canvas"))];
+    assert.ok(tools.y + tools.height <= canvas.y + 1, `${width}`);
+    await page.getByRole("button", { name: "Next touch" }).click();
+    assert.match(await textOf(page.locator(".clock")), /^0:0\d \/ 0:32$/);
+    const [rail, scrub] = [await boxOf(page.locator(".track")), await boxOf(page.locator(".scrub"))];
+    assert.ok(rail.width >= 64, `${width}: ${rail.width}`);
+    if (width === 1440) assert.ok(rail.width > 0.5 * scrub.width, "the rail has what is left");
+    const said = page.locator(".scrub output");
+    const cut = await said.evaluate((words) => words.scrollWidth - words.clientWidth);
+    assert.ok(cut <= 0, `${width}: the move in words is cut by ${cut}`);
+  }
+});
+
+test("from the gallery the focus went to another button than it had come from", async () => {
+  const gallery = page.getByRole("button", { name: "Gallery" });
+  await gallery.focus();
+  await page.keyboard.press("Enter");
+  await page.locator("tp-gallery").waitFor();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape");
+  await settles(() => gallery.evaluate((button) => button.matches(":focus")));
+});
