@@ -9,7 +9,7 @@ class HelpPart extends Part {
     const { focused } = this.store;
     const entry = focused === null ? undefined : this.store.fieldAt(focused);
     if (focused === null || !entry) {
-      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. ${this.t("A field says here what it is.")}</p>`;
+      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. ${this.t("Select a field to see its help.")}</p>`;
     }
     const found = this.store.at(focused);
     const { label, help, code, usual, range } = entry;
@@ -20,14 +20,15 @@ class HelpPart extends Part {
     const flag = standing === true ? this.t("on") : this.t("off");
     const shown = choice ?? (typeof standing === "boolean" ? flag : this.store.number(String(standing)));
     const other = standing !== null && standing !== undefined && value !== standing && entry.kind !== "text";
-    const span = (ends: unknown) =>
+    const span = (ends: unknown, digits: number) =>
       Array.isArray(ends)
-        ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0]), this.scaled(entry.unit, ends[1]))
+        ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0], digits), this.scaled(entry.unit, ends[1], digits))
         : "";
+    // What is usual is not as exact as what is allowed.
     const usually = usual
-      ? ` ${this.t("Usual {range}.", span(usual))}`
+      ? ` ${this.t("Usual {range}.", span(usual, 2))}`
       : range
-        ? ` ${this.t("{range}.", span(range))}`
+        ? ` ${this.t("{range}.", span(range, 12))}`
         : "";
     return html`
       <p><b>${label}</b>${code ? html` <code>${code}</code>` : nothing}</p>
@@ -44,10 +45,11 @@ class HelpPart extends Part {
     `;
   }
 
-  private scaled(unit: string, x: unknown): string {
+  /** An end of a range in the job's units; where it is converted, of so many digits at most. */
+  private scaled(unit: string, x: unknown, digits: number): string {
     if (typeof x !== "number") return "∞";
     const inch = (unit === "length" || unit === "feed") && this.store.units === "inch";
-    return this.store.number(String(inch ? Number((x / 25.4).toFixed(4)) : x));
+    return this.store.number(String(inch ? Number(Number((x / 25.4).toPrecision(digits)).toFixed(4)) : x));
   }
 }
 
