@@ -176,7 +176,16 @@ class PicturePart extends DrawnPart {
   /** How many times as large deviations can be drawn here. */
   private get offered(): readonly (typeof MAGNIFIED)[number][] {
     const turn = Math.abs(Number(this.store.get("part.rotation") ?? 0));
-    return MAGNIFIED.filter((times) => times === 1 || turn * times <= MOST_TURNED);
+    const offset = (this.store.get("part.offset") as unknown[] | undefined)?.map((x) => Math.abs(Number(x))) ?? [];
+    const { touches } = this.store.plan;
+    // How far apart the touches lie, along the axis where that is most.
+    const spans = [0, 1, 2].map((i) => {
+      const along = touches.map(({ point }) => point[i] as number);
+      return Math.max(...along) - Math.min(...along);
+    });
+    const room = Math.max(...spans, 0) / 3 || Number.POSITIVE_INFINITY;
+    const fits = (times: number) => turn * times <= MOST_TURNED && Math.max(...offset, 0) * times <= room;
+    return MAGNIFIED.filter((times) => times === 1 || fits(times));
   }
 
   private readonly magnify = (): void => {
