@@ -7,11 +7,9 @@ use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Tr
 use crate::control::iso::words;
 use crate::text::text;
 
-static FANUC: Grammar =
-    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
-
-static HAAS: Grammar = Grammar { code: haas_code, ..FANUC_LIKE };
-const FANUC_LIKE: Grammar =
+static FANUC: Grammar = LIKE_FANUC;
+static HAAS: Grammar = Grammar { code: haas_code, ..LIKE_FANUC };
+const LIKE_FANUC: Grammar =
     Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.

@@ -220,10 +220,10 @@ impl Moves for Skip<'_> {
         w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
         // The stylus is above all that the program knows of, but not by how much: a contact does not lift, since a lift to a stated height
         // could go down.
-        let across = w.plane_words(first.to);
+        let across = w.goes_in_plane(first.to);
         self.goes(w, &across, first.to, first, &[0, 1], BLOCKED);
         w.makes_move();
-        let down = w.tool_word(first.to);
+        let down = w.goes_along_tool(first.to);
         self.goes(w, &down, first.to, first, &[], BLOCKED);
         self.settle(w, first.to.z, BLOCKED);
     }
@@ -237,7 +237,7 @@ impl Moves for Skip<'_> {
                 return;
             }
             let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
-            let words = w.place(to, true);
+            let words = w.goes_to(to, true);
             self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
         });
     }
@@ -246,7 +246,7 @@ impl Moves for Skip<'_> {
         w.parts(&["#149=", &count(step.index + 1)]);
         w.makes_move();
         let end = step.step.to - touch.vector * touch.search;
-        let words = w.all_words(end);
+        let words = w.goes_to_all(end);
         self.probe(w, &words, self.request.feeds.work, self.flavour.touch);
         let near = Self::in_position(w);
         // A probe that has not settled since the move before would have the start taken for the wall.

@@ -156,11 +156,11 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
         None => ("G0", String::new()),
     };
     let (word, rate) = feed(w, stated);
-    let across = w.plane_words(step.to);
+    let across = w.goes_in_plane(step.to);
     w.line(&format!("{word}{across}{rate}"));
     w.makes_move();
     let (word, rate) = feed(w, stated.or(Some(request.feeds.work)));
-    let down = w.tool_word(step.to);
+    let down = w.goes_along_tool(step.to);
     w.line(&format!("{word}{down}{rate}"));
 }
 

@@ -215,7 +215,7 @@ impl<'a> Writer<'a> {
     /// A positioning move along an arc from where the ball stands, with an incremental centre.
     pub fn arc(&mut self, from: Vec3, step: &Move, arc: &Arc, rate: Option<f64>) {
         let word = if arc.sweep > 0.0 { "G3" } else { "G2" };
-        let words = self.place(step.to, false);
+        let words = self.goes_to(step.to, false);
         let to_center = arc.center - from;
         let [a, o, _] = self.request.plane.axes();
         let (first, second) = (a.min(o), a.max(o));
@@ -224,19 +224,19 @@ impl<'a> Writer<'a> {
         self.parts(&[word, &words, CENTER[first], &one, CENTER[second], &two, sign, &feed]);
     }
 
-    /// All three axis words, whatever the last block said.
-    pub fn all_words(&mut self, to: Vec3) -> String {
+    /// Goes to a place: all three axis words, whatever the last block said.
+    pub fn goes_to_all(&mut self, to: Vec3) -> String {
         self.named(to, self.numbers(to), [true; 3])
     }
 
-    /// Words of the two axes of the plane, whatever the last block said.
-    pub fn plane_words(&mut self, to: Vec3) -> String {
+    /// Goes there in the plane: the words of its two axes, whatever the last block said.
+    pub fn goes_in_plane(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
         self.named(to, self.numbers(to), [0, 1, 2].map(|axis| axis == a || axis == o))
     }
 
-    /// The word of the tool axis, whatever the last block said.
-    pub fn tool_word(&mut self, to: Vec3) -> String {
+    /// Goes to its height: the word of the tool axis, whatever the last block said.
+    pub fn goes_along_tool(&mut self, to: Vec3) -> String {
         self.named(to, self.numbers(to), self.tool())
     }
 
@@ -255,9 +255,9 @@ impl<'a> Writer<'a> {
         self.keep(place, self.numbers(place), [true; 3]);
     }
 
-    /// The axis words of a block to `target`: those that differ from the last block, and with `all` every other one that was stated
+    /// Goes to `target`, and gives the axis words for it: those that differ from the last block, and with `all` every other one that was stated
     /// before. The axes of the plane are first named together. A block never is empty.
-    pub fn place(&mut self, target: Vec3, all: bool) -> String {
+    pub fn goes_to(&mut self, target: Vec3, all: bool) -> String {
         let (numbers, wanted) = self.changed(target, all);
         self.named(target, numbers, wanted)
     }

@@ -300,10 +300,10 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
     let rate = request.feeds.rate(step.feed);
     let word = if rate.is_some() { "G1" } else { "G0" };
     let feed = rate.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
-    let up = w.tool_word(step.to);
+    let up = w.goes_along_tool(step.to);
     w.line(&format!("{word}{up}{feed}"));
     w.line(&format!("o{label} endif"));
-    let across = w.plane_words(step.to);
+    let across = w.goes_in_plane(step.to);
     w.line(&format!("{word}{across}{feed}"));
     w.makes_move();
     w.line(&format!("{word}{up}{feed}"));

@@ -318,7 +318,7 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     let (axis, level) = height.split_at(1);
     w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
     let stated = feed_rate(request, None, step);
-    let up = w.tool_word(step.to);
+    let up = w.goes_along_tool(step.to);
     let feed = stated.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
     let word = if stated.is_some() { "G1" } else { "G0" };
     let go = |w: &mut Writer<'_>, words: &str, exit: &str| {
@@ -330,10 +330,10 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     };
     go(w, &up, "TP_BLOCKED");
     w.line("TP_ABOVE:");
-    let across = w.plane_words(step.to);
+    let across = w.goes_in_plane(step.to);
     go(w, &across, "TP_CONTACT");
     w.makes_move();
-    let down = w.tool_word(step.to);
+    let down = w.goes_along_tool(step.to);
     go(w, &down, "TP_CONTACT");
 }
 
