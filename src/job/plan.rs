@@ -278,7 +278,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     let points = part::read_measured(&mut checker, measured);
     if checker.count() == before && points.len() != path.touches.len() {
         let message = text!(
-            "{count} points are given for {touches} touches: one ball centre a touch, in order",
+            "Points given: {count}, touches: {touches}. One ball centre a touch is needed, in their order",
             points.len(),
             path.touches.len()
         );

@@ -292,7 +292,7 @@ test("the box for measured points folded shut when it was emptied, and what was 
   await page.locator("#measured").fill("");
   await page.keyboard.type("36,9 0 -10");
   assert.equal(await page.locator("#measured").inputValue(), "36,9 0 -10");
-  await page.getByText("1 points are given for 4 touches").waitFor();
+  await page.getByText("Points given: 1, touches: 4").waitFor();
   // It stays as it is left.
   await page.getByText("Points that a machine measured").click();
   await page.locator("#measured").waitFor({ state: "hidden" });
