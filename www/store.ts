@@ -1,32 +1,28 @@
 // The one state of the page: the job as it stands in the form, and what follows from it.
 import {
   type Cycle,
-  type CycleEntry,
   check,
   convertUnits,
   defaultJob,
-  type FieldEntry,
   type Finding,
   type Job,
   JobError,
   type Plan,
-  type PostEntry,
   plan,
   type Said,
-  say,
   type Words,
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
+import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
 import { alike, complete, type Draft, formIn, isObject, misfit } from "./job.js";
 import { keepSoon, kept } from "./keep.js";
-import { tidy } from "./number.js";
 import { Outside } from "./outside.js";
-import { Phrases } from "./phrases.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./reading.js";
 import { type Lang, w } from "./words.js";
 
+export { sizeField, type Units } from "./entries.js";
 export type { Draft } from "./job.js";
 
 /** What is kept of a cycle whose form was left. */
@@ -38,9 +34,6 @@ interface Left {
   sizes?: Draft;
 }
 
-export type Units = "mm" | "inch";
-/** Whether a program moves itself, or calls a cycle of the control. */
-type Form = PostEntry["cycles"][number]["form"];
 /** Measured points as text, by the units they were typed in: read in other units they would be other points. */
 type Points = Record<Units, string>;
 const noPoints = (): Points => ({ mm: "", inch: "" });
@@ -78,7 +71,7 @@ interface State {
   left?: [string, Left][];
 }
 
-export class Store extends Phrases {
+export class Store extends Entries {
   /** What the page around puts in. */
   readonly outside = new Outside(this);
   draft: Draft;
@@ -192,20 +185,6 @@ export class Store extends Phrases {
     this.dispatchEvent(new Event("change"));
   }
 
-  get cycle(): CycleEntry {
-    const type = (this.draft.cycle as Draft).type;
-    return this.catalog.cycles.find((c) => c.type === type) ?? (this.catalog.cycles[0] as CycleEntry);
-  }
-
-  get units(): Units {
-    return this.draft.units === "inch" ? "inch" : "mm";
-  }
-
-  /** The value at a path such as `cycle.origin[1]`. */
-  get(path: string): unknown {
-    return steps(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
-  }
-
   /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
     if (this.refuses) return;
@@ -225,20 +204,6 @@ export class Store extends Phrases {
     this.changed();
   }
 
-  /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
-  controlOf(post: unknown, form?: Form, from = this.draft): Draft {
-    const control = { ...(from.control as Draft) };
-    const same = control.post === post;
-    const forms = this.formsOf(post, this.cycle.type);
-    if (form) control.form = form;
-    else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
-    const word = this.offsetWord(control.post, control.workOffset);
-    const words = this.postOf(post)?.workOffsetWords;
-    // A number that no word is known for is the user's to put right.
-    if (words && word !== undefined && !same) control.workOffset = words.indexOf(word) + 1 || null;
-    return { ...control, post };
-  }
-
   /** Another control, and what of the job it has not. */
   chooseControl(post: unknown, form?: Form): void {
     const { post: old, workOffset } = this.draft.control as Draft;
@@ -254,10 +219,6 @@ export class Store extends Phrases {
     this.settle();
     this.measured = text;
     this.settle();
-  }
-
-  private offsetWord(post: unknown, number: unknown): string | undefined {
-    return typeof number === "number" ? this.postOf(post)?.workOffsetWords[number - 1] : undefined;
   }
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
@@ -459,46 +420,10 @@ export class Store extends Phrases {
     if (this.typed.delete(path)) this.changed();
   }
 
-  /** The entry of the control that the form has. */
-  get post(): PostEntry | undefined {
-    return this.postOf(this.get("control.post"));
-  }
-
-  /** The entry of a control; none for what is no control of the catalog. */
-  postOf(id: unknown): PostEntry | undefined {
-    return this.catalog.posts.find((post) => post.id === id);
-  }
-
-  /** The forms in which a control takes a cycle; none where it does not. */
-  formsOf(post: unknown, type: string): Form[] {
-    const takes = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
-    return takes.map((c) => c.form);
-  }
-
   /** Whether nothing on the control of the plan computes results: neither the program nor a cycle of its own. */
   get bare(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
     return form !== "cycle" && this.postOf(post)?.computes === false;
-  }
-
-  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
-  fieldAt(path: string): FieldEntry | undefined {
-    const plain = path.replace(/\[\d\]$/, "");
-    const keys = plain.split(".");
-    const key = keys.pop();
-    const place = keys.join(".");
-    const { cycle, catalog } = this;
-    if (plain === "cycle.type") return undefined;
-    if (place === "part.sizes")
-      return sizeField(
-        cycle.fields.find((f) => f.key === key),
-        this.words,
-      );
-    const section =
-      place === "cycle"
-        ? cycle
-        : (cycle.sections.find((s) => `cycle.${s.key}` === place) ?? catalog.sections.find((s) => s.path === place));
-    return section?.fields.find((f) => f.key === key);
   }
 
   /** The name of the program's file. */
@@ -509,14 +434,6 @@ export class Store extends Phrases {
   /** The name of any other file of this job: the cycle is in it. */
   otherName(what: string): string {
     return `${stem(this.draft.name)}-${this.cycle.type}${what}`;
-  }
-
-  /** What a field holds where the job says nothing, in the job's units. */
-  standIn(field: FieldEntry): unknown {
-    const metric = field.unit === "length" || field.unit === "feed";
-    const scaled = (x: number) => (metric && this.units === "inch" ? tidy(x / 25.4) : x);
-    if (typeof field.default === "number") return scaled(field.default);
-    return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
   }
 
   /** Findings at a path. */
@@ -621,16 +538,4 @@ export class Store extends Phrases {
   private forget(prefix: string): void {
     for (const path of [...this.typed.keys()]) if (path.startsWith(prefix)) this.typed.delete(path);
   }
-}
-
-/** How much a size of the virtual part differs. */
-export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
-  if (!field) return undefined;
-  const label = say([w("{label} differs by"), field.label], words);
-  const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
-  return { ...field, label, help, default: 0, code: null, usual: null, range: null };
-}
-
-function steps(path: string): string[] {
-  return path.split(/[.[\]]+/).filter(Boolean);
 }

@@ -1,0 +1,108 @@
+// What the catalog knows of the job in the form: its cycle, its control, its fields.
+import { type CycleEntry, type FieldEntry, type PostEntry, say, type Words } from "./core/browser.js";
+import type { Draft } from "./job.js";
+import { tidy } from "./number.js";
+import { Phrases } from "./phrases.js";
+import { w } from "./words.js";
+
+export type Units = "mm" | "inch";
+/** Whether a program moves itself, or calls a cycle of the control. */
+export type Form = PostEntry["cycles"][number]["form"];
+
+/** Looks up the job's own entries of the catalog. */
+export abstract class Entries extends Phrases {
+  /** The job as it stands in the form. */
+  abstract draft: Draft;
+
+  /** The entry of the job's cycle. */
+  get cycle(): CycleEntry {
+    const type = (this.draft.cycle as Draft).type;
+    return this.catalog.cycles.find((c) => c.type === type) ?? (this.catalog.cycles[0] as CycleEntry);
+  }
+
+  /** The units of the job. */
+  get units(): Units {
+    return this.draft.units === "inch" ? "inch" : "mm";
+  }
+
+  /** The value at a path such as `cycle.origin[1]`. */
+  get(path: string): unknown {
+    return steps(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
+  }
+
+  /** The entry of the control that the form has. */
+  get post(): PostEntry | undefined {
+    return this.postOf(this.get("control.post"));
+  }
+
+  /** The entry of a control; none for what is no control of the catalog. */
+  postOf(id: unknown): PostEntry | undefined {
+    return this.catalog.posts.find((post) => post.id === id);
+  }
+
+  /** The forms in which a control takes a cycle; none where it does not. */
+  formsOf(post: unknown, type: string): Form[] {
+    const takes = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
+    return takes.map((c) => c.form);
+  }
+
+  /** What a control calls the work offset of a number. */
+  protected offsetWord(post: unknown, number: unknown): string | undefined {
+    return typeof number === "number" ? this.postOf(post)?.workOffsetWords[number - 1] : undefined;
+  }
+
+  /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
+  controlOf(post: unknown, form?: Form, from = this.draft): Draft {
+    const control = { ...(from.control as Draft) };
+    const same = control.post === post;
+    const forms = this.formsOf(post, this.cycle.type);
+    if (form) control.form = form;
+    else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
+    const word = this.offsetWord(control.post, control.workOffset);
+    const words = this.postOf(post)?.workOffsetWords;
+    // A number that no word is known for is the user's to put right.
+    if (words && word !== undefined && !same) control.workOffset = words.indexOf(word) + 1 || null;
+    return { ...control, post };
+  }
+
+  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
+  fieldAt(path: string): FieldEntry | undefined {
+    const plain = path.replace(/\[\d\]$/, "");
+    const keys = plain.split(".");
+    const key = keys.pop();
+    const place = keys.join(".");
+    const { cycle, catalog } = this;
+    if (plain === "cycle.type") return undefined;
+    if (place === "part.sizes")
+      return sizeField(
+        cycle.fields.find((f) => f.key === key),
+        this.words,
+      );
+    const section =
+      place === "cycle"
+        ? cycle
+        : (cycle.sections.find((s) => `cycle.${s.key}` === place) ?? catalog.sections.find((s) => s.path === place));
+    return section?.fields.find((f) => f.key === key);
+  }
+
+  /** What a field holds where the job says nothing, in the job's units. */
+  standIn(field: FieldEntry): unknown {
+    const metric = field.unit === "length" || field.unit === "feed";
+    const scaled = (x: number) => (metric && this.units === "inch" ? tidy(x / 25.4) : x);
+    if (typeof field.default === "number") return scaled(field.default);
+    return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
+  }
+}
+
+/** How much a size of the virtual part differs. */
+export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
+  if (!field) return undefined;
+  const label = say([w("{label} differs by"), field.label], words);
+  const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
+  return { ...field, label, help, default: 0, code: null, usual: null, range: null };
+}
+
+/** The keys of a path such as `cycle.origin[1]`. */
+export function steps(path: string): string[] {
+  return path.split(/[.[\]]+/).filter(Boolean);
+}
