@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::num::decimal;
 use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN, is_upright, middle_of_name};
 use crate::view::material;
-use crate::view::scene::{Drawn, Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::scene::{Drawn, Face, Line, Scene, Spot, Stroke, Top, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -43,12 +43,12 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     );
     drawing.material(scene, &mut text);
     let solid = scene.material.is_empty();
-    scene.walls(legend.deviates, false).for_each(|wall| drawing.wall(wall, solid, &mut text));
-    for corners in &scene.tops {
-        let points: Vec<String> = corners.iter().map(|corner| drawing.at(*corner)).collect();
-        let _ = writeln!(text, "<polygon points=\"{}\" fill=\"#eef0f3\" stroke=\"#8a94a3\"/>", points.join(" "));
+    for face in scene.faces(legend.deviates) {
+        match face {
+            Face::Wall(wall) => drawing.wall(wall, solid, &mut text),
+            Face::Top(top) => drawing.top(top, &mut text),
+        }
     }
-    scene.walls(legend.deviates, true).for_each(|wall| drawing.wall(wall, solid, &mut text));
     let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
     for arc in drawing.camera.angles(scene, None) {
         if let Some(name) = name(arc.angle.field) {
@@ -166,6 +166,11 @@ impl Drawing {
         for edge in corners.chunks(2).filter(|_| wall.strip) {
             let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"{colour}\"/>", edge.join(" "));
         }
+    }
+
+    fn top(&self, top: &Top, text: &mut String) {
+        let points: Vec<String> = top.corners.iter().map(|corner| self.at(*corner)).collect();
+        let _ = writeln!(text, "<polygon points=\"{}\" fill=\"#eef0f3\" stroke=\"#8a94a3\"/>", points.join(" "));
     }
 
     fn line(&self, line: &Line, text: &mut String) {

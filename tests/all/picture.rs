@@ -5,7 +5,7 @@ use touchpath::path::{Path, Surface};
 use touchpath::view::camera::{Camera, middle_of_name};
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
-use touchpath::view::scene::{Projection, Scene};
+use touchpath::view::scene::{Face, Projection, Scene, WallShape};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
@@ -133,7 +133,7 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
 fn a_hole_is_not_a_boss() {
     let seen = |cycle: &str| {
         let (scene, _) = built(&of(cycle), Projection::Isometric);
-        let walls: Vec<_> = scene.walls(false, false).map(|w| (w.faces, w.corners[0][1])).collect();
+        let walls: Vec<_> = walls(&scene).into_iter().map(|w| (w.faces, w.corners[0][1])).collect();
         let middle = |faces: bool| {
             let of: Vec<f64> = walls.iter().filter(|w| w.0 == faces).map(|w| w.1).collect();
             (of.len(), of.iter().sum::<f64>() / of.len() as f64)
@@ -149,13 +149,19 @@ fn a_hole_is_not_a_boss() {
     assert!(near.0 > 20 && far.0 == 0);
     // The top is 40 wide: foreshortened to sin(atan(1/√2)) = 1/√3 of a circle's area.
     let circle = std::f64::consts::PI * 20.0 * 20.0 / 3f64.sqrt();
-    assert!((area(&tops[0]) - circle).abs() < 0.005 * circle, "{}", area(&tops[0]));
+    assert!((area(&tops[0].corners) - circle).abs() < 0.005 * circle, "{}", area(&tops[0].corners));
+}
+
+/// The nominal walls in the order in which they are drawn.
+fn walls(scene: &Scene) -> Vec<&WallShape> {
+    let wall = |face| if let Face::Wall(wall) = face { Some(wall) } else { None };
+    scene.faces(false).into_iter().filter_map(wall).collect()
 }
 
 /// Twice the sum of its triangles, halved.
 fn area(corners: &[[f64; 2]]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs() / 2.0
+    let edge = |k: usize| (corners[k], corners[(k + 1) % corners.len()]);
+    (0..corners.len()).map(edge).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs() / 2.0
 }
 
 #[test]
@@ -179,9 +185,40 @@ fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
     let (scene, _) = built(&turned, Projection::Isometric);
     // 80 × 50, whatever its rotation.
     let rectangle = 80.0 * 50.0 / 3f64.sqrt();
-    assert!((area(&scene.tops[0]) - rectangle).abs() < 1e-6 * rectangle, "{}", area(&scene.tops[0]));
+    assert!((area(&scene.tops[0].corners) - rectangle).abs() < 1e-6 * rectangle, "{}", area(&scene.tops[0].corners));
+    // So it is where its walls are picked beside their middles: they meet at its corners, and the top side is no octagon.
+    let picks = r#"{ "type": "external-rectangle", "touches": [{ "point": [40, 10, -10], "vector": [1, 0, 0] }, { "point": [-40, -10, -10], "vector": [-1, 0, 0] },
+        { "point": [15, 25, -10], "vector": [0, 1, 0] }, { "point": [0, -25, -10], "vector": [0, -1, 0] }] }"#;
+    let (scene, path) = built(&crate::common::job(&format!(r#"{{ "format": 1, "cycle": {picks} }}"#)), Projection::Isometric);
+    assert!((area(&scene.tops[0].corners) - rectangle).abs() < 1e-6 * rectangle, "{}", area(&scene.tops[0].corners));
+    let Surface::Flat(wall) = &path.surfaces[0] else { panic!("a flat wall") };
+    assert_eq!((wall.extent, wall.point.y), ((-35.0, 15.0), 10.0));
     let studs = with(&of("probing-two-circles"), "cycle.geometryType", crate::common::number(1.0));
     assert_eq!(built(&studs, Projection::Isometric).0.tops.len(), 2);
+}
+
+/// The first stud stands in front of the second one, and higher: what is drawn later lies above.
+#[test]
+fn the_top_of_what_stands_behind_is_drawn_before_what_stands_in_front() {
+    for (points, nearer) in [("[15, -15, 0]|[-15, 15, -40]", 0), ("[-15, 15, -40]|[15, -15, 0]", 1)] {
+        let (one, two) = points.split_once('|').unwrap();
+        let job = crate::common::job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "geometryType": 1, "point1": {one}, "point2": {two}, "diameter1": 20, "diameter2": 20,
+            "clearanceHeight": 100, "start": [0, 0, 120] }} }}"#
+        ));
+        let (scene, _) = built(&job, Projection::Isometric);
+        let order: Vec<usize> = scene
+            .faces(false)
+            .into_iter()
+            .map(|face| match face {
+                Face::Wall(wall) => wall.top.expect("of a stud"),
+                Face::Top(top) => 10 + top.of,
+            })
+            .collect();
+        let at = |what: usize| order.iter().position(|x| *x == what).unwrap();
+        assert!(at(10 + (1 - nearer)) < at(nearer), "the farther top before the nearer walls: {order:?}");
+        assert!(order.iter().rposition(|x| *x == nearer).unwrap() < at(10 + nearer));
+    }
 }
 
 #[test]

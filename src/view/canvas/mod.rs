@@ -13,7 +13,7 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
 use crate::view::lengths::Arrow;
 use crate::view::material;
-use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
+use crate::view::scene::{Face, Line, Scene, Spot, Stroke, Top, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -188,9 +188,12 @@ impl Painter {
         c.set_line_join("round");
         self.material(scene, camera);
         let solid = scene.material.is_empty();
-        scene.walls(deviates, false).for_each(|wall| self.wall(wall, camera, solid));
-        scene.tops.iter().for_each(|corners| self.top(corners, camera));
-        scene.walls(deviates, true).for_each(|wall| self.wall(wall, camera, solid));
+        for face in scene.faces(deviates) {
+            match face {
+                Face::Wall(wall) => self.wall(wall, camera, solid),
+                Face::Top(top) => self.top(top, camera),
+            }
+        }
         // Beneath the moves, the touches and the dimensions.
         let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
         for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
@@ -359,10 +362,10 @@ impl Painter {
     }
 
     /// A top side: lighter than the walls below it.
-    fn top(&self, corners: &[Spot], camera: &Camera) {
+    fn top(&self, top: &Top, camera: &Camera) {
         let c = &self.context;
         c.begin_path();
-        self.outline(&corners.iter().map(|corner| camera.pixel(*corner)).collect::<Vec<_>>());
+        self.outline(&top.corners.iter().map(|corner| camera.pixel(*corner)).collect::<Vec<_>>());
         c.set_fill_style_str(&self.theme.background);
         c.fill();
         c.set_fill_style_str(&self.theme.wall);

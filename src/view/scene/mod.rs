@@ -103,6 +103,26 @@ pub struct WallShape {
     pub strip: bool,
     /// Whether its air side is seen. Else the material lies before it, and it is seen through.
     pub faces: bool,
+    /// The top side above it: that of this surface.
+    pub top: Option<usize>,
+}
+
+/// A top side, isometric.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Top {
+    /// The first of the surfaces below it.
+    pub of: usize,
+    /// Its corners, in order.
+    pub corners: Vec<Spot>,
+}
+
+/// A wall or a top side.
+#[derive(Clone, Copy, Debug)]
+pub enum Face<'a> {
+    /// A wall.
+    Wall(&'a WallShape),
+    /// A top side.
+    Top(&'a Top),
 }
 
 /// One touch.
@@ -151,8 +171,8 @@ pub struct DrawnAngle {
 pub struct Scene {
     /// The walls; the actual ones first, so that they lie behind.
     pub walls: Vec<WallShape>,
-    /// Isometric, the top sides of what is seen whole, as polygons.
-    pub tops: Vec<Vec<Spot>>,
+    /// Isometric, the top sides of what is seen whole.
+    pub tops: Vec<Top>,
     /// The nominal material behind the walls that are seen edge-on.
     pub material: Vec<Material>,
     /// The path.
@@ -222,15 +242,6 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         Surface::Unknown => Vec::new(),
         Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().map(|w| one(w, actual, true)).collect(),
     };
-    // The far side of what has a top is behind it.
-    let hidden = |surface: &Surface, shape: &WallShape| {
-        let topped = match surface {
-            Surface::Flat(wall) => bounds(&path.surfaces, wall, path.frame.w),
-            Surface::Round(round) => !round.hole,
-            Surface::Unknown => false,
-        };
-        view == Projection::Isometric && topped && !shape.faces
-    };
     let stretch = |nominal: Spot, real: Spot| stretched(nominal, real, actual.magnify);
     // A surface of the actual part is that of the nominal one elsewhere: corner for corner.
     let displaced = |(surface, nominal): (&Surface, &Surface)| {
@@ -246,7 +257,12 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         shapes
     };
     let real = actual.surfaces.iter().zip(&path.surfaces).flat_map(displaced);
-    let nominal = path.surfaces.iter().flat_map(|s| shape(s, false).into_iter().filter(|(_, shape)| !hidden(s, shape)));
+    let nominal = (0..path.surfaces.len()).flat_map(|k| {
+        let top = if view == Projection::Isometric { topped(&path.surfaces, k, path.frame.w) } else { None };
+        // The far side of what has a top is behind it.
+        let seen = move |(_, shape): &(f64, WallShape)| top.is_none() || shape.faces;
+        shape(&path.surfaces[k], false).into_iter().filter(seen).map(move |(far, shape)| (far, WallShape { top, ..shape }))
+    });
     let all = real.chain(nominal);
     let mut walls: Vec<(f64, WallShape)> = Vec::new();
     for wall in all {
@@ -258,6 +274,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     }
     let walls = walls.into_iter().map(|(_, shape)| shape);
     let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u) } else { Vec::new() };
+    let tops = tops.into_iter().map(|(of, corners)| Top { of, corners: corners.into_iter().map(spot).collect() });
     let mut lines = Vec::new();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -300,7 +317,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     );
     Scene {
         walls: walls.collect(),
-        tops: tops.into_iter().map(|corners| corners.into_iter().map(spot).collect()).collect(),
+        tops: tops.collect(),
         material,
         lines,
         touches: touches.collect(),
@@ -364,40 +381,52 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// Whether a wall stands around a body that is seen whole: it has two that face away from each other, and a top side between them.
-fn bounds(surfaces: &[Surface], wall: &Wall, up: Vec3) -> bool {
+/// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two which face
+/// away from each other, and a top side between them.
+fn topped(surfaces: &[Surface], k: usize, up: Vec3) -> Option<usize> {
+    let wall = match &surfaces[k] {
+        Surface::Round(round) => return (!round.hole).then_some(k),
+        Surface::Flat(wall) => wall,
+        Surface::Unknown => return None,
+    };
     let upright = |wall: &Wall| wall.normal.dot(up).abs() < 1e-6;
     let walls = || {
-        surfaces.iter().filter_map(|surface| match surface {
-            Surface::Flat(other) if other.body == wall.body && upright(other) => Some(other),
+        surfaces.iter().enumerate().filter_map(|(k, surface)| match surface {
+            Surface::Flat(other) if other.body == wall.body && upright(other) => Some((k, other)),
             _ => None,
         })
     };
-    let opposite = || walls().any(|one| walls().any(|other| one.normal.dot(other.normal) < -0.999));
-    upright(wall) && walls().all(|wall| wall.has_top) && opposite()
+    let whole = walls().all(|(_, wall)| wall.has_top)
+        && walls().any(|(_, one)| walls().any(|(_, other)| one.normal.dot(other.normal) < -0.999));
+    if whole && upright(wall) { walls().map(|(k, _)| k).next() } else { None }
 }
 
-/// The top sides of what is seen whole: of studs, and between walls that face away from each other.
-fn tops(surfaces: &[Surface], up: Vec3, u: Vec3) -> Vec<Vec<Vec3>> {
+/// The top sides of what is seen whole: the first surface of each, and its corners.
+fn tops(surfaces: &[Surface], up: Vec3, u: Vec3) -> Vec<(usize, Vec<Vec3>)> {
     let ends = |wall: &Wall| [wall.extent.0, wall.extent.1].map(|at| wall.point + wall.along * at);
     let v = up.cross(u);
-    let mut tops: Vec<Vec<Vec3>> = Vec::new();
-    // The flat walls of a feature are of one body, or of none that is whole.
-    let mut flat: Vec<Vec3> = Vec::new();
-    for surface in surfaces {
-        match surface {
-            Surface::Round(round) if !round.hole => tops.push(strips(round, up, u).iter().map(|wall| ends(wall)[0]).collect()),
-            Surface::Flat(wall) if bounds(surfaces, wall, up) => flat.extend(ends(wall)),
-            Surface::Flat(_) | Surface::Round(_) | Surface::Unknown => {}
+    let mut tops: Vec<(usize, Vec<Vec3>)> = Vec::new();
+    for (k, surface) in surfaces.iter().enumerate() {
+        let Some(first) = topped(surfaces, k, up) else { continue };
+        let more: Vec<Vec3> = match surface {
+            Surface::Round(round) => strips(round, up, u).iter().map(|wall| ends(wall)[0]).collect(),
+            Surface::Flat(wall) => ends(wall).to_vec(),
+            Surface::Unknown => continue,
+        };
+        match tops.iter_mut().find(|(of, _)| *of == first) {
+            Some((_, corners)) => corners.extend(more),
+            None => tops.push((first, more)),
         }
     }
-    let middle = flat.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / (flat.len().max(1) as f64);
-    let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
-    let mut around: Vec<Vec3> = Vec::new();
-    for corner in flat {
-        around.insert(around.partition_point(|other| turn(*other) < turn(corner)), corner);
+    for (_, corners) in &mut tops {
+        let middle = corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
+        let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
+        let mut around: Vec<Vec3> = Vec::with_capacity(corners.len());
+        for corner in corners.iter() {
+            around.insert(around.partition_point(|other| turn(*other) < turn(*corner)), *corner);
+        }
+        *corners = around;
     }
-    tops.extend((!around.is_empty()).then_some(around));
     tops
 }
 
@@ -438,14 +467,23 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
             [corners[1], corners[2]]
         }
     });
-    WallShape { corners, edge, actual, strip: false, faces: true }
+    WallShape { corners, edge, actual, strip: false, faces: true, top: None }
 }
 
 impl Scene {
-    /// The walls in the order in which they are drawn: those below the top sides, and the virtual part's above them.
-    pub fn walls(&self, deviates: bool, above: bool) -> impl Iterator<Item = &WallShape> {
-        let over = move |wall: &WallShape| wall.actual && !self.tops.is_empty();
-        self.walls.iter().filter(move |wall| (deviates || !wall.actual) && over(wall) == above)
+    /// What is drawn of walls and top sides, in this order: each top side after the walls below it, and the virtual part above all of them.
+    pub fn faces(&self, deviates: bool) -> Vec<Face<'_>> {
+        let above = |wall: &WallShape| wall.actual && !self.tops.is_empty();
+        let last = |top: &Top| self.walls.iter().rposition(|wall| wall.top == Some(top.of));
+        let mut faces = Vec::new();
+        for (k, wall) in self.walls.iter().enumerate().filter(|(_, wall)| !above(wall)) {
+            if deviates || !wall.actual {
+                faces.push(Face::Wall(wall));
+            }
+            faces.extend(self.tops.iter().filter(|top| last(top) == Some(k)).map(Face::Top));
+        }
+        faces.extend(self.walls.iter().filter(|wall| deviates && above(wall)).map(Face::Wall));
+        faces
     }
 
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.

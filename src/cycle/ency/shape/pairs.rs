@@ -5,7 +5,7 @@ use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Tracer, Wall};
+use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// One pair of walls.
@@ -259,9 +259,13 @@ impl Shape for Pairs {
 
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let widths: Vec<f64> = self.sides.iter().map(|s| s.width).collect();
-        // A wall of a rectangle is as long as the other pair is wide; a single pair is drawn long enough to be seen.
-        let half = |k: usize| {
-            if widths.len() == 2 { widths[1 - k / 2] / 2.0 } else { crate::num::within(widths[0] / 2.0, 10.0, 40.0) }
+        // A single pair is drawn long enough to be seen.
+        let half = crate::num::within(widths[0] / 2.0, 10.0, 40.0);
+        // A wall of a rectangle goes from one wall of the other pair to the other one, wherever it is touched.
+        let reach = |touch: &Touch, along: Vec3, k: usize| {
+            let meets = |other: &Touch| (other.point - touch.point).dot(other.vector) / along.dot(other.vector);
+            let [a, b] = if k < 2 { [2, 3] } else { [0, 1] }.map(|k| meets(&on.touches[k]));
+            if (a - b).is_finite() { (a.min(b), a.max(b)) } else { (-half, half) }
         };
         let top = on.frame.origin.dot(on.frame.w);
         on.touches
@@ -270,13 +274,17 @@ impl Shape for Pairs {
             .map(|(k, touch)| {
                 let is_top = k == 2 && self.middle.is_some();
                 let along = if is_top { on.frame.u } else { on.frame.w.cross(touch.vector) };
-                let extent = if is_top { widths[0] / 2.0 } else { half(k) };
+                let extent = match (is_top, widths.len()) {
+                    (true, _) => (-widths[0] / 2.0, widths[0] / 2.0),
+                    (false, 2) => reach(touch, along, k),
+                    (false, _) => (-half, half),
+                };
                 Surface::Flat(Wall {
                     point: touch.point + on.frame.w * (top - touch.point.dot(on.frame.w)),
                     normal: touch.vector,
                     along,
-                    extent: (-extent, extent),
-                    drawn_depth: if is_top { half(0) } else { self.depth + on.setup.radius },
+                    extent,
+                    drawn_depth: if is_top { half } else { self.depth + on.setup.radius },
                     has_top: !is_top,
                     body: if self.internal { k } else { 0 },
                 })
