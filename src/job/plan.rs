@@ -6,6 +6,7 @@ use crate::control::release::{Refusal, release};
 use crate::control::safety::{NO_LOW_RAPID, Verdict, WATCHED};
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
+use crate::formula::Role;
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::rows::{
@@ -99,18 +100,28 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     job.cycle.review(&job.setup, path, checker);
 }
 
-/// A touch that begins so near to its contact that a part a little off is met before it, by a move that expects no contact.
+/// A touch that begins close to its nominal contact: on a part displaced by that much, the move before it makes contact.
 fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
-    /// A part lies as exactly as this, mm; and a touch scatters by six sigma at most.
+    /// As exactly as this a part is taken to lie, mm.
     const NEAR: f64 = 0.5;
+    // A touch scatters by six sigma at most.
     let least = NEAR.max(6.0 * job.repeatability);
     let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
     let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else { return };
-    let message = text!(
-        "Touch {touch} begins only {way} before its nominal contact: a part that is off by as much is met on the way there",
-        k + 1,
-        checker.length(way)
-    );
+    let (n, far) = (k + 1, checker.length(way));
+    let message = if way < NEAR - 1e-9 {
+        text!(
+            "Touch {touch} begins only {way} before its nominal contact: on a part displaced by that much, the move before it makes contact",
+            n,
+            far
+        )
+    } else {
+        text!(
+            "Touch {touch} begins only {way} before its nominal contact: that is less than six times the repeatability",
+            n,
+            far
+        )
+    };
     let field = if path.feature.picked() { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
     checker.warning("touch-close", field, message);
 }
@@ -128,10 +139,11 @@ fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
     }
 }
 
-/// A turn that is measured and stays where it is.
-fn report_turn(job: &Job, path: &Path, results: &[ResultRow], checker: &mut Checker) {
-    let turned = results.iter().any(|row| row.code == "rotation" && row.value.is_some());
-    if job.work_offset.is_some() && turned && path.formula.datum.as_ref().is_some_and(|datum| datum.rotation.is_none()) {
+/// A rotation that is measured and not written.
+fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
+    let measured = path.formula.results.iter().any(|result| result.role == Role::Direction && result.variable.is_some());
+    let written = path.formula.datum.as_ref().filter(|datum| datum.writes()).is_none_or(|datum| datum.rotation.is_some());
+    if job.work_offset.is_some() && measured && !written {
         let message =
             text!("The rotation that is measured is not written: the work offset is right at the measured place only");
         checker.info("rotation-not-written", "control.workOffset", message);
@@ -165,7 +177,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
-    report_turn(job, path, &results, &mut checker);
+    report_rotation(job, path, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());

@@ -531,6 +531,10 @@ fn a_tools_length_changes_places() {
     let edge = read_program("G71\nG0 X1 Y2 Z3\nT=\"PROBE\" D1\nM6\nG0 X4\nZ5\n", Some("sinumerik"));
     assert!(edge.end(1).z.is_nan() && edge.end(1).y == 2.0 && edge.end(2).z == 5.0);
     assert_eq!(said(&edge), ["places-computed"]);
+    // Where Z went in a line that is not followed, nothing more is said of it.
+    let supa = read_program("G17 G71 G90\nG0 X0 Y0 Z50\nSUPA G0 Z0 D0\nT=\"DRILL\" D1\nM6\nG0 X5 Y5\nZ10\n", Some("sinumerik"));
+    assert!(supa.end(1).z.is_nan() && supa.end(2).z == 10.0);
+    assert_eq!(said(&supa), ["lines-skipped"]);
 }
 
 /// M70 and M73 keep the modes, M72 gives them back.

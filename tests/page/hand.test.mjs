@@ -1,7 +1,19 @@
 // What is handed out is what the form says: with an error in it, nothing is.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, openText, PICTURE, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
+import {
+  field,
+  focusedId,
+  openText,
+  PICTURE,
+  page,
+  pixels,
+  program,
+  put,
+  saveButton,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp();
 
@@ -116,6 +128,26 @@ test("'Copied' stood beside a program that was not the copied one", async () => 
   assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
 });
 
+test("to a group of fields, to the cycle or to a picked touch there was no way", async () => {
+  await openText(
+    '{"format":1,"cycle":{"type":"boss","touches":[{"point":[20,0,-10],"vector":[1,0,0]},{"point":[0,20,-10],"vector":[0,1,0]},{"point":[-20,0,-10],"vector":[-1,0,0]}]}}',
+  );
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const [path, id] of [
+    ["cycle.touches[1]", "f-cycle.touches[1].point[0]"],
+    ["feeds", "f-feeds.approach"],
+    ["cycle", "f-cycle.origin[0]"],
+    ["part", "f-part.offset[0]"],
+    ["control.workOffset", "f-control.workOffset"],
+  ]) {
+    await page.getByRole("tab", { name: "Checks" }).click();
+    await page.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).app.go(path), path);
+    assert.equal(await focusedId(), id);
+  }
+  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.go('there is"no such field'));
+  assert.equal(await page.getByRole("tab", { name: "Checks" }).getAttribute("aria-selected"), "true");
+});
+
 test("a key that no job has could only be got rid of by Reset", async () => {
   await openText('{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}');
   assert.equal(await field("cycle.width").inputValue(), "41");
@@ -161,6 +193,7 @@ test("a safety rule shows its lines in the program", async () => {
     lines,
   );
   assert.match(await textOf(page.locator("tp-program .found")), /1 of 4/);
+  assert.equal(await focusedId(), "tab-program");
   assert.ok(await page.locator(`tp-program [data-line="${lines[0]}"].here`).isVisible());
   // Enter in the field goes on to the next of them, and of another program nothing is marked.
   await page.getByRole("searchbox", { name: "Find in the program" }).press("Enter");

@@ -424,14 +424,17 @@ export class App extends LitElement {
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
 
-  /** To the field of a path, or to the nearest one around it. */
+  /** To the field of a path, or to the first one inside it; to Checks where there is none. */
   private async go(path: string): Promise<void> {
     await this.use("cycles");
     if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
     await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);
-    const find = (p: string) => this.renderRoot.querySelector<HTMLElement>(`[id="f-${p}"]`);
-    const field = find(path) ?? find(`${path}[0]`) ?? find(`${path}.offset[0]`);
+    const fields = [...this.querySelectorAll<HTMLElement>("[id^=f-]")];
+    const inside = [`f-${path}.`, `f-${path}[`];
+    const field =
+      fields.find((one) => one.id === `f-${path}`) ??
+      fields.find((one) => one.closest("tp-form") && inside.some((start) => one.id.startsWith(start)));
     if (!field) this.show("checks");
     field?.scrollIntoView({ block: "center" });
     field?.focus();
@@ -441,7 +444,9 @@ export class App extends LitElement {
   private async showLines(lines: number[]): Promise<void> {
     this.show("program");
     await this.updateComplete;
-    this.renderRoot.querySelector<ProgramPart>("tp-program")?.find(lines);
+    // The button that was pressed is no longer seen.
+    this.querySelector<HTMLElement>("#tab-program")?.focus();
+    this.querySelector<ProgramPart>("tp-program")?.find(lines);
   }
 
   /** What had the focus when the job was left. */

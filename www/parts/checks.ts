@@ -108,8 +108,9 @@ class ChecksPart extends Part {
       ${f.path ? html`<a href="#" @click=${(e: Event) => this.go(e, f.path)}>${this.named(f.path)}</a>` : nothing}</li>`;
   }
 
-  /** What a path is called: a field by its label, a section by its heading. */
+  /** What a path is called: a field by its label, a section by its heading, the cycle by its title. */
   private named(path: string): string {
+    if (path === "cycle") return this.store.cycle.title;
     const group = this.store.catalog.sections.find((section) => section.path === path)?.fields[0]?.group;
     return this.store.fieldAt(path)?.label ?? (group ? this.t(group) : path);
   }

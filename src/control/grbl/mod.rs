@@ -74,11 +74,10 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         text!("grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
          those points give"),
     );
-    checker.warning(
-        "positioning-not-watched",
-        "control.protection",
-        text!("grbl does not watch the probe in positioning moves: a contact there goes unnoticed"),
-    );
+    if !request.path.moves.is_empty() {
+        let message = text!("grbl does not watch the probe in positioning moves: a contact there goes unnoticed");
+        checker.warning("positioning-not-watched", "control.protection", message);
+    }
     if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message = text!("grbl does not watch positioning moves: a rapid that goes down runs at the feed of the touches");
         checker.info("rapid-at-feed", "feeds", message);

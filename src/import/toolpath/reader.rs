@@ -176,7 +176,10 @@ impl Reader {
                 self.modes = before;
             }
             self.settle(block, before);
-            self.forget(if self.sinumerik && runs_cycle(line) { 7 } else { block.given });
+            let gone = if self.sinumerik && runs_cycle(line) { 7 } else { block.given };
+            self.forget(gone);
+            // It is said of the line already.
+            self.lost &= !gone;
             self.leaps |= block.jumps && line[begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
             if !block.jumps {
                 let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
@@ -375,7 +378,9 @@ impl Reader {
         say(
             self.computed,
             "places-computed",
-            text!("Places that the control computes are not known here, until a number is given"),
+            text!(
+                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
+            ),
         );
         say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
         say(

@@ -171,7 +171,11 @@ fn a_touch_that_begins_close_to_its_wall_is_said() {
     let said = |text: &str| warnings(&cycle(text)).contains(&"touch-close".to_owned());
     assert!(said(r#"{ "type": "boss", "sideClearance": 3.4 }"#));
     assert!(!said(r#"{ "type": "boss", "sideClearance": 3.5 }"#));
-    assert!(said(r#"{ "type": "boss", "sideClearance": 3.55 }, "stylus": { "repeatability": 0.1 }"#));
+    let scatters = cycle(r#"{ "type": "boss", "sideClearance": 3.55 }, "stylus": { "repeatability": 0.1 }"#);
+    let message = |job: &Value| check(job).into_iter().find(|f| f.code == "touch-close").unwrap().message;
+    assert!(message(&scatters).ends_with("0.55 mm before its nominal contact: that is less than six times the repeatability"));
+    let close = cycle(r#"{ "type": "boss", "sideClearance": 3.4 }, "stylus": { "repeatability": 0.1 }"#);
+    assert!(message(&close).contains("0.4 mm before its nominal contact: on a part displaced by that much"));
     assert!(said(r#"{ "type": "hole", "diameter": 6.9 }"#), "half of what a hole leaves free");
     assert!(said(r#"{ "type": "probing-two-circles", "probe": { "setUp": 0.3 } }"#));
     let inch = r#"{ "type": "boss", "diameter": 1.5, "sideClearance": 0.2 }, "units": "inch", "stylus": { "diameter": 0.37 }"#;
@@ -188,6 +192,9 @@ fn positioning_that_is_not_watched_though_the_job_asks_for_it_is_said() {
     }
     assert_eq!(said(&format!(r#"{groove}, "control": {{ "protection": "none" }}"#)), 1);
     assert_eq!(said(r#"{ "type": "groove-protected" }"#), 0);
+    for kind in ["nc-action", "probe-on-off"] {
+        assert_eq!(said(&format!(r#"{{ "type": "{kind}" }}, "control": {{ "post": "grbl" }}"#)), 0, "{kind}: nothing moves");
+    }
 }
 
 #[test]
@@ -211,6 +218,12 @@ fn a_rotation_that_is_measured_and_not_written_is_said() {
     };
     assert!(said(r#", "control": { "workOffset": 1 }"#));
     assert!(!said(""));
-    let circles = r#"{ "type": "probing-two-circles", "transferPosition": 1, "confirmRotation": 1 }, "control": { "post": "linuxcnc", "workOffset": 1 }"#;
-    assert!(check(&cycle(circles)).iter().all(|f| f.code != "rotation-not-written"));
+    for (transfer, confirm, expected) in [(1, 1, false), (1, 0, true), (0, 1, false), (0, 0, false)] {
+        let circles = format!(
+            r#"{{ "type": "probing-two-circles", "transferPosition": {transfer}, "confirmRotation": {confirm} }},
+            "control": {{ "post": "linuxcnc", "workOffset": 1 }}"#
+        );
+        let found = check(&cycle(&circles)).iter().any(|f| f.code == "rotation-not-written");
+        assert_eq!(found, expected, "{transfer} {confirm}");
+    }
 }
