@@ -428,6 +428,7 @@ test("on a phone on its side the views covered the picture, and the timeline had
     assert.match(await textOf(page.locator(".clock")), /^0:0\d \/ 0:32$/);
     const [rail, scrub] = [await boxOf(page.locator(".track")), await boxOf(page.locator(".scrub"))];
     assert.ok(rail.width >= 64, `${width}: ${rail.width}`);
+    assert.ok(rail.height >= 12, "the marks of touches are not cut");
     if (width === 1440) assert.ok(rail.width > 0.5 * scrub.width, "the rail has what is left");
     const said = page.locator(".scrub output");
     const cut = await said.evaluate((words) => words.scrollWidth - words.clientWidth);
