@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::num::decimal;
 use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN, is_upright, middle_of_name};
 use crate::view::material;
-use crate::view::scene::{Drawn, Face, Line, Scene, Spot, Stroke, Top, TouchShape, WallShape};
+use crate::view::scene::tops::{Face, Top};
+use crate::view::scene::{Drawn, Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;

@@ -5,7 +5,8 @@ use touchpath::path::{Path, Surface};
 use touchpath::view::camera::{Camera, middle_of_name};
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
-use touchpath::view::scene::{Face, Projection, Scene, WallShape};
+use touchpath::view::scene::tops::Face;
+use touchpath::view::scene::{Projection, Scene, WallShape};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;

@@ -13,7 +13,8 @@ use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
 use crate::view::lengths::Arrow;
 use crate::view::material;
-use crate::view::scene::{Face, Line, Scene, Spot, Stroke, Top, WallShape};
+use crate::view::scene::tops::{Face, Top};
+use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]

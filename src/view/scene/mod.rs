@@ -1,12 +1,14 @@
 //! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
 
 pub mod program;
+pub mod tops;
 
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 use crate::view::material::{Material, material};
+use crate::view::scene::tops::{Top, topped, tops};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -105,24 +107,6 @@ pub struct WallShape {
     pub faces: bool,
     /// The top side above it: that of this surface.
     pub top: Option<usize>,
-}
-
-/// A top side, isometric.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Top {
-    /// The first of the surfaces below it.
-    pub of: usize,
-    /// Its corners, in order.
-    pub corners: Vec<Spot>,
-}
-
-/// A wall or a top side.
-#[derive(Clone, Copy, Debug)]
-pub enum Face<'a> {
-    /// A wall.
-    Wall(&'a WallShape),
-    /// A top side.
-    Top(&'a Top),
 }
 
 /// One touch.
@@ -273,8 +257,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         walls.insert(place, wall);
     }
     let walls = walls.into_iter().map(|(_, shape)| shape);
-    let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u) } else { Vec::new() };
-    let tops = tops.into_iter().map(|(of, corners)| Top { of, corners: corners.into_iter().map(spot).collect() });
+    let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u, spot) } else { Vec::new() };
     let mut lines = Vec::new();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -317,7 +300,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     );
     Scene {
         walls: walls.collect(),
-        tops: tops.collect(),
+        tops,
         material,
         lines,
         touches: touches.collect(),
@@ -381,55 +364,6 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two which face
-/// away from each other, and a top side between them.
-fn topped(surfaces: &[Surface], k: usize, up: Vec3) -> Option<usize> {
-    let wall = match &surfaces[k] {
-        Surface::Round(round) => return (!round.hole).then_some(k),
-        Surface::Flat(wall) => wall,
-        Surface::Unknown => return None,
-    };
-    let upright = |wall: &Wall| wall.normal.dot(up).abs() < 1e-6;
-    let walls = || {
-        surfaces.iter().enumerate().filter_map(|(k, surface)| match surface {
-            Surface::Flat(other) if other.body == wall.body && upright(other) => Some((k, other)),
-            _ => None,
-        })
-    };
-    let whole = walls().all(|(_, wall)| wall.has_top)
-        && walls().any(|(_, one)| walls().any(|(_, other)| one.normal.dot(other.normal) < -0.999));
-    if whole && upright(wall) { walls().map(|(k, _)| k).next() } else { None }
-}
-
-/// The top sides of what is seen whole: the first surface of each, and its corners.
-fn tops(surfaces: &[Surface], up: Vec3, u: Vec3) -> Vec<(usize, Vec<Vec3>)> {
-    let ends = |wall: &Wall| [wall.extent.0, wall.extent.1].map(|at| wall.point + wall.along * at);
-    let v = up.cross(u);
-    let mut tops: Vec<(usize, Vec<Vec3>)> = Vec::new();
-    for (k, surface) in surfaces.iter().enumerate() {
-        let Some(first) = topped(surfaces, k, up) else { continue };
-        let more: Vec<Vec3> = match surface {
-            Surface::Round(round) => strips(round, up, u).iter().map(|wall| ends(wall)[0]).collect(),
-            Surface::Flat(wall) => ends(wall).to_vec(),
-            Surface::Unknown => continue,
-        };
-        match tops.iter_mut().find(|(of, _)| *of == first) {
-            Some((_, corners)) => corners.extend(more),
-            None => tops.push((first, more)),
-        }
-    }
-    for (_, corners) in &mut tops {
-        let middle = corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
-        let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
-        let mut around: Vec<Vec3> = Vec::with_capacity(corners.len());
-        for corner in corners.iter() {
-            around.insert(around.partition_point(|other| turn(*other) < turn(*corner)), *corner);
-        }
-        *corners = around;
-    }
-    tops
-}
-
 /// A round wall as flat strips.
 fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
     const COUNT: usize = 60;
@@ -471,21 +405,6 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
 }
 
 impl Scene {
-    /// What is drawn of walls and top sides, in this order: each top side after the walls below it, and the virtual part above all of them.
-    pub fn faces(&self, deviates: bool) -> Vec<Face<'_>> {
-        let above = |wall: &WallShape| wall.actual && !self.tops.is_empty();
-        let last = |top: &Top| self.walls.iter().rposition(|wall| wall.top == Some(top.of));
-        let mut faces = Vec::new();
-        for (k, wall) in self.walls.iter().enumerate().filter(|(_, wall)| !above(wall)) {
-            if deviates || !wall.actual {
-                faces.push(Face::Wall(wall));
-            }
-            faces.extend(self.tops.iter().filter(|top| last(top) == Some(k)).map(Face::Top));
-        }
-        faces.extend(self.walls.iter().filter(|wall| deviates && above(wall)).map(Face::Wall));
-        faces
-    }
-
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
     pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
         let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();
