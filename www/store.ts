@@ -44,7 +44,7 @@ const NO_PLAN: Plan = {
   moves: [],
   length: 0,
   time: 0,
-  program: { post: "", extension: "", text: "", moveLines: [], proof: null },
+  program: { post: "", extension: "", text: "", moveLines: [], writes: [], proof: null },
   table: [],
   results: [],
   triggers: [],
@@ -424,6 +424,16 @@ export class Store extends Entries {
   get bare(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
     return form !== "cycle" && this.postOf(post)?.computes === false;
+  }
+
+  /** What the program does with the work offset of a number, in words: with what of it is written, where it is the job's. */
+  writes(offset: number): string {
+    const word = this.post?.workOffsetWords[offset - 1] ?? `#${offset}`;
+    if (this.stale || offset !== this.get("control.workOffset")) return this.t("writes {offset}", word);
+    const parts = this.plan.program.writes.map((part) => (part === "rotation" ? this.t("rotation") : part));
+    return parts.length > 0
+      ? this.t("writes {offset}", [word, ...parts].join(" "))
+      : this.t("selects {offset}, writes nothing", word);
   }
 
   /** The name of the program's file. */

@@ -192,6 +192,15 @@ pub struct Request<'a> {
 pub const CHORD_SAG: f64 = 0.02;
 
 impl Request<'_> {
+    /// What of its work offset the program writes: axes in the order X, Y, Z, then the rotation. Empty where it measures only.
+    pub fn writes(&self) -> Vec<&'static str> {
+        let Some(datum) = self.path.formula.datum.as_ref().filter(|_| self.work_offset.is_some()) else { return Vec::new() };
+        let (axes, measured) = (self.plane.axes(), datum.measured());
+        let of_axis = |axis: &usize| (0..3).any(|i| axes[i] == *axis && measured[i]);
+        let rotation = datum.rotation.map(|_| "rotation");
+        (0..3).filter(of_axis).map(|axis| AXIS_NAMES[axis]).chain(rotation).collect()
+    }
+
     /// As high as the path ever is.
     pub fn highest(&self) -> Vec3 {
         let w = self.path.frame.w;
@@ -336,15 +345,8 @@ fn offset_line(request: &Request<'_>, word: impl Fn(i32) -> String, write: &str)
 }
 
 /// What of a work offset is written, in words: "its X and Y are written once, at the very end".
-fn written(request: &Request<'_>, datum: Option<&Datum>) -> String {
-    let measured = datum.map_or([false; 3], Datum::measured);
-    let axes = request.plane.axes();
-    let mut parts: Vec<&str> =
-        (0..3).filter(|axis| (0..3).any(|i| axes[i] == *axis && measured[i])).map(|i| AXIS_NAMES[i]).collect();
-    if datum.is_some_and(|d| d.rotation.is_some()) {
-        parts.push("rotation");
-    }
-    match parts.as_slice() {
+fn written(request: &Request<'_>) -> String {
+    match request.writes().as_slice() {
         [] => "nothing of it is written".to_owned(),
         [one] => format!("its {one} is written once, at the very end"),
         [rest @ .., last] => format!("its {} and {last} are written once, at the very end", rest.join(", ")),

@@ -206,6 +206,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             extension: job.post.extension,
             text: program.text,
             move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
+            writes: request.writes(),
             proof: proof.map(ProofRow::of),
         },
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),

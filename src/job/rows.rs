@@ -126,6 +126,8 @@ pub struct ProgramText {
     pub text: String,
     /// For each move the 0-based line that makes it.
     pub move_lines: Vec<i32>,
+    /// What of the work offset it writes, by itself or by the cycle that it calls: axes in the order `X`, `Y`, `Z`, then `rotation`. Empty where it measures only.
+    pub writes: Vec<&'static str>,
     /// What was proven of it; null in the form `cycle`.
     pub proof: Option<ProofRow>,
 }

@@ -112,6 +112,41 @@ fn a_rule_names_the_lines_that_it_was_asked_of() {
     assert!(written > 60, "{written}");
 }
 
+/// The blocks that write say which axes are corrected. One that is not measured is named on LinuxCNC, and read on as it was; on a SINUMERIK it
+/// gets its share where the frame is turned.
+#[test]
+fn what_a_program_writes_is_in_its_blocks() {
+    const LETTERS: [&str; 3] = ["X", "Y", "Z"];
+    let mut seen = std::collections::BTreeMap::new();
+    for post in POSTS {
+        for def in CYCLES.iter().filter(|def| (post.serves)(def.probes, Form::Moves).is_ok()) {
+            for offset in [false, true] {
+                let plan = plan(&job_for(def.key, post.key, Form::Moves, offset && post.work_offsets > 0)).unwrap();
+                let (text, at) = (plan.program.text.as_str(), format!("{} {}", post.key, def.key));
+                let block = text.lines().find(|line| line.contains("G10 L20 P1 ")).unwrap_or("");
+                let corrects = |axis: usize| {
+                    let letter = LETTERS[axis];
+                    text.contains(&format!("\n#522{}=#522{}+", axis + 1, axis + 1))
+                        || text.contains(&format!("\n$P_UIFR[1,{letter},TR]="))
+                        || block.contains(&format!(" {letter}["))
+                            && !block.contains(&format!("{letter}[#<_{}>]", letter.to_lowercase()))
+                };
+                let turns = text.contains("\nG10 L2 P1 R[") || text.contains("\n$P_UIFR[1,Z,RT]=");
+                let axes = (0..3).filter(|axis| corrects(*axis)).map(|axis| LETTERS[axis]);
+                let found: Vec<&str> = axes.chain(turns.then_some("rotation")).collect();
+                let writes = &plan.program.writes;
+                let shares =
+                    post.key == "sinumerik" && found.starts_with(&["X", "Y"]) && writes.iter().all(|w| found.contains(w));
+                assert!(*writes == found || shares, "{at}: {writes:?} {found:?}");
+                *seen.entry(writes.join(" ")).or_insert(0) += 1;
+            }
+        }
+    }
+    for (writes, times) in [("", 100), ("X Y", 30), ("X Y Z", 5), ("X", 5), ("Z", 3)] {
+        assert!(seen.get(writes).is_some_and(|n| *n >= times), "{writes}: {seen:?}");
+    }
+}
+
 #[test]
 fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
     for rule in RULES {

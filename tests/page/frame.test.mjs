@@ -319,7 +319,14 @@ test("the bar reads as the job's sentence: what is written, under which name", a
   // Before, what was to be seen of it was "measures only, writes …".
   assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "measures only");
   await field("control.workOffset").selectOption("1");
-  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "G54 is written (1)");
+  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "writes G54 X Y");
+  // A cycle that measures nothing that it could write, and one that turns the offset, too.
+  await field("cycle.type").selectOption("nc-action");
+  const writes = () => textOf(field("control.workOffset").locator("option:checked"));
+  assert.equal(await writes(), "selects G54, writes nothing");
+  await field("cycle.type").selectOption("surface");
+  assert.equal(await writes(), "writes G54 Z");
+  await field("cycle.type").selectOption("internal-rectangle-protected");
   for (const [name, file] of /** @type {[string, string][]} */ ([
     ["Größe Ø 12", "Grosse_O_12.ngc"],
     ["夹具", "PROBE.ngc"],

@@ -558,7 +558,7 @@ test("touches are picked one by one and taken back", async () => {
 
 test("SINUMERIK: the probe's length decides, the program comes back", async () => {
   await field("control.post").selectOption("sinumerik");
-  await field("control.workOffset").selectOption({ label: "G505 is written (5)" });
+  await field("control.workOffset").selectOption({ label: "writes G505" });
   assert.match(await program(), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
   assert.match(await program(), /\$P_UIFR\[5,X,TR\]=/);
   await field("tool.type").fill("500");

@@ -267,7 +267,7 @@ test("what was typed last is there after a reload, though it is written a moment
 });
 
 test("the number of a work offset was taken to another control, where it is another offset", async () => {
-  await field("control.workOffset").selectOption({ label: "G59.1 is written (7)" });
+  await field("control.workOffset").selectOption({ label: "writes G59.1" });
   await field("control.post").selectOption("sinumerik");
   assert.equal(await held("control.workOffset"), null);
   await page.getByText("This control has no G59.1: the program now writes no work offset").waitFor();

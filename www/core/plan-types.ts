@@ -147,6 +147,8 @@ export interface ProgramText {
   text: string;
   /** For each move the 0-based line that makes it. */
   moveLines: number[];
+  /** What of the work offset it writes, by itself or by the cycle that it calls: axes in the order `X`, `Y`, `Z`, then `rotation`. Empty where it measures only. */
+  writes: ("X" | "Y" | "Z" | "rotation")[];
   /** What was proven of it; null in the form `cycle`. */
   proof: ProofRow | null;
 }

@@ -22,13 +22,12 @@ class BarPart extends FieldPart {
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
-      ${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}
-      ${this.select(
+      <span class="joined">${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}${this.select(
         "control.workOffset",
         this.offsets(),
         (n) => store.put("control.workOffset", n === "" ? null : Number(n)),
         this.t("Work offset"),
-      )}
+      )}</span>
       ${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
@@ -66,15 +65,11 @@ class BarPart extends FieldPart {
   }
 
   private offsets() {
-    const value = this.store.get("control.workOffset") ?? null;
-    const { post } = this.store;
+    const { store } = this;
+    const { post } = store;
+    const value = store.get("control.workOffset") ?? null;
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    const word = (n: number) => post?.workOffsetWords[n - 1] ?? `#${n}`;
-    const numbers = Array.from({ length: most }, (_, i) => ({
-      value: i + 1,
-      label: `${this.t("{offset} is written", word(i + 1))} (${i + 1})`,
-    }));
-    // The offset first, and short: what is cut off must not be what matters.
+    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1, label: store.writes(i + 1) }));
     return [{ value: null, label: this.t("measures only") }, ...numbers];
   }
 

@@ -40,9 +40,7 @@ class SheetPart extends Part {
     const head = conditions(program.text);
     const offset = this.store.get("control.workOffset");
     const writes =
-      typeof offset === "number"
-        ? this.t("{offset} is written", post?.workOffsetWords[offset - 1] ?? offset)
-        : this.t("measures only, writes no offset");
+      typeof offset === "number" ? this.store.writes(offset) : this.t("measures only, writes no offset");
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const number = (x: number | null) => (x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3)));
     const feeds = job.feeds as Record<string, number | null>;

@@ -166,7 +166,7 @@ impl Moves for Skip<'_> {
         let formula = &request.path.formula;
         w.line("%");
         w.line("O1000");
-        let write = written(request, formula.datum.as_ref());
+        let write = written(request);
         w.header(&offset_line(request, request.post.work_offset_word, &write));
         w.comment("The number O1000 is any: give it a free one");
         if let (Some(first), None) = (request.path.moves.first(), request.path.start) {

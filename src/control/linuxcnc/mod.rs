@@ -198,7 +198,7 @@ impl Moves for LinuxCnc<'_> {
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
     let word = |n| format!("{} P{n}", work_offset_word(n));
-    w.header(&offset_line(request, word, &written(request, formula.datum.as_ref())));
+    w.header(&offset_line(request, word, &written(request)));
     w.way_up_across_down();
     if !request.path.moves.is_empty() {
         w.comment(if request.protected {

@@ -166,7 +166,7 @@ impl Moves for Sinumerik<'_> {
             .registers
             .lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
-        begin(w, self.request, &written(self.request, formula.datum.as_ref()), &notes);
+        begin(w, self.request, &written(self.request), &notes);
     }
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {

@@ -49,6 +49,7 @@ const EXACT: &[(&str, &str)] = &[
     ("Move.feed", r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#),
     ("Move.kind", r#""position" | "touch" | "back""#),
     ("ResultRow.unit", r#""mm" | "inch" | "deg" | """#),
+    ("ProgramText.writes", r#"("X" | "Y" | "Z" | "rotation")[]"#),
     ("TraceRow.units", r#""mm" | "inch" | null"#),
     ("ChoiceEntry.value", "string | number"),
     ("FieldEntry.kind", r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#),
