@@ -39,8 +39,7 @@ class SheetPart extends Part {
     const computes = !this.store.bare;
     const head = conditions(program.text);
     const offset = this.store.get("control.workOffset");
-    const writes =
-      typeof offset === "number" ? this.store.writes(offset) : this.t("measures only, writes no offset");
+    const writes = typeof offset === "number" ? this.store.writes(offset) : this.t("measures only, writes no offset");
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const number = (x: number | null) => (x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3)));
     const feeds = job.feeds as Record<string, number | null>;
