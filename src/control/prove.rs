@@ -2,6 +2,7 @@
 
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Script;
+use crate::control::safety::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
 use crate::formula::{Dual, Variable};
@@ -67,23 +68,13 @@ pub struct Followed<'t> {
     pub begin: Run,
     /// From above the first place to the end.
     pub trace: Trace,
-    /// From below the first place, or below where the job says that the stylus is, up to the first place.
-    pub below: Below,
+    /// Its motions from below the first place, or below where the job says that the stylus is, up to the first place. None where nothing moves,
+    /// or the control cannot ask.
+    pub below: Vec<Step>,
     /// The triggers that the touches were given, by their order.
     triggers: Vec<Vec3>,
     /// What the path asks of it.
     expected: Expected,
-}
-
-/// What a program does where the stylus stands lower than it should.
-#[derive(Clone, Debug)]
-pub enum Below {
-    /// Nothing ever moves.
-    NoMoves,
-    /// Its motions up to the first place: none where it stops before.
-    Followed(Vec<Step>),
-    /// It takes the stylus to be where the job says, and does not ask.
-    NotAsked,
 }
 
 /// What a program is followed on.
@@ -132,19 +123,16 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         Met::Something((from + (to - from).normalize_or_zero() * along).to_array(), trigger.to_array())
     })
     .map_err(|t| faults(vec![t]))?;
-    let below = match request.path.moves.first() {
+    let asks = request.post.cannot.iter().all(|(rule, _)| *rule != LOW_START);
+    let below = match request.path.moves.first().filter(|_| asks) {
         Some(step) => {
             let start = request.path.start.map_or(away(-AWAY[2]), |start| expected.written(start - w * AWAY[2]));
             let until = Some((expected.place(step.to), expected.digit));
             let run = Run { start, may_stop: true, until, known: false, ..run };
-            match machine::run(&script, run, &mut |_| if part == Part::Path { Met::Nothing } else { Met::Unknown }) {
-                Ok(trace) => Below::Followed(trace.steps),
-                // Its blocks are right from where the job says that the stylus stands, and only there.
-                Err(_) if stated.is_some() => Below::NotAsked,
-                Err(trouble) => return Err(faults(vec![trouble])),
-            }
+            let mut meets = |_: &Step| if part == Part::Path { Met::Nothing } else { Met::Unknown };
+            machine::run(&script, run, &mut meets).map_err(|trouble| faults(vec![trouble]))?.steps
         }
-        None => Below::NoMoves,
+        None => Vec::new(),
     };
     Ok(Followed { begin: run, script, trace, below, triggers, expected })
 }

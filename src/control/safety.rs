@@ -3,7 +3,7 @@
 use crate::control::Request;
 use crate::control::iso::machine::{self, Run};
 use crate::control::iso::script::Modes;
-use crate::control::prove::{Below, Followed};
+use crate::control::prove::Followed;
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
@@ -259,9 +259,6 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
             None => (Some(true), Text::words(rule.says), Vec::new()),
-            Some(_) if rule.name == LOW_START && case.request.path.start.is_some() => {
-                (None, text!("The job says where the stylus stands: this program does not check that it does"), Vec::new())
-            }
             Some((_, what)) => (Some(false), what, lines),
         }
     };
@@ -394,17 +391,12 @@ fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
 fn low_start(case: &Case<'_>) -> Vec<Break> {
     let Some(first) = case.request.path.moves.first() else { return Vec::new() };
     let says = || text!("This moves in the plane below the first position");
-    let below = match &case.followed.below {
-        Below::Followed(below) => below,
-        Below::NotAsked => return vec![(case.steps().first().map(|step| step.line), says())],
-        Below::NoMoves => return Vec::new(),
-    };
     let (tool, height) = (case.tool(), case.level(first.to));
     let low = |step: &&Step| {
         let across = (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
         across && step.to[tool] < height - case.digit()
     };
-    below.iter().filter(low).map(|step| (Some(step.line), says())).collect()
+    case.followed.below.iter().filter(low).map(|step| (Some(step.line), says())).collect()
 }
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {

@@ -3,7 +3,7 @@
 
 use crate::common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
 use touchpath::form::Value;
-use touchpath::job::Plan;
+use touchpath::job::{Plan, default_job};
 
 /// Every job but those of 1411, which `circles.rs` judges; those for another control put out for LinuxCNC.
 fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {
@@ -450,6 +450,25 @@ fn the_first_place_is_reached_up_across_and_down() {
                     "{name} {places:?}"
                 );
                 assert!((0..3).all(|i| (places[wanted - 1][i] - first.to[i]).abs() < 1e-3), "{name} {places:?}");
+            }
+        }
+    }
+}
+
+/// A job that says where the stylus stands is the operator's word: a stylus that was left lower goes up before it goes across.
+#[test]
+fn a_stylus_below_the_stated_start_goes_up_first() {
+    let circles = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("linuxcnc".to_owned()));
+    let circles = with(&circles, "control.form", Value::Text("moves".to_owned()));
+    for (protection, kind) in [("checked", "probe"), ("none", "rapid")] {
+        let plan = planned(&with(&circles, "control.protection", Value::Text(protection.to_owned())));
+        for (z, first) in [(5.0, Some([60.0, 20.0, 100.0])), (100.0, None), (150.0, None)] {
+            let ran = interpret(&format!("G21 G90\nG0 X60 Y20 Z{z}\n{}", plan.program.text)).unwrap();
+            let wanted: Vec<[f64; 3]> = first.into_iter().chain([[-30.0, 0.0, f64::max(z, 100.0)]]).collect();
+            for (ran, wanted) in ran.moves.iter().skip(1).zip(&wanted) {
+                // A probe move of this interpreter ends 0.254 mm before its target.
+                let near = (0..3).all(|axis| (ran.to[axis] - wanted[axis]).abs() < 0.26);
+                assert!(ran.kind == kind && near, "{protection} {z}: {ran:?} {wanted:?}");
             }
         }
     }

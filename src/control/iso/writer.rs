@@ -384,6 +384,12 @@ pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     line(rest);
 }
 
+/// Where the job says that the stylus stands, and the first move, where that goes across at the stated height.
+pub fn across_from_stated<'p>(request: &Request<'p>) -> Option<(Vec3, &'p Move)> {
+    let (start, first) = (request.path.start?, request.path.moves.first()?);
+    (upwards(request, Some(start), first.to) == 0).then_some((start, first))
+}
+
 /// Whether a move goes down the tool axis, up it, or neither: −1, 1, 0.
 pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
     let Some(from) = from else { return 0 };

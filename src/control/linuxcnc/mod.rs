@@ -12,7 +12,7 @@
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::writer::{Dialect, Writer, upwards};
+use crate::control::iso::writer::{Dialect, Writer, across_from_stated, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
@@ -127,6 +127,10 @@ struct LinuxCnc<'a> {
 impl Moves for LinuxCnc<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         begin(w, self.request);
+        if let Some((start, first)) = across_from_stated(self.request) {
+            w.comment("Lower than stated the stylus goes straight up first");
+            rise(w, self.request, start, first, &mut self.labels);
+        }
     }
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
@@ -257,7 +261,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("(ABORT,Contact in move #1, which must be free. Nothing is written)");
     w.line("M2");
     w.line("o<tp_exit> endsub");
-    if request.path.start.is_some() {
+    if request.path.start.is_some() && across_from_stated(request).is_none() {
         return;
     }
     let short = w.number(SHORTEST_PROBE);
@@ -275,38 +279,54 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("o<tp_first> endsub");
 }
 
+/// A call of the way to a place, along some axes: the others stay where they are. `free` is 1 where up is free.
+fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, moves: &dyn Fn(usize) -> bool, free: u8) {
+    let rate = w.number(rate(request, None, step).unwrap_or(RAPID_RATE));
+    let target = [0, 1, 2].map(|i| if moves(i) { format!("[{}]", w.number(to[i])) } else { format!("[{}]", CURRENT[i]) });
+    w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
+}
+
+/// Straight up to the height of a place, where the stylus is lower; as the first move goes.
+fn rise(w: &mut Writer<'_>, request: &Request<'_>, to: Vec3, first: &Move, labels: &mut Labels) {
+    let tool = request.plane.axes()[2];
+    let label = labels.take();
+    let height = w.height_word(to);
+    w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
+    if request.protected {
+        goes_first(w, request, first, to, &|i| i == tool, 0);
+    } else {
+        let (word, feed) = unwatched(w, request, first);
+        let up = w.goes_along_tool(to);
+        w.line(&format!("{word}{up}{feed}"));
+    }
+    w.line(&format!("o{label} endif"));
+}
+
+/// The word and the feed of a way to the first place that nothing watches.
+fn unwatched(w: &Writer<'_>, request: &Request<'_>, first: &Move) -> (&'static str, String) {
+    match request.feeds.rate(first.feed) {
+        Some(rate) => ("G1", format!(" F{}", w.number(rate))),
+        None => ("G0", String::new()),
+    }
+}
+
 /// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut Labels) {
     let tool = request.plane.axes()[2];
-    let label = labels.take();
-    let height = w.height_word(step.to);
-    w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
+    rise(w, request, step.to, step, labels);
     if request.protected {
-        let rate = w.number(rate(request, None, step).unwrap_or(RAPID_RATE));
-        let place = [0, 1, 2].map(|i| w.number(step.to[i]));
-        // Which axes move: the others stay where they are.
-        let call = |w: &mut Writer<'_>, moves: &dyn Fn(usize) -> bool, free: u8| {
-            let target = [0, 1, 2].map(|i| format!("[{}]", if moves(i) { &*place[i] } else { CURRENT[i] }));
-            w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
-        };
-        call(w, &|i| i == tool, 0);
-        w.line(&format!("o{label} endif"));
-        call(w, &|i| i != tool, 1);
+        goes_first(w, request, step, step.to, &|i| i != tool, 1);
         w.makes_move();
-        call(w, &|_| true, 1);
+        goes_first(w, request, step, step.to, &|_| true, 1);
         w.stands_at(step.to);
         return;
     }
-    let rate = request.feeds.rate(step.feed);
-    let word = if rate.is_some() { "G1" } else { "G0" };
-    let feed = rate.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
-    let up = w.goes_along_tool(step.to);
-    w.line(&format!("{word}{up}{feed}"));
-    w.line(&format!("o{label} endif"));
+    let (word, feed) = unwatched(w, request, step);
     let across = w.goes_in_plane(step.to);
     w.line(&format!("{word}{across}{feed}"));
     w.makes_move();
-    w.line(&format!("{word}{up}{feed}"));
+    let down = w.goes_along_tool(step.to);
+    w.line(&format!("{word}{down}{feed}"));
 }
 
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked.

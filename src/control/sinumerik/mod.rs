@@ -19,7 +19,7 @@ mod read;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, upwards};
+use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
     Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
@@ -27,7 +27,7 @@ use crate::control::{
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Variable};
-use crate::geom::AXIS_NAMES;
+use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
 use crate::text::text;
@@ -167,6 +167,12 @@ impl Moves for Sinumerik<'_> {
             .lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
         begin(w, self.request, &written(self.request), &notes);
+        if let Some((start, first)) = across_from_stated(self.request) {
+            w.comment("Lower than stated the stylus goes straight up first");
+            names_move(w, 0);
+            rise(w, self.request, start, first);
+            self.unwatched = !self.request.protected;
+        }
     }
 
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move) {
@@ -312,29 +318,36 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     });
 }
 
-/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
-fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
-    let height = w.height_word(step.to);
+/// One block of the way to the first place.
+fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &str, exit: &str) {
+    if request.protected {
+        watched(w, words, rate_of(request, first), exit);
+    } else if let Some(rate) = feed_rate(request, None, first) {
+        let feed = w.number(rate);
+        w.parts(&["G1", words, " F", &feed]);
+    } else {
+        w.parts(&["G0", words]);
+    }
+}
+
+/// Straight up to the height of a place, where the stylus is lower; as the first move goes.
+fn rise(w: &mut Writer<'_>, request: &Request<'_>, to: Vec3, first: &Move) {
+    let height = w.height_word(to);
     let (axis, level) = height.split_at(1);
     w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
-    let stated = feed_rate(request, None, step);
-    let up = w.goes_along_tool(step.to);
-    let feed = stated.map_or(String::new(), |rate| format!(" F{}", w.number(rate)));
-    let word = if stated.is_some() { "G1" } else { "G0" };
-    let go = |w: &mut Writer<'_>, words: &str, exit: &str| {
-        if request.protected {
-            watched(w, words, rate_of(request, step), exit);
-        } else {
-            w.line(&format!("{word}{words}{feed}"));
-        }
-    };
-    go(w, &up, "TP_BLOCKED");
+    let up = w.goes_along_tool(to);
+    goes_first(w, request, first, &up, "TP_BLOCKED");
     w.line("TP_ABOVE:");
+}
+
+/// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
+fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
+    rise(w, request, step.to, step);
     let across = w.goes_in_plane(step.to);
-    go(w, &across, "TP_CONTACT");
+    goes_first(w, request, step, &across, "TP_CONTACT");
     w.makes_move();
     let down = w.goes_along_tool(step.to);
-    go(w, &down, "TP_CONTACT");
+    goes_first(w, request, step, &down, "TP_CONTACT");
 }
 
 /// One move in which nothing may be touched, and where a contact jumps to.

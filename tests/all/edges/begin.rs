@@ -219,7 +219,9 @@ fn chords_around_a_stud_stay_clear_of_it() {
     let text = planned(&job).program.text;
     let mut at = [f64::NAN; 3];
     let mut nearest = f64::INFINITY;
-    for line in text.lines().filter(|l| l.starts_with("G38") || l.starts_with("G0") || l.starts_with("G1 ")) {
+    // Blocks with places of their own, not those of a subroutine.
+    let blocks = text.lines().filter(|l| ["G38", "G0", "G1 "].iter().any(|word| l.starts_with(word)) && !l.contains('#'));
+    for line in blocks {
         let mut to = at;
         for word in line.split(' ') {
             if let Some(axis) = ["X", "Y", "Z"].iter().position(|a| word.starts_with(a)) {
