@@ -88,6 +88,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("pairs-not-square", "The two pairs of picked walls are not square to each other."),
     ("part-not-in-program", "A program does not say how the part lies: the nominal part is taken."),
     ("passed-over", "Blocks of a program that say nothing of the cycle were passed over."),
+    (
+        "passes-close",
+        "A positioning move passes the drawn part closely: on a part that is a little displaced, it makes contact.",
+    ),
     ("path-not-above", "The path would end below its highest point: one touch lies too high above the others."),
     ("picks-differ", "A size in the form differs from the one between the picked touches, which counts."),
     ("picks-out-of-range", "Picked touches give a size outside of what is allowed."),

@@ -107,7 +107,9 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     // A touch scatters by six sigma at most.
     let least = NEAR.max(6.0 * job.repeatability);
     let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
-    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else { return };
+    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else {
+        return report_passes(job, path, NEAR, checker);
+    };
     let (n, far) = (k + 1, checker.length(way));
     let message = if way < NEAR - 1e-9 {
         text!(
@@ -124,6 +126,17 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     };
     let field = if path.feature.picked() { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
     checker.warning("touch-close", field, message);
+}
+
+/// A positioning move that passes the drawn part at less than `near`: on a part displaced by that much, it makes contact.
+fn report_passes(job: &Job, path: &Path, near: f64, checker: &mut Checker) {
+    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, near - 1e-9) else { return };
+    let message = text!(
+        "Move {move} passes the part at a distance of only {gap}: on a part displaced by that much, it makes contact",
+        index + 1,
+        checker.length(gap)
+    );
+    checker.warning("passes-close", "cycle", message);
 }
 
 /// What the safety rules say of what the job asks for, and the rest of the findings does not.

@@ -56,6 +56,35 @@ pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
         .collect()
 }
 
+/// The positioning move that passes the part nearest, and at what distance, mm; none where all keep `least` from it. The path must run clear
+/// of the part.
+pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, least: f64) -> Option<(usize, f64)> {
+    let obstacles = Obstacles::of(surfaces, path.frame.w);
+    let nearer_than = |gap: f64| {
+        let mut at = path.start;
+        path.moves.iter().position(|step| {
+            let from = at.replace(step.to).unwrap_or(step.to);
+            let mut stand = from;
+            step.purpose == Purpose::Position
+                && step.pieces(from, path.frame.w, 1.0).into_iter().any(|way_point| {
+                    let way = (std::mem::replace(&mut stand, way_point), way_point);
+                    obstacles.first_contact(radius + gap, way.0, way.1).is_some()
+                })
+        })
+    };
+    let mut found = nearer_than(least)?;
+    let (mut clear, mut near) = (0.0, least);
+    // To a thousandth of the least distance.
+    for _ in 0..10 {
+        let middle = (clear + near) / 2.0;
+        match nearer_than(middle) {
+            Some(index) => (found, near) = (index, middle),
+            None => clear = middle,
+        }
+    }
+    Some((found, near))
+}
+
 /// Runs the whole path on the actual surfaces. A touch starts where the ball stands and runs along the inverted target vector
 /// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {

@@ -2,6 +2,7 @@
 
 use super::{cycle, errors, picked, warnings};
 use crate::common::{job, number, planned, point, with};
+use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{check, plan};
 
@@ -180,6 +181,34 @@ fn a_touch_that_begins_close_to_its_wall_is_said() {
     assert!(said(r#"{ "type": "probing-two-circles", "probe": { "setUp": 0.3 } }"#));
     let inch = r#"{ "type": "boss", "diameter": 1.5, "sideClearance": 0.2 }, "units": "inch", "stylus": { "diameter": 0.37 }"#;
     assert!(said(inch), "0.015 inch");
+}
+
+/// How far the ball keeps from what it passes, by hand: 3.2 above a top is 0.2 for a ball of 6; in a hole of 80 a place 36.7 before one wall is 3.3
+/// before the other, which leaves 0.3.
+#[test]
+fn a_move_that_passes_the_part_closely_is_said() {
+    let said = |text: &str| {
+        let found = check(&cycle(text)).into_iter().find(|f| f.code == "passes-close");
+        found.map(|f| f.message.split(" only ").nth(1).unwrap().split(' ').next().unwrap().parse::<f64>().unwrap())
+    };
+    for (text, gap) in [
+        (r#"{ "type": "boss", "topClearance": 3.2 }"#, 0.2),
+        (r#"{ "type": "web", "topClearance": 3.0001 }"#, 0.0001),
+        (r#"{ "type": "external-rectangle", "topClearance": 3.49 }"#, 0.49),
+        (r#"{ "type": "hole-protected", "diameter": 40, "sideClearance": 36.7 }"#, 0.3),
+        (r#"{ "type": "groove-protected", "width": 30, "sideClearance": 26.9999 }"#, 0.0001),
+        (r#"{ "type": "internal-rectangle-protected", "sideClearance1": 76.9 }"#, 0.1),
+    ] {
+        assert!(said(text).is_some_and(|found| (found - gap).abs() < 1e-3), "{text}: {:?}", said(text));
+    }
+    for text in
+        [r#"{ "type": "boss", "topClearance": 3.5 }"#, r#"{ "type": "hole-protected", "diameter": 40, "sideClearance": 36.5 }"#]
+    {
+        assert_eq!(said(text), None, "{text}");
+    }
+    for def in CYCLES {
+        assert_eq!(said(&format!(r#"{{ "type": "{}" }}"#, def.key)), None, "{}", def.key);
+    }
 }
 
 /// From the middle to 3.25 before the wall of a groove of 7 it is 0.25 across: too short for a probe move.
