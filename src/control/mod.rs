@@ -315,6 +315,15 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         };
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
+    let tool = AXIS_NAMES[request.plane.axes()[2]];
+    if request.writes().contains(&tool) && request.setup.radius > 0.0 {
+        let message = text!(
+            "{axis} is written for a tool length that ends at the ball centre: with a length to its tip, the work offset would be {radius} too low",
+            tool.to_owned(),
+            checker.length(request.setup.radius)
+        );
+        checker.info("length-to-centre", "control.workOffset", message);
+    }
     let axes = request.path.formula.datum.as_ref().map_or(0, |datum| datum.measured().iter().filter(|axis| **axis).count());
     if request.work_offset.is_some() && axes > directions(request.path) {
         let message = text!(

@@ -36,6 +36,7 @@ pub const CODES: &[(&str, &str)] = &[
         "length-not-along-tool-axis",
         "The tool length that the control uses does not act along the tool axis: the touches would be wrong by the stylus' length.",
     ),
+    ("length-to-centre", "The tool axis of a work offset is written: the length of the probe must end at the ball centre."),
     ("lines-differ", "The blocks of a program are those of its job, and lines between them were changed."),
     (
         "lines-skipped",
@@ -182,6 +183,8 @@ pub const CODES: &[(&str, &str)] = &[
     ("wrong-count", "There are too few or too many of something: touches, points, numbers in a line."),
     ("wrong-type", "A value is not of its field's type."),
     ("wrong-wall", "On this part a touch meets another wall than its own."),
+    ("zone-beyond-clearance", "What a tolerance allows stands where the ball goes down: a good part is in the way."),
+    ("zone-beyond-dist", "What a tolerance allows lies beyond the search: a good part can be missed."),
 ];
 
 /// Whether a code is listed.

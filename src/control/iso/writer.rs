@@ -155,7 +155,7 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
-        self.comment("Before the start: probe in the spindle and switched on, its length active");
+        self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");
         if let Some(start) = request.path.start {
             let text = stated_start(request, &self.place_words(start));
             self.comment(&format!("{text} No block moves it there"));

@@ -81,6 +81,10 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_rotary(request, checker, text!("LinuxCNC has no rotary table that a program could know of"));
     check_write(request, checker);
     check_short(request, checker);
+    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+        let message = text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
+        checker.info("rapid-at-feed", "feeds", message);
+    }
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
     if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
         let message = text!("LinuxCNC turns a work offset about Z only: no rotation can be written in this plane");

@@ -156,3 +156,37 @@ fn a_value_on_its_very_limit_is_good_also_from_its_own_touches() {
     assert_eq!(verdict(&plan.results).as_deref(), Some("good"));
     assert_eq!(verdict(&rows).as_deref(), Some("good"));
 }
+
+/// By hand: the ball goes down 2 mm before the wall (SET_UP 2), and DIST is 10. A stud of 24 or a hole of 16 instead of 20 stands there, and so does
+/// an object 2 mm aside; a hole of 36.1 is 10.05 away.
+#[test]
+fn a_tolerance_that_the_path_does_not_leave_room_for_is_said() {
+    let says = |key: &str, value: Value, stud: bool| -> Vec<String> {
+        let job =
+            with(&with(&holes(), &format!("cycle.{key}"), value), "cycle.geometryType", number(f64::from(u8::from(stud))));
+        let found = touchpath::job::check(&job).into_iter().filter(|f| f.path == format!("cycle.{key}"));
+        found.map(|f| format!("{:?} {}", f.level, f.code)).collect()
+    };
+    let text = |text: &str| Value::Text(text.to_owned());
+    let place = |x: &str| Value::List(vec![text(x), number(0.0), number(-10.0)]);
+    let (refused, close, missed) = ("Error zone-beyond-clearance", "Warning zone-beyond-clearance", "Warning zone-beyond-dist");
+    for (value, stud, expected) in [
+        ("20+30+28", true, Some(refused)),
+        ("20+4+0", true, Some(close)),
+        ("20+3.9-3.9", true, None),
+        ("20-16.1+0", true, Some(missed)),
+        ("20-10-8", false, Some(refused)),
+        ("20+0-4", false, Some(close)),
+        ("20+0.1-3.9", false, None),
+        ("20+16.1-0", false, Some(missed)),
+        ("20-30-28", false, Some("Error out-of-range")),
+        ("20H7", false, None),
+    ] {
+        let found = says("diameter1", text(value), stud);
+        assert_eq!(found.first().map(String::as_str), expected, "{value} {stud}: {found:?}");
+    }
+    for (x, expected) in [("-30+20+18", Some(refused)), ("-30+2-2", Some(close)), ("-30+1.9-1.9", None)] {
+        let found = says("point1", place(x), false);
+        assert_eq!(found.first().map(String::as_str), expected, "{x}: {found:?}");
+    }
+}

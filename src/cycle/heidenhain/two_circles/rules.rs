@@ -19,6 +19,9 @@ impl TwoCircles {
                 && checker.sound(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
             {
                 self.room_rules(object, diameter, setup, checker);
+                if checker.sound(&[point, diameter, "cycle.setUpClearance", "cycle.probe"]) {
+                    self.zone_rules(object, [point, diameter], setup, checker);
+                }
             }
         }
         if form.angular_length == 0.0 {
@@ -121,6 +124,56 @@ impl TwoCircles {
         }
     }
 
+    /// From the start of a touch to the nominal wall of an object.
+    fn way(&self, object: &Object, setup: &Setup) -> f64 {
+        let own = self.stand_off(setup) - setup.radius;
+        if object.hole { own.min(object.nominal_diameter() / 2.0 - setup.radius) } else { own }
+    }
+
+    /// What a tolerance allows must not stand where the ball goes down, nor beyond the search: the path is planned for the nominal object.
+    fn zone_rules(&self, object: &Object, [point, diameter]: [&'static str; 2], setup: &Setup, checker: &mut Checker) {
+        let (number, way) = (object.number, self.way(object, setup));
+        if let Some((low, _)) = object.diameter.limits.filter(|(low, _)| *low <= 0.0) {
+            let message = text!("The lower limit of diameter {number} ({low}) must be above 0", number, checker.length(low));
+            return checker.error("out-of-range", diameter, message);
+        }
+        // How much nearer to the ball the wall is at a limit than the nominal one; of a place, on the side that it comes nearer to.
+        let nominal = object.nominal_diameter();
+        let nearer = |limit: f64| object.outward() * (nominal - limit) / 2.0;
+        let sizes = object.diameter.limits.map(|(low, high)| (diameter, [nearer(low), nearer(high)]));
+        let places = object.point[..2].iter().filter_map(|value| {
+            let ((low, high), nominal) = (value.limits?, value.nominal?);
+            let [a, b] = [low - nominal, high - nominal];
+            let least = if a <= 0.0 && b >= 0.0 { 0.0 } else { a.abs().min(b.abs()) };
+            Some((point, [least, a.abs().max(b.abs())]))
+        });
+        for (field, [a, b]) in sizes.into_iter().chain(places) {
+            let farthest = if field == point { a.max(b) } else { -a.min(b) };
+            if a.min(b) >= way {
+                let message = text!(
+                    "Every good part is in the way: within this tolerance object {number} stands where the ball goes down",
+                    number
+                );
+                checker.error("zone-beyond-clearance", field, message);
+            } else if a.max(b) >= way {
+                let message = text!(
+                    "A good part can be in the way: at the limits of this tolerance object {number} reaches to where the ball goes down. More \
+                     set-up clearance keeps the ball off it",
+                    number
+                );
+                checker.warning("zone-beyond-clearance", field, message);
+            } else if way + farthest > self.probe.dist {
+                let message = text!(
+                    "A good part can be missed: at the limits of this tolerance the way to object {number} is {way}, and DIST is {dist}",
+                    number,
+                    checker.length(way + farthest),
+                    checker.length(self.probe.dist)
+                );
+                checker.warning("zone-beyond-dist", field, message);
+            }
+        }
+    }
+
     /// Whether the ball fits, and whether a touch reaches the wall.
     fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
         let (number, diameter) = (object.number, object.nominal_diameter());
@@ -149,7 +202,7 @@ impl TwoCircles {
             );
             checker.warning("small-hole", diameter_path, message);
         }
-        let way = if small { reachable } else { self.stand_off(setup) - setup.radius };
+        let way = self.way(object, setup);
         if way + 0.01 > self.probe.dist {
             let message = text!(
                 "DIST ({dist}) must be longer than the way from the start of a touch to object {number} ({way}), or no touch reaches it",
