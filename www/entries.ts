@@ -54,15 +54,20 @@ export abstract class Entries extends Phrases {
   /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
   controlOf(post: unknown, form?: Form, from = this.draft): Draft {
     const control = { ...(from.control as Draft) };
-    const same = control.post === post;
     const forms = this.formsOf(post, this.cycle.type);
     if (form) control.form = form;
     else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
-    const word = this.offsetWord(control.post, control.workOffset);
+    return { ...control, workOffset: this.offsetOn(post, control), post };
+  }
+
+  /** The work offset that a job for one control has on another: the one of the same name, else none. */
+  protected offsetOn(post: unknown, control = this.draft.control as Draft): unknown {
+    const { workOffset } = control;
+    const word = this.offsetWord(control.post, workOffset);
     const words = this.postOf(post)?.workOffsetWords;
     // A number that no word is known for is the user's to put right.
-    if (words && word !== undefined && !same) control.workOffset = words.indexOf(word) + 1 || null;
-    return { ...control, post };
+    if (!words || word === undefined || control.post === post) return workOffset;
+    return words.indexOf(word) + 1 || null;
   }
 
   /** The entry of a field by its path in the job; none for what is no field of the catalog. */

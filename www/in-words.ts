@@ -33,11 +33,25 @@ export function moveInWords(store: Store, index: number, numbered = true): strin
   return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
 }
 
-/** The same where room is short: `touch 1 · X37 Y0 Z-10 · work`. */
+/** The number of a feed in the form; none is a rapid. */
+export function rateOf(store: Store, feed: Plan["moves"][number]["feed"]): number | null {
+  const { feeds, cycle } = store.shown as { feeds?: Draft; cycle?: { probe?: Draft } };
+  const value = store.cycle.ownFeeds ? cycle?.probe?.[feed === "work" ? "feed" : feed] : feeds?.[feed];
+  return typeof value === "number" ? value : null;
+}
+
+/** How fast a move is, as a program says it: `F150`, or rapid. */
+function speed(store: Store, feed: Plan["moves"][number]["feed"]): string {
+  const rate = rateOf(store, feed);
+  return rate === null ? store.say([FEEDS.rapid]) : `F${store.number(String(rate))}`;
+}
+
+/** The same where room is short: `touch 1 · contact X37 Y0 Z-10 · F150`. */
 export function moveInShort(store: Store, index: number): string {
   const move = store.plan.moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
-  return [store.say(what), place, store.say([FEEDS[move.feed]])].join(" · ");
+  const where = move.kind === "touch" ? store.t("contact {place}", place) : place;
+  return [store.say(what), where, speed(store, move.feed)].join(" · ");
 }
 
 /** Minutes and seconds. */

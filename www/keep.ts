@@ -14,10 +14,15 @@ let due: (() => Kept) | null = null;
 /** A state, and what of it is least missed. */
 type Kept = object & { left?: unknown };
 
-/** Keeps a state soon, and in any case before the page is left or hidden: `state` is asked for it then. */
-export function keepSoon(state: () => Kept): void {
+/** Called where the browser keeps nothing; once, since that is so for every change. */
+let refused: (() => void) | null = null;
+let toldRefused = false;
+
+/** Keeps a state soon, and in any case before the page is left or hidden: `state` is asked for it then, and `without` called where nothing is kept. */
+export function keepSoon(state: () => Kept, without: () => void): void {
   if (!due) setTimeout(write, WAIT);
   due = state;
+  refused = without;
   // Both do nothing the second time.
   addEventListener("pagehide", write);
   document.addEventListener("visibilitychange", write);
@@ -27,17 +32,22 @@ function write(): void {
   const state = due?.();
   due = null;
   if (!state) return;
+  let held = false;
   for (const [storage, key] of places()) {
     // Where there is no room for everything, the job itself is kept.
     for (const kept of [state, { ...state, left: undefined }]) {
       try {
         storage().setItem(key, JSON.stringify(kept));
+        held = true;
         break;
       } catch {
         // No storage, or a full one: without it the page works, but forgets.
       }
     }
   }
+  if (held || toldRefused) return;
+  toldRefused = true;
+  refused?.();
 }
 
 /** What was kept: this tab's own state first, then that of the last tab; what is there and cannot be read is `null`. */

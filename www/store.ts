@@ -206,11 +206,21 @@ export class Store extends Entries {
 
   /** Another control, and what of the job it has not. */
   chooseControl(post: unknown, form?: Form): void {
-    const { post: old, workOffset } = this.draft.control as Draft;
+    const old = this.draft.control as Draft;
+    if (post !== old.post) this.beforeControl = old;
     this.put("control", this.controlOf(post, form));
+    this.tellLost(old);
+  }
+
+  /** Says that a work offset is not written any more, where this control has none of that name. */
+  private tellLost({ post, workOffset }: Draft): void {
     if (typeof workOffset !== "number" || (this.draft.control as Draft).workOffset !== null) return;
-    const word = this.offsetWord(old, workOffset) ?? String(workOffset);
-    const said: Said = [w("This control has no {offset}: the program now writes no work offset"), word];
+    const word = this.offsetWord(post, workOffset) ?? String(workOffset);
+    this.tell([w("This control has no {offset}: the program now writes no work offset"), word]);
+  }
+
+  /** Says what was done beside what was asked for. */
+  private tell(said: Said): void {
     this.dispatchEvent(new CustomEvent("told", { detail: said }));
   }
 
@@ -251,18 +261,8 @@ export class Store extends Entries {
     this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: part.sizes as Draft });
     const back = this.left.get(type);
     const fresh = defaultJob(type) as unknown as Draft;
-    const home = (fresh.control as Draft).post;
-    const control = this.draft.control as Draft;
-    const forms = this.formsOf(control.post, type);
-    // The control stays if it takes the new cycle; its form follows.
-    this.draft.control = forms.length
-      ? { ...control, form: forms.includes(control.form as Form) ? control.form : forms[0] }
-      : {
-          ...control,
-          post: home,
-          form: (fresh.control as Draft).form,
-          workOffset: this.postOf(home)?.workOffsets ? control.workOffset : null,
-        };
+    const { post } = this.draft.control as Draft;
+    this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
     const [cycle, sizes] = formIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.sizes ?? {}, back?.units ?? "mm");
     this.draft.cycle = cycle;
@@ -273,7 +273,32 @@ export class Store extends Entries {
     this.pinned = null;
     this.highlight = null;
     this.changed();
+    const now = (this.draft.control as Draft).post;
+    const own = (fresh.control as Draft).post;
+    const title = (id: unknown) => this.postOf(id)?.title ?? String(id);
+    if (now !== post)
+      this.tell([w("{control} does not take this cycle: the program is now for {other}"), title(post), title(now)]);
+    else if (own !== now && this.formsOf(own, type).includes("cycle"))
+      this.tell([w("This is a cycle of {control}; the program for {other} makes its moves"), title(own), title(now)]);
   }
+
+  /** The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. */
+  private takeControl(type: string, usual: Draft): void {
+    const old = this.draft.control as Draft;
+    const takes =
+      [old, this.beforeControl, usual].find((one) => one && this.formsOf(one.post, type).length > 0) ?? usual;
+    const forms = this.formsOf(takes.post, type);
+    const form = forms.includes(takes.form as Form) ? takes.form : (forms[0] ?? takes.form);
+    if (takes.post === old.post) this.draft.control = { ...old, form };
+    else {
+      const workOffset = this.offsetOn(takes.post);
+      this.beforeControl = old;
+      this.draft.control = { ...old, post: takes.post, form, workOffset };
+    }
+  }
+
+  /** The control that the job was for before this one. */
+  private beforeControl: Draft | null = null;
 
   /** Other units: the values shown are converted, the geometry stays. */
   setUnits(units: Units): void {
@@ -343,33 +368,36 @@ export class Store extends Entries {
     this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
   }
 
-  /** What belongs to the machine, as a preset. */
+  /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
   preset(name: string): Preset {
-    const sections = Object.fromEntries(SECTIONS.map((section) => [section, structuredClone(this.draft[section])]));
+    const sections = structuredClone(Object.fromEntries(SECTIONS.map((section) => [section, this.draft[section]])));
+    delete (sections.control as Draft).workOffset;
     return { name, units: this.units, overtravel: this.draft.overtravel, sections };
   }
 
-  /** Takes what belongs to the machine from a preset, in this job's units. Throws `JobError`, and changes nothing, where it does not fit. */
-  usePreset({ units, overtravel, sections }: Preset): void {
+  /**
+   * Takes these sections of a preset, in this job's units; the work offset stays, if the control has it. Throws `JobError`, and changes nothing, where
+   * it does not fit.
+   */
+  usePreset(preset: Preset, parts: readonly string[] = [...SECTIONS, "overtravel"]): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
-    const held = this.units;
-    const job = {
-      ...structuredClone(this.draft),
-      ...sections,
-      ...(overtravel === undefined ? {} : { overtravel }),
-      units,
-    };
+    const { units: held, draft } = this;
+    const old = draft.control as Draft;
+    const all: Draft = { ...preset.sections, overtravel: preset.overtravel };
+    const taken = Object.fromEntries(Object.entries(all).filter(([key, x]) => parts.includes(key) && x !== undefined));
+    if (isObject(taken.control)) taken.control = { ...taken.control, workOffset: this.offsetOn(taken.control.post) };
+    const job = { ...structuredClone(draft), ...structuredClone(taken), units: preset.units };
     const problem = this.unusable(job);
     if (problem) throw this.refusal([w("Nothing was changed: this preset cannot be used: {problem}"), problem]);
     const whole = complete(job, this.catalog);
-    const taken = (units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
+    const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
-    for (const section of [...SECTIONS, "overtravel"])
-      if (section in sections || (section === "overtravel" && overtravel !== undefined)) {
-        this.draft[section] = structuredClone(taken[section]);
-        this.forget(section);
-      }
+    for (const key of Object.keys(taken)) {
+      draft[key] = structuredClone(fitted[key]);
+      this.forget(key);
+    }
     this.changed();
+    this.tellLost(old);
   }
 
   /** What is changed next is a step of its own. */
@@ -459,7 +487,10 @@ export class Store extends Entries {
 
   private keep(): void {
     if (!this.local) return;
-    keepSoon((): State => ({ draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] }));
+    keepSoon(
+      (): State => ({ draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] }),
+      () => this.tell([w("This browser keeps nothing: save the job as a file, or it is lost with this page")]),
+    );
   }
 
   private compute(): void {

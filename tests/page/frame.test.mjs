@@ -422,7 +422,7 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
 test("the timeline: play, pause, touch by touch, and the move in words with its place", async () => {
   const said = () => textOf(page.locator(".scrub output"));
   await page.getByRole("button", { name: "Next touch" }).click();
-  assert.match(await said(), /^touch 1 · X37 Y0 Z-10 · work$/);
+  assert.match(await said(), /^touch 1 · contact X37 Y0 Z-10 · F150$/);
   await page.getByRole("button", { name: "Next touch" }).click();
   assert.match(await said(), /touch 2/);
   await page.getByRole("button", { name: "Touch before" }).click();

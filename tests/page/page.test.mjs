@@ -108,7 +108,7 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).hover();
   assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
   assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
-  assert.match((await page.locator(".scrub output").textContent()) ?? "", /^touch 1 · X37 Y0 Z-10 · work$/);
+  assert.match((await page.locator(".scrub output").textContent()) ?? "", /^touch 1 · contact X37 Y0 Z-10 · F150$/);
   // A click keeps it lit; one beside the lines changes nothing.
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
   await page.locator("tp-program .step").nth(3).click();

@@ -2,6 +2,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Said } from "../core/browser.js";
 import type { PanelName, TouchPath } from "../element.js";
+import { isObject } from "../job.js";
 import { keepTheme, keptTheme } from "../keep.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
@@ -17,6 +18,8 @@ import { Language } from "./language.js";
 import { dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
 import { Outlet } from "./outlet.js";
 import { Part } from "./part.js";
+import type { PastePart } from "./paste.js";
+import "./paste.js";
 import type { PicturePart } from "./picture.js";
 import "./picture.js";
 import type { ProgramPart } from "./program.js";
@@ -67,6 +70,8 @@ const LATER: Record<string, () => Promise<unknown>> = {
 const MISSING: Said = [w("This part of the page could not be loaded: is there a network?")];
 
 const system = matchMedia("(prefers-color-scheme: dark)");
+/** Colours that the user has chosen for every page. */
+const forced = matchMedia("(forced-colors: active)");
 
 /** What the element is in. */
 interface Around {
@@ -82,8 +87,6 @@ export class App extends LitElement {
   private panel: Panel | null = null;
   private tool: Tool = "cycles";
   private viewed: Viewed | null = null;
-  /** Whether a text can be pasted in, and what is there of it. */
-  private pasting = false;
   /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
   private said: { text: Said; passing: boolean; at: number; foot: boolean } | null = null;
   /** Takes a newer version of the page, where there is one. */
@@ -189,9 +192,10 @@ export class App extends LitElement {
     this.store.addEventListener("change", this.forget);
     this.store.addEventListener("told", this.pass);
     this.around.host.addEventListener("update-ready", this.offer);
-    system.addEventListener("change", this.recolour);
+    for (const query of [system, forced]) query.addEventListener("change", this.recolour);
     if (!this.around.links) return;
     addEventListener("hashchange", intake.link);
+    addEventListener("popstate", this.went);
     intake.link();
   }
 
@@ -208,8 +212,9 @@ export class App extends LitElement {
     this.store.removeEventListener("change", this.forget);
     this.store.removeEventListener("told", this.pass);
     this.around.host.removeEventListener("update-ready", this.offer);
-    system.removeEventListener("change", this.recolour);
+    for (const query of [system, forced]) query.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
+    removeEventListener("popstate", this.went);
   }
 
   override render(): TemplateResult {
@@ -233,15 +238,6 @@ export class App extends LitElement {
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job is kept.")}</p>` : nothing}
       ${said && !said.foot ? html`<p class="note" role="status">${store.say(said.text)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
-      ${
-        this.pasting
-          ? html`<section class="paste" aria-label=${this.t("Paste")}>
-        <label for="paste">${this.t("A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job")}</label>
-        <textarea id="paste" rows="6" spellcheck="false"></textarea>
-        <div class="tools"><button type="button" @click=${this.readPasted}>${this.t("Read it")}</button><button type="button" @click=${() => this.paste(false)}>${this.t("Cancel")}</button></div>
-      </section>`
-          : nothing
-      }
       ${
         this.tool === "cycles"
           ? nothing
@@ -280,6 +276,7 @@ export class App extends LitElement {
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
+      <tp-paste .store=${store} .take=${this.intake.pasted} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
       </div>
     `;
   }
@@ -454,6 +451,27 @@ export class App extends LitElement {
   /** Counts what was asked for: what was asked for last is shown, whatever is loaded first. */
   private turns = 0;
 
+  /** How often the browser was sent back by the page itself. */
+  private backs = 0;
+
+  /** Back in the browser is back to the job: what takes its place is an entry of the history, on Touchpath's own page. */
+  private enter(tool: Tool): void {
+    if (!this.around.links || tool === this.tool) return;
+    const entered = isObject(history.state) && "touchpath" in history.state;
+    const state = { touchpath: tool };
+    if (tool === "cycles") {
+      if (!entered) return;
+      this.backs++;
+      history.back();
+    } else if (entered) history.replaceState(state, "");
+    else history.pushState(state, "");
+  }
+
+  private readonly went = (event: PopStateEvent): void => {
+    if (this.backs > 0) this.backs--;
+    else if (!isObject(event.state) || !("touchpath" in event.state)) this.use("cycles");
+  };
+
   private async use(tool: Tool): Promise<void> {
     const turn = ++this.turns;
     if ((await this.loads(tool)) && turn === this.turns) {
@@ -461,6 +479,7 @@ export class App extends LitElement {
       if (leaves) this.opener = this.querySelector<HTMLElement>(":focus");
       // What is said of an opened program belongs to its picture.
       if (this.tool === "viewer" && tool !== "viewer") this.tell(null);
+      this.enter(tool);
       this.tool = tool;
       this.requestUpdate();
       if (tool !== "cycles") return;
@@ -494,7 +513,11 @@ export class App extends LitElement {
       redo: () => store.redo(),
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
       open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
-      paste: () => this.paste(!this.pasting),
+      paste: () => {
+        // What is said from here on is of what is pasted.
+        this.tell(null);
+        this.renderRoot.querySelector<PastePart>("tp-paste")?.open();
+      },
       reset: () => {
         // The question names the cycle; nothing else of the frame follows the job, so a keystroke does not render it.
         this.requestUpdate();
@@ -532,19 +555,6 @@ export class App extends LitElement {
     this.newer = (event as CustomEvent<() => void>).detail;
     this.requestUpdate();
   };
-
-  private paste(open: boolean): void {
-    this.pasting = open;
-    this.requestUpdate();
-    if (open) this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>("#paste")?.focus());
-  }
-
-  /** What was pasted stays where it is until it could be read. */
-  private async readPasted(): Promise<void> {
-    const held = () => this.renderRoot.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
-    const text = held();
-    if ((await this.intake.text(text)) && held() === text) this.paste(false);
-  }
 
   /** `passing`: it is true of the job as it is now, and of no later one. */
   private tell(text: Said | null, passing = false, foot = passing): void {

@@ -45,7 +45,9 @@ export abstract class FieldPart extends Part {
       this.store.typed.get(path) ?? (typeof held === "number" ? this.store.number(String(held)) : String(held));
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const unit = this.unit(field);
-    return html`<span class=${`number ${this.level(path)}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
+    // Beside a box for null there is less room.
+    const crowded = unit !== "" && text.length + unit.length > (field.null === null ? 14 : 12);
+    return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
         aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text}
         @focus=${(e: Event) => {
           (e.target as HTMLInputElement).select();

@@ -1,4 +1,4 @@
-import { html, nothing, type TemplateResult } from "lit";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { deviations } from "../in-words.js";
 import { sizeField } from "../store.js";
@@ -50,7 +50,10 @@ class FormPart extends FieldPart {
     const groups = this.groups();
     return html`
       <nav class="chips" aria-label=${this.t("Parts of the form")}>${groups.map(
-        ([name]) => html`<button type="button" @click=${() => this.show(name)}
+        ([
+          name,
+          fields,
+        ]) => html`<button type="button" class=${this.gravest(fields) ?? nothing} data-group=${idOf(name)} @click=${() => this.show(name)}
           @focus=${(e: Event) => (e.target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" })}>${this.t(name)}</button>`,
       )}</nav>
       <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
@@ -58,6 +61,18 @@ class FormPart extends FieldPart {
         ${this.store.cycle.touches ? this.touches() : nothing}
       </form>
     `;
+  }
+
+  /** The cycle whose form is shown. */
+  private shown = "";
+
+  /** The form of another cycle is seen from its top. */
+  protected override updated(changed: PropertyValues): void {
+    super.updated(changed);
+    const { type } = this.store.cycle;
+    if (this.shown !== "" && this.shown !== type) this.scrollTop = 0;
+    this.shown = type;
+    this.mark();
   }
 
   /** Unfolds the group of a path; every group where none is named. */
@@ -111,10 +126,15 @@ class FormPart extends FieldPart {
 
   private group(name: string, fields: Placed[]): TemplateResult {
     const open = this.isOpen(name);
-    const level = ["error", "warning"].find((level) => fields.some(({ path }) => this.levels(path).includes(level)));
+    const level = this.gravest(fields);
     const body = html`${this.switch(name)}${fields.map((placed) => this.field(placed))}
             ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
     return this.folding(name, open, level, open ? "" : this.summary(name, fields), body);
+  }
+
+  /** The gravest level of what is said of some fields. */
+  private gravest(fields: Placed[]): string | undefined {
+    return ["error", "warning"].find((level) => fields.some(({ path }) => this.levels(path).includes(level)));
   }
 
   /** A group with its heading; folded, the heading says its values. */
@@ -151,9 +171,47 @@ class FormPart extends FieldPart {
     this.requestUpdate();
   }
 
+  /** The group that was gone to last, by its chip or by a field in it. */
+  private near = "";
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.addEventListener("scroll", this.mark, { passive: true });
+    this.addEventListener("focusin", this.mark);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.removeEventListener("scroll", this.mark);
+    this.removeEventListener("focusin", this.mark);
+  }
+
+  /** Marks the chip of the group that is looked at: the one that was gone to last as long as it is in sight, else the first one below the chips. */
+  private readonly mark = (event?: Event): void => {
+    const chips = this.querySelector<HTMLElement>(".chips");
+    if (!chips?.checkVisibility()) return;
+    const groups = [...this.querySelectorAll<HTMLElement>(".group")];
+    if (event?.type === "focusin") this.near = (event.target as HTMLElement).closest(".group")?.id ?? this.near;
+    const top = chips.getBoundingClientRect().bottom;
+    const end = this.getBoundingClientRect().bottom;
+    const seen = groups.filter((group) => {
+      const box = group.getBoundingClientRect();
+      return box.bottom > top + 8 && box.top < end - 8;
+    });
+    const now = seen.find((group) => group.id === this.near) ?? seen[0];
+    for (const chip of chips.querySelectorAll<HTMLElement>("button")) {
+      const is = chip.dataset.group === now?.id;
+      if (is === chip.hasAttribute("aria-current")) continue;
+      if (!is) chip.removeAttribute("aria-current");
+      else chip.setAttribute("aria-current", "true");
+      if (is) chips.scrollTo({ left: chip.offsetLeft - 40, behavior: "instant" });
+    }
+  };
+
   /** To a group, from a chip. */
   private async show(name: string): Promise<void> {
     this.opened.set(name, true);
+    this.near = idOf(name);
     this.requestUpdate();
     await this.updateComplete;
     this.querySelector(`#${idOf(name)}`)?.scrollIntoView({ block: "start" });
@@ -166,7 +224,10 @@ class FormPart extends FieldPart {
     const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : FIRST.has(path) ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
     // In German a noun has its capital anywhere.
-    const inside = (label: string) => (this.store.lang === "en" ? label.toLowerCase() : label);
+    const inside = (label: string) =>
+      this.store.lang === "en" && !/^.[A-Z]|[a-z][A-Z]/.test(label)
+        ? `${label.charAt(0).toLowerCase()}${label.slice(1)}`
+        : label;
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const words = sorted.flatMap(({ field, path }) => {
       const value =

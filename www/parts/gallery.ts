@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob, plan } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
@@ -28,6 +28,20 @@ function groupOf(cycle: CycleEntry): string {
   return WORDS.find(([word]) => word.test(cycle.type))?.[1] ?? "others";
 }
 
+/** What else people call what a cycle probes, by a part of its type. */
+const ALSO: [RegExp, string][] = [
+  [/internal-rectangle/, w("pocket")],
+  [/external-rectangle/, w("island block outside")],
+  [/hole/, w("bore inside diameter")],
+  [/boss/, w("stud pin shaft outside diameter")],
+  [/groove/, w("slot inside width")],
+  [/web/, w("rib ridge bar outside width")],
+  [/internal-corner/, w("inside corner")],
+  [/external-corner/, w("outside corner")],
+  [/circles/, w("two holes bores studs bolt circle alignment")],
+  [/surface/, w("face plane single point height")],
+];
+
 /** The touches of each cycle's default job. */
 const COUNTS = new Map<string, number>();
 
@@ -50,18 +64,22 @@ class GalleryPart extends Part {
   }
 
   override render(): TemplateResult {
-    const found = this.store.catalog.cycles.filter((cycle) => this.finds(cycle));
+    const last = Number.POSITIVE_INFINITY;
+    const all = [...this.store.catalog.cycles].sort((a, b) => (a.number ?? last) - (b.number ?? last));
+    const found = all.filter((cycle) => this.finds(cycle));
     return html`
       <div class="tools">
         <input class="filter" type="search" placeholder=${this.t("Search: name or type number")} aria-label=${this.t("Search the cycles")} .value=${this.query}
           @input=${(e: Event) => {
             this.query = (e.target as HTMLInputElement).value;
             this.requestUpdate();
-          }} />
+          }}
+          @keydown=${(e: KeyboardEvent) => e.key === "Enter" && found[0] && this.query.trim() !== "" && this.choose(found[0])} />
         <span role="status" class="told">${this.t("{count} of {all} cycles", found.length, this.store.catalog.cycles.length)}</span>
       </div>
-      ${GROUPS.map(([name, of]) => {
-        const cycles = this.store.catalog.cycles.filter((cycle) => groupOf(cycle) === of);
+      ${found.length === 0 ? html`<p>${this.t("No cycle is called so.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
+      <div class="groups">${GROUPS.map(([name, of]) => {
+        const cycles = all.filter((cycle) => groupOf(cycle) === of);
         const shown = cycles.filter((cycle) => found.includes(cycle)).length;
         return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h2>${this.t(name)}</h2>
         <ul class="cards">${cycles.map(
@@ -69,10 +87,10 @@ class GalleryPart extends Part {
           <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
             ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">${this.t("rows of the table, no motion")}</span>`}
             <b>${cycle.title}</b>
-            <small>${cycle.source}${this.touches(cycle)}</small>
+            ${[cycle.source, this.touches(cycle), this.own(cycle)].map((words) => (words ? html`<small>${words}</small>` : nothing))}
           </button></li>`,
         )}</ul></section>`;
-      })}
+      })}</div>
     `;
   }
 
@@ -87,12 +105,27 @@ class GalleryPart extends Part {
     if (steps.length === 0) return "";
     const known = COUNTS.get(type) ?? plan(defaultJob(type)).touches.length;
     COUNTS.set(type, known);
-    return ` · ${known === 1 ? this.t("1 touch") : this.t("{count} touches", known)}`;
+    return known === 1 ? this.t("1 touch") : this.t("{count} touches", known);
   }
 
-  /** A number is a type's; words must all be in the name or the source. */
+  /** The controls that have it as a cycle of their own; as plain moves most controls take every cycle. */
+  private own({ type }: CycleEntry): string {
+    const calls = this.store.catalog.posts.filter((post) =>
+      post.cycles.some((c) => c.type === type && c.form === "cycle" && c.supported),
+    );
+    return calls.length === 0 ? "" : this.t("own cycle of {control}", calls.map((post) => post.title).join(", "));
+  }
+
+  private readonly showAll = (): void => {
+    this.query = "";
+    this.requestUpdate();
+    this.querySelector<HTMLInputElement>("input")?.focus();
+  };
+
+  /** A number is a type's; words must all be in the name, the source, or what else it is called. */
   private finds(cycle: CycleEntry): boolean {
-    const text = `${cycle.title} ${cycle.source} ${cycle.type}`.toLowerCase();
+    const also = ALSO.filter(([of]) => of.test(cycle.type)).flatMap(([, words]) => [words, this.t(words)]);
+    const text = [cycle.title, cycle.source, cycle.type, ...also].join(" ").toLowerCase();
     const words = this.query.toLowerCase().split(/\s+/).filter(Boolean);
     return words.every((word) => (/^\d+$/.test(word) ? new RegExp(`\\b${word}\\b`).test(text) : text.includes(word)));
   }

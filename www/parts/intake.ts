@@ -51,7 +51,9 @@ export class Intake {
       `.${extension}`,
       `.${extension.toUpperCase()}`,
     ]);
-    return [...new Set([".json", ".txt", ".csv", ".i", ...programs, "application/json", "text/plain"])].join(",");
+    return [...new Set([".json", ".txt", ".csv", ".log", ".i", ...programs, "application/json", "text/plain"])].join(
+      ",",
+    );
   }
 
   /** A file too large for a job is not even read. */
@@ -135,6 +137,9 @@ export class Intake {
       return false;
     }
   }
+
+  /** Takes a text that was pasted in. */
+  readonly pasted = (text: string): Promise<boolean> => this.text(text);
 
   /** What is being read is of no use any more. */
   stop(): void {

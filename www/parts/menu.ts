@@ -58,14 +58,18 @@ export function menu(frame: Frame): TemplateResult {
     offered
       ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (away && OF_THE_JOB.has(what))} @click=${() => frame.choose(what)}>${name}</button>`
       : nothing;
+  const { withheld } = store;
+  const of = (what: string, name: string) =>
+    html`<button type="button" ?disabled=${away || withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} title=${withheld ?? nothing} @click=${() => frame.choose(what)}>${name}</button>`;
   const chosen = (event: Event) => (event.target as HTMLSelectElement).value;
   return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
       ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)} ${item("gallery", t("Choose the cycle from pictures"), !readonly, "on-tablet")}
-      ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("save-job", t("Save job"))} ${item("save-picture", t("Save the picture (SVG)"))}
-      ${item("share", t("Copy a link to this job"), links)} ${item("sheet", t("Setup sheet to print"))} ${item("presets", t("Presets"), local && !readonly)}
+      ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))}
+      ${item("share", t("Copy a link to this job"), links)} ${of("sheet", t("Setup sheet to print"))} ${item("presets", t("Presets"), local && !readonly)}
       ${item("lengths", t("Tool lengths"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
       <label>${t("Language")} <select id="lang" @change=${(e: Event) => frame.chooseLanguage(chosen(e))}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === store.lang}>${name}</option>`)}</select></label>
       <label>${t("Colours")} <select id="theme" @change=${(e: Event) => frame.chooseTheme(chosen(e) as Theme)}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === frame.theme}>${t(THEME_NAMES[theme])}</option>`)}</select></label>
+      ${links ? html`<small>${t("Nothing leaves this browser")}</small>` : nothing}
       <small>Touchpath ${version()} · <a href=${new URL("./licences.txt", document.baseURI).href} ?hidden=${!links}>${t("Licences")}</a></small>
     </div>`;
 }

@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { Vec3, View } from "../core/browser.js";
-import { deviations } from "../in-words.js";
+import type { Plan, Vec3, View } from "../core/browser.js";
+import { deviations, rateOf } from "../in-words.js";
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
@@ -53,6 +53,8 @@ class PicturePart extends DrawnPart {
     () => this.requestUpdate(),
   );
   private magnified: (typeof MAGNIFIED)[number] = 1;
+  /** Whether the picture is to be fitted: deviations are drawn larger, or smaller, than before. */
+  private refit = false;
 
   /**
    * The field whose dimension is lit: that which is dragged, though the picture has the focus then. The last good plan has other dimensions than
@@ -75,6 +77,8 @@ class PicturePart extends DrawnPart {
 
   override render(): TemplateResult {
     const { stale, blank } = this.store;
+    const moves = this.store.plan.moves.length;
+    const still = moves === 0 && !stale;
     return html`
       ${this.tools(this.t("Picture"))}
       <div class=${!stale || this.live ? "canvas" : blank ? "canvas blank" : "canvas stale"}>
@@ -85,14 +89,34 @@ class PicturePart extends DrawnPart {
         <canvas class="over" aria-hidden="true"></canvas>
         <div class="stamps">
         ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : nothing}
-        ${this.deviates()}
+        ${still ? html`<p class="stamp idle">${this.t("This cycle moves nothing: it is rows of the table")}</p>` : this.deviates()}
         </div>
       </div>
-      <ul class="key" aria-label=${this.t("Kinds of lines")}>
-        ${kind("touch", this.t("touch"))}${kind("link", this.t("link, back"))}${kind("position", this.t("positioning"))}${kind("rapid", this.t("rapid"))}${kind("ghost", this.t("overtravel"))}${kind("actual", this.t("virtual part"))}${this.store.measured.trim() === "" ? nothing : html`<li class="points">${this.t("measured")}</li>`}
-      </ul>
-      ${this.timeline.render()}
+      ${moves === 0 ? nothing : html`<ul class="key" aria-label=${this.t("Kinds of lines")}>${this.kinds()}</ul>`}
+      ${still ? nothing : this.timeline.render()}
     `;
+  }
+
+  /** The kinds of lines that are in the picture. */
+  private kinds(): TemplateResult[] {
+    const { store } = this;
+    const { moves } = store.plan;
+    const has = (is: (move: Plan["moves"][number]) => boolean) => moves.some(is);
+    const isRapid = (move: Plan["moves"][number]) => move.kind !== "touch" && rateOf(store, move.feed) === null;
+    const links = ({ feed }: Plan["moves"][number]) => feed === "longLink" || feed === "work";
+    const goes = (as: (move: Plan["moves"][number]) => boolean) =>
+      has((m) => m.kind !== "touch" && !isRapid(m) && as(m));
+    const touches = moves.some((m) => m.kind === "touch");
+    const kinds: [boolean, TemplateResult][] = [
+      [touches, kind("touch", this.t("touch"))],
+      [goes(links), kind("link", this.t("link, back"))],
+      [goes((m) => !links(m)), kind("position", this.t("positioning"))],
+      [has(isRapid), kind("rapid", this.t("rapid"))],
+      [touches, kind("ghost", this.t("overtravel"))],
+      [deviations(store).length > 0, kind("actual", this.t("virtual part"))],
+      [store.measured.trim() !== "", html`<li class="points">${this.t("measured")}</li>`],
+    ];
+    return kinds.flatMap(([is, line]) => (is ? [line] : []));
   }
 
   override disconnectedCallback(): void {
@@ -122,13 +146,17 @@ class PicturePart extends DrawnPart {
       this.observer.observe(canvas);
     }
     // A nominal part has nothing to draw larger, and its handle is there again.
-    if (!this.grip && (deviations(this.store).length === 0 || !this.offered.includes(this.magnified)))
+    if (!this.grip && (deviations(this.store).length === 0 || !this.offered.includes(this.magnified))) {
+      this.refit ||= this.magnified !== 1;
       this.magnified = 1;
+    }
     const now = `${revision} ${this.store.lang}`;
     const anew = this.drawn !== now;
     const before = this.live;
     if (anew) this.timeline.pause();
     this.drawing?.use((view) => {
+      // Before the fit: what is drawn larger takes more room.
+      view.magnify(this.magnified);
       if (anew) {
         label(view, this.store);
         // A job that ends in a collision, or that the control cannot do, has a path to show, though it has no program.
@@ -138,8 +166,9 @@ class PicturePart extends DrawnPart {
       }
       view.focus(this.lit);
       view.measure(this.store.measured);
-      view.magnify(this.magnified);
+      if (this.refit) view.fit();
     });
+    this.refit = false;
     this.drawn = now;
     this.timeline.mark();
     this.light();
@@ -162,7 +191,7 @@ class PicturePart extends DrawnPart {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
     return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
-      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>×${this.magnified}</button>` : nothing}</p>`;
+      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}</p>`;
   }
 
   /** The move that is pointed at: in the picture, on the timeline and in words. */
@@ -192,6 +221,7 @@ class PicturePart extends DrawnPart {
     const { offered } = this;
     const next = offered[(offered.indexOf(this.magnified) + 1) % offered.length];
     this.magnified = next as (typeof MAGNIFIED)[number];
+    this.refit = true;
     this.requestUpdate();
   };
 
@@ -398,7 +428,7 @@ class PicturePart extends DrawnPart {
     if (!lie) return;
     for (const i of [0, 1, 2]) store.typed.delete(`part.offset[${i}]`);
     store.typed.delete("part.rotation");
-    store.set("part", { ...(store.get("part") as object), ...lie });
+    store.set("part", { ...(store.get("part") as object), ...lie, rotation: tidy(lie.rotation) });
   }
 
   private up(event: PointerEvent): void {

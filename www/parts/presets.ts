@@ -1,24 +1,44 @@
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { JobError } from "../core/browser.js";
 import { added, keepPresets, MOST, type Preset, presets, read, written } from "../presets.js";
+import { w } from "../words.js";
 import { download } from "./hand.js";
 import { Part } from "./part.js";
+
+/** What of a preset can be taken by itself, and the sections that it is. */
+const PARTS: Record<string, [string, string[]]> = {
+  stylus: [w("Stylus and overtravel"), ["stylus", "overtravel"]],
+  feeds: [w("Feeds"), ["feeds"]],
+  control: [w("Control and tool"), ["control", "tool"]],
+};
 
 /** Named presets of stylus, feeds and control: kept, used, taken along as a file. */
 class PresetsPart extends Part {
   protected override follows: string[] = [];
   private list: Preset[] = presets() ?? [];
   private told = "";
+  /** The list before what was done last, where that can be taken back. */
+  private earlier: Preset[] | null = null;
+  /** What of a preset is taken. */
+  private readonly parts = new Set(Object.keys(PARTS));
 
   override render(): TemplateResult {
     return html`
-      <p id="presets-help">${this.t("A preset holds stylus, overtravel, feeds, control and tool: what belongs to a machine. The cycle and the part stay as they are. Presets are kept in this browser.")}</p>
+      <p id="presets-help">${this.t("A preset holds stylus, overtravel, feeds, control and tool: what belongs to a machine. The cycle, the part and the work offset stay as they are. Presets are kept in this browser.")}</p>
       <div class="tools">
         <input class="filter" id="preset-name" type="text" aria-label=${this.t("Name of the preset")} placeholder=${this.t("Name, such as Mill 2, ball 6")} maxlength="80"
           @keydown=${(e: KeyboardEvent) => e.key === "Enter" && this.keep()} />
         <button type="button" @click=${() => this.keep()}>${this.t("Keep the present values")}</button>
       </div>
-      <p role="status" class="told">${this.told}</p>
+      <p class="told"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
+      ${
+        this.list.length > 0
+          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a preset")}>${Object.entries(PARTS).map(
+              ([part, [name]]) =>
+                html`<label class="check"><input type="checkbox" .checked=${this.parts.has(part)} @change=${() => this.choose(part)} /> ${this.t(name)}</label>`,
+            )}</fieldset>`
+          : nothing
+      }
       <ul class="found">${this.list.map(
         (preset) => html`<li class="row"><b class="gap">${preset.name}</b>
           <button type="button" aria-label=${this.t("Use {name}", preset.name)} @click=${() => this.use(preset)}>${this.t("Use")}</button>
@@ -35,12 +55,29 @@ class PresetsPart extends Part {
     const box = this.querySelector<HTMLInputElement>("#preset-name");
     const name = box?.value.trim() ?? "";
     if (name === "") this.tell(this.t("A preset needs a name"));
-    else if (this.put((list) => added(list, this.store.preset(name)))) this.tell(this.t("Kept “{name}”", name));
+    else {
+      const replaced = this.list.some((one) => one.name === name);
+      const done = this.put((list) => added(list, this.store.preset(name)), replaced);
+      if (done) this.tell(replaced ? this.t("Replaced “{name}”", name) : this.t("Kept “{name}”", name));
+    }
   }
+
+  private choose(part: string): void {
+    if (!this.parts.delete(part)) this.parts.add(part);
+    this.requestUpdate();
+  }
+
+  /** The list as it was before what was done last. */
+  private readonly takeBack = (): void => {
+    const { earlier } = this;
+    if (earlier && this.put(() => earlier)) this.tell("");
+  };
 
   private use(preset: Preset): void {
     try {
-      this.store.usePreset(preset);
+      const sections = Object.entries(PARTS).flatMap(([part, [, names]]) => (this.parts.has(part) ? names : []));
+      this.store.usePreset(preset, sections);
+      this.earlier = null;
       this.tell(this.t("“{name}” is used. Undo brings back what was there.", preset.name));
     } catch (thrown) {
       this.tell(thrown instanceof JobError ? this.store.why(thrown) : this.t("This preset cannot be used"));
@@ -48,7 +85,7 @@ class PresetsPart extends Part {
   }
 
   private forget(preset: Preset): void {
-    if (this.put((list) => list.filter((one) => one.name !== preset.name)))
+    if (this.put((list) => list.filter((one) => one.name !== preset.name), true))
       this.tell(this.t("Forgot “{name}”", preset.name));
   }
 
@@ -61,13 +98,14 @@ class PresetsPart extends Part {
     const text = file.size > this.store.longest ? "" : await file.text().catch(() => "");
     const found = read(text);
     if (!found) this.tell(this.t("Nothing was changed: this file holds no presets that can be read here"));
-    else if (this.put((list) => found.reduce(added, list)))
+    else if (this.put((list) => found.reduce(added, list), true))
       this.tell(this.t("{count} presets were read", found.length));
   };
 
-  /** Changes the list as it is kept now: another tab may have changed it. */
-  private put(change: (list: Preset[]) => Preset[]): boolean {
-    const list = change(presets() ?? this.list);
+  /** Changes the list as it is kept now: another tab may have changed it. `loses`: what was there goes, and can be taken back. */
+  private put(change: (list: Preset[]) => Preset[], loses = false): boolean {
+    const old = presets() ?? this.list;
+    const list = change(old);
     if (list.length > MOST) {
       this.tell(
         this.t("Nothing was changed: at most {most} presets are kept, and these would be {count}", MOST, list.length),
@@ -75,6 +113,7 @@ class PresetsPart extends Part {
       return false;
     }
     this.list = list;
+    this.earlier = loses ? old : null;
     if (keepPresets(list)) return true;
     this.tell(this.t("This browser keeps nothing: the presets are there until the page is left"));
     return false;

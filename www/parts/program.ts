@@ -22,6 +22,9 @@ const NAMED = /^(?:TP_MOVE|#149)=(\d+)$/;
 /** A line that is a comment, or begins a Klartext program. */
 const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 
+/** How long it is said that a program was saved or copied, in milliseconds: the words stand where those of a search do. */
+const TOLD = 8000;
+
 /** The block of a cycle that makes its moves by itself. */
 const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE 1411 /;
 
@@ -232,10 +235,19 @@ class ProgramPart extends Part {
     const { highlight, plan } = this.store;
     const line = highlight === null ? -1 : this.lineOf(highlight);
     const step = highlight === null ? 0 : (plan.moves[highlight]?.step ?? 0);
-    for (const old of this.querySelectorAll("[aria-selected=true]")) old.setAttribute("aria-selected", "false");
+    for (const old of this.querySelectorAll("[aria-selected=true]")) {
+      old.setAttribute("aria-selected", "false");
+      old.removeAttribute("id");
+    }
     for (const old of this.querySelectorAll(".step.lit")) old.classList.remove("lit");
     const lit = this.lineAt(line) as HTMLElement | null;
     lit?.setAttribute("aria-selected", "true");
+    const list = this.querySelector(".code[role=listbox]");
+    // A screen reader says the line that is lit.
+    if (lit) {
+      lit.id = "lit-line";
+      list?.setAttribute("aria-activedescendant", lit.id);
+    } else list?.removeAttribute("aria-activedescendant");
     for (const heading of this.querySelectorAll(`[data-step="${step}"]`)) heading.classList.add("lit");
     if (this.matches(":hover") || this.comparing) return;
     const box = this.querySelector<HTMLElement>(".code");
@@ -305,7 +317,14 @@ class ProgramPart extends Part {
     this.told = text;
     this.toldOf = this.store.plan.program.text;
     this.requestUpdate();
+    clearTimeout(this.untell);
+    this.untell = setTimeout(() => {
+      this.told = "";
+      this.requestUpdate();
+    }, TOLD);
   }
+
+  private untell?: ReturnType<typeof setTimeout>;
 }
 
 export type { ProgramPart };

@@ -38,7 +38,7 @@ class ResultsPart extends Part {
     const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
-      <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}</div>
+      <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}
       <details class="triggers">
         <summary>${this.t("Trigger points of the ball centre")}</summary>
         <table>
@@ -49,7 +49,7 @@ class ResultsPart extends Part {
       <details class="moves" @toggle=${this.toggle}>
         <summary>${this.t("All moves in words")}</summary>
         ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${moveInWords(this.store, i, false)}</li>`)}</ol>` : nothing}
-      </details>
+      </details></div>
       <details class="measured" ?open=${live(this.points)} @toggle=${(e: Event) => {
         this.points = (e.target as HTMLDetailsElement).open;
       }}>
@@ -59,7 +59,7 @@ class ResultsPart extends Part {
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
           }}></textarea>
-        <button type="button" @click=${this.fill}>${this.t("Fill in the points shown")}</button>
+        <button type="button" ?disabled=${stale} @click=${this.fill}>${this.t("Fill in the points shown")}</button>
         ${"errors" in measured ? html`<div role="status">${measured.errors.map((f: Finding) => html`<p class="problem error">${this.message(f)}</p>`)}</div>` : nothing}
       </details>
     `;
@@ -110,9 +110,18 @@ class ResultsPart extends Part {
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
   }
 
-  /** As the form names it, where that has the same. */
+  /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
   private nameOf(r: ResultRow): string {
-    return this.store.cycle.fields.find((f) => f.key === r.code)?.label ?? resultInWords(this.store, r);
+    const field = r.code === "rotation" ? undefined : this.store.cycle.fields.find((f) => f.key === r.code);
+    return field?.label ?? resultInWords(this.store, r);
+  }
+
+  /** The nominal value; with the middle of the tolerance, where deviations are from there. */
+  private nominal({ nominal, limits, unit }: ResultRow): TemplateResult {
+    const digits = places(unit);
+    const middle = limits && (limits[0] + limits[1]) / 2;
+    const off = middle !== null && nominal !== null && Math.abs(middle - nominal) > 1e-9;
+    return html`${this.number(nominal, digits)}${off ? html`<br /><small>${this.t("middle {value}", this.number(middle, digits + 1))}</small>` : nothing}`;
   }
 
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
@@ -135,12 +144,12 @@ class ResultsPart extends Part {
       html`<b>${this.number(row?.value ?? null, digits)}</b> <small>${this.signed(row?.deviation ?? null, digits)}</small>${verdict(row)}`;
     if (measured)
       return html`<tr>${name}
-      <td class="n">${this.number(r.nominal, digits)}</td>
+      <td class="n">${this.nominal(r)}</td>
       <td class="n both">${of(r)}</td>
       <td class="n">${this.number(spread, digits + 1)}</td>
       <td class="n both own">${of(own)}</td></tr>${this.bar(own ?? r)}`;
     return html`<tr>${name}
-      <td class="n">${this.number(r.nominal, digits)}</td>
+      <td class="n">${this.nominal(r)}</td>
       <td class="n"><b>${this.number(r.value, digits)}</b></td>
       <td class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
       <td class="n">${this.number(spread, digits + 1)}</td>

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, View } from "../core/browser.js";
-import { resultInWords } from "../in-words.js";
+import { deviations, resultInWords } from "../in-words.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";
@@ -41,7 +41,9 @@ class SheetPart extends Part {
     const offset = this.store.get("control.workOffset");
     const writes = typeof offset === "number" ? this.store.writes(offset) : this.t("measures only, writes no offset");
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
-    const number = (x: number | null) => (x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3)));
+    const number = (x: number | null) =>
+      x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3).replace(/^-(0\.0*)$/, "$1"));
+    const off = deviations(this.store);
     const feeds = job.feeds as Record<string, number | null>;
     const stylus = job.stylus as Record<string, unknown>;
     return html`
@@ -51,6 +53,7 @@ class SheetPart extends Part {
       <article aria-label=${this.t("Setup sheet")}>
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
         <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
+        ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
         <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
           <div>
             <canvas role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>

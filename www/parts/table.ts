@@ -79,9 +79,18 @@ class TablePart extends Part {
   protected override light(): void {
     const { highlight, plan } = this.store;
     const touch = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
-    for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]"))
-      row.classList.toggle("lit", touch !== null && row.dataset.touch === String(touch));
+    let first: HTMLElement | null = null;
+    for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]")) {
+      const is = touch !== null && row.dataset.touch === String(touch);
+      row.classList.toggle("lit", is);
+      if (is) first ??= row;
+    }
+    if (touch !== this.seen && !this.matches(":hover")) first?.scrollIntoView({ block: "nearest" });
+    this.seen = touch;
   }
+
+  /** The touch whose rows were brought into sight last. */
+  private seen: number | null = null;
 
   /** What a parameter means; in another language than English the words of its field say it. */
   private meaning(row: ParameterRow): string {

@@ -1,0 +1,328 @@
+// What a setter does every day: cycles and controls changed, presets, pictures, phones, other people's devices.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { boxOf, chooseUnits, field, held, more, open, page, put, ready, setUp, textOf, unfold } from "./common.mjs";
+
+setUp();
+
+const dialog = () => page.getByRole("dialog", { name: "Presets" });
+const keep = async (/** @type {string} */ name) => {
+  await dialog().getByLabel("Name of the preset").fill(name);
+  await dialog().getByRole("button", { name: "Keep the present values" }).click();
+};
+
+test("a preset changed which work offset is written; and what it holds can be taken by parts", async () => {
+  await field("control.workOffset").selectOption("3");
+  await field("stylus.diameter").fill("4");
+  await field("feeds.work").fill("90");
+  await more("Presets");
+  await keep("A");
+  await page.keyboard.press("Escape");
+  await field("control.workOffset").selectOption("");
+  await field("stylus.diameter").fill("6");
+  await field("feeds.work").fill("150");
+  await more("Presets");
+  await dialog().getByRole("checkbox", { name: "Feeds" }).uncheck();
+  await dialog().getByRole("button", { name: "Use A" }).click();
+  const now = [await held("control.workOffset"), await held("stylus.diameter"), await held("feeds.work")];
+  assert.deepEqual(now, [null, 4, 150]);
+});
+
+test("a preset of the same name gave way without a word, and a forgotten one was gone", async () => {
+  await more("Presets");
+  await keep("A");
+  await put("stylus.diameter", 2);
+  await keep("A");
+  const said = () => textOf(dialog().getByRole("status"));
+  assert.equal(await said(), "Replaced “A”");
+  await dialog().getByRole("button", { name: "Undo" }).click();
+  await dialog().getByRole("button", { name: "Use A" }).click();
+  assert.equal(await held("stylus.diameter"), 6, "the first one is back");
+  await dialog().getByRole("button", { name: "Forget A" }).click();
+  assert.equal(await dialog().getByRole("button", { name: "Use A" }).count(), 0);
+  await dialog().getByRole("button", { name: "Undo" }).click();
+  await dialog().getByRole("button", { name: "Use A" }).waitFor();
+});
+
+test("a cycle that its control does not take goes back to the control before it, and says so", async () => {
+  await field("control.post").selectOption("sinumerik");
+  await field("cycle.type").selectOption("probing-two-circles");
+  await page.getByText("This is a cycle of HEIDENHAIN TNC7 (Klartext); the program for SINUMERIK").waitFor();
+  await field("control.post").selectOption("heidenhain");
+  await field("cycle.type").selectOption("hole");
+  assert.equal(await held("control.post"), "sinumerik");
+  await page
+    .getByText("HEIDENHAIN TNC7 (Klartext) does not take this cycle: the program is now for SINUMERIK")
+    .waitFor();
+});
+
+test("the form of another cycle began where the one before was scrolled to", async () => {
+  await page.locator("tp-form").evaluate((form) => form.scrollTo(0, 400));
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.locator("[data-type=surface]").click();
+  await page.locator("tp-gallery").waitFor({ state: "detached" });
+  assert.equal(await page.locator("tp-form").evaluate((form) => form.scrollTop), 0);
+});
+
+test("cycles are found by what people call them, in their language, and Enter takes the first", async () => {
+  await page.getByRole("button", { name: "Gallery" }).click();
+  const search = page.locator("tp-gallery input");
+  const found = () =>
+    page.locator("tp-gallery [data-type]:visible").evaluateAll((all) => all.map((one) => one.dataset.type));
+  for (const [words, type] of /** @type {[string, string][]} */ ([
+    ["pocket", "internal-rectangle"],
+    ["bore", "hole"],
+    ["slot", "groove"],
+    ["stud", "boss"],
+    ["outside corner", "double-wall-external-corner"],
+  ])) {
+    await search.fill(words);
+    assert.ok((await found()).includes(type), `${words}: ${await found()}`);
+  }
+  await search.fill("nothing at all");
+  await page.getByRole("button", { name: "Show all" }).click();
+  assert.equal((await found()).length, 18);
+  await search.fill("web");
+  await search.press("Enter");
+  await page.locator("tp-gallery").waitFor({ state: "detached" });
+  assert.equal(await held("cycle.type"), "web");
+  await open({ viewport: { width: 1280, height: 800 }, locale: "de-DE" });
+  await page.getByRole("button", { name: "Galerie" }).click();
+  await search.fill("Tasche");
+  assert.deepEqual(await found(), ["internal-rectangle", "internal-rectangle-protected"]);
+});
+
+test("back in the browser left the page where the gallery stood", async () => {
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.locator("tp-gallery").waitFor();
+  await page.goBack();
+  await page.locator("tp-gallery").waitFor({ state: "detached" });
+  await page.locator("tp-picture canvas").first().waitFor();
+  // The page's own way back leaves nothing to go back to.
+  await more("Tool lengths");
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  await page.waitForFunction(() => !history.state);
+  await more("Setup sheet to print");
+  await page.locator("tp-sheet").waitFor();
+  await page.goBack();
+  await page.locator("tp-sheet").waitFor({ state: "detached" });
+});
+
+test("a browser that keeps nothing is said, once", async () => {
+  await page.addInitScript(() => {
+    Storage.prototype.setItem = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+  });
+  await page.reload();
+  await ready();
+  await field("cycle.width1").fill("70");
+  const said = page.locator("tp-findings .note", { hasText: "This browser keeps nothing" });
+  await said.waitFor();
+  await field("cycle.width1").fill("71");
+  await said.waitFor({ state: "detached" });
+  await page.waitForTimeout(150);
+  assert.equal(await said.count(), 0);
+});
+
+test("with an error the menu offered a sheet that did not come, and points of the part before were filled in", async () => {
+  await put("cycle.depth", -1);
+  await page.getByRole("button", { name: "More" }).click();
+  for (const name of ["Setup sheet to print", "Save the picture (SVG)"]) {
+    const item = page.locator("#menu").getByRole("button", { name });
+    assert.equal(await item.isDisabled(), true);
+    assert.match((await item.getAttribute("title")) ?? "", /Depth/);
+  }
+  await page.keyboard.press("Escape");
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("Points that a machine measured").click();
+  assert.equal(await page.getByRole("button", { name: "Fill in the points shown" }).isDisabled(), true);
+  const pale = await page.locator("tp-results .triggers").evaluate((box) => box.closest(".stale") !== null);
+  assert.equal(pale, true);
+});
+
+test("the sheet prints what the virtual part gives, and says so; it is paper in a dark page, too", async () => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await put("part.offset[0]", 0.3);
+  await page.getByRole("button", { name: "Setup sheet" }).click();
+  const said = page.locator("tp-sheet .warning", { hasText: "virtual part" });
+  assert.match(await textOf(said), /X \+0\.3/);
+  const ink = await page.locator("tp-sheet canvas").evaluate((canvas) => {
+    const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
+    return [...(pen?.getImageData(2, 2, 1, 1).data ?? [])];
+  });
+  assert.deepEqual(ink.slice(0, 3), [255, 255, 255]);
+});
+
+test("a screen reader hears the line that the arrow keys light", async () => {
+  const list = page.getByRole("listbox", { name: "Program" });
+  await list.focus();
+  await page.keyboard.press("ArrowDown");
+  const id = await list.getAttribute("aria-activedescendant");
+  const lit = page.locator(`[id="${id}"]`);
+  assert.equal(await lit.getAttribute("aria-selected"), "true");
+  assert.match(await textOf(lit), /G38\.3|call/);
+  await page.keyboard.press("Escape");
+  assert.equal(await list.getAttribute("aria-activedescendant"), null);
+});
+
+test("the parameters of a touch are brought into sight", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  for (const _ of [1, 2, 3]) await page.getByRole("button", { name: "Next touch" }).click();
+  const row = page.locator("tp-table tr.lit").first();
+  const [seen, box] = [await boxOf(row), await boxOf(page.locator("tp-table .scroll"))];
+  assert.ok(seen.y >= box.y - 1 && seen.y + seen.height <= box.y + box.height + 1, "the first row of touch 3");
+});
+
+test("the legend names the lines that are there, and a cycle without motion has no timeline", async () => {
+  const kinds = () => page.locator(".key li").allTextContents();
+  assert.deepEqual(await kinds(), ["touch", "link, back", "positioning", "overtravel"]);
+  await put("feeds.approach", null);
+  await put("part.offset[0]", 0.2);
+  assert.deepEqual(await kinds(), ["touch", "link, back", "positioning", "rapid", "overtravel", "virtual part"]);
+  await field("cycle.type").selectOption("nc-action");
+  await page.getByText("This cycle moves nothing").waitFor();
+  assert.deepEqual([await page.locator(".key li").count(), await page.locator(".scrub").count()], [0, 0]);
+});
+
+test("a deviation that is drawn larger, and one that is not any more, are in the picture", async () => {
+  const far = () =>
+    page.evaluate(() => {
+      const canvas = /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector(
+        "tp-picture canvas",
+      );
+      const { width, height } = canvas;
+      const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+      // The outline of the virtual part, by its colour: how far apart it reaches across the picture.
+      let [least, most] = [width, 0];
+      for (let i = 0; i < data.length; i += 4)
+        if (Math.abs(data[i] - 180) < 12 && Math.abs(data[i + 1] - 83) < 12 && data[i + 2] < 30) {
+          const x = (i / 4) % width;
+          [least, most] = [Math.min(least, x), Math.max(most, x)];
+        }
+      return [least / width, most / width];
+    });
+  await put("part.offset[0]", 0.2);
+  for (const _ of [1, 2]) await page.getByRole("button", { name: /Deviations are drawn/ }).click();
+  await page.getByRole("button", { name: "Deviations are drawn 100 times as large" }).waitFor();
+  await page.waitForTimeout(100);
+  const [left, right] = await far();
+  assert.ok((left ?? 0) > 0.02 && (right ?? 1) < 0.98, `${left} ${right}`);
+  await put("part.offset[0]", 12);
+  await page.waitForTimeout(100);
+  const [from, to] = await far();
+  assert.ok((to ?? 0) - (from ?? 0) > 0.4, `not a speck: ${from} ${to}`);
+});
+
+test("a long number in inch was printed over its unit", async () => {
+  for (const [width, hasTouch] of /** @type {[number, boolean][]} */ ([
+    [390, true],
+    [1024, true],
+    [1280, false],
+  ])) {
+    await open({ viewport: { width, height: 844 }, hasTouch, isMobile: hasTouch && width < 600 });
+    await chooseUnits("inch");
+    await unfold();
+    const over = await page.locator("tp-form .number").evaluateAll((boxes) => {
+      const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
+      return boxes.flatMap((box) => {
+        const input = box.querySelector("input");
+        const unit = box.querySelector(".unit");
+        if (!input || !unit || getComputedStyle(unit).opacity === "0") return [];
+        const style = getComputedStyle(input);
+        pen.font = style.font;
+        const end =
+          input.getBoundingClientRect().left +
+          Number.parseFloat(style.paddingLeft) +
+          pen.measureText(input.value).width;
+        return end > unit.getBoundingClientRect().left + 1 ? [`${input.id} ${input.value}`] : [];
+      });
+    });
+    assert.deepEqual(over, [], `${width}`);
+  }
+});
+
+test("on a phone the chip of the group that is looked at stands out, and one with an error, too", async () => {
+  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const now = () => page.locator(".chips [aria-current]").allTextContents();
+  assert.deepEqual(await now(), ["Place"]);
+  await page.locator(".chips").getByRole("button", { name: "Feeds" }).click();
+  await page.waitForFunction(() => {
+    const root = document.querySelector("touch-path")?.shadowRoot;
+    return root?.querySelector(".chips [aria-current]")?.textContent === "Feeds";
+  });
+  await put("cycle.depth", -1);
+  assert.deepEqual(await page.locator(".chips .error").allTextContents(), ["Size"]);
+});
+
+for (const [width, height] of /** @type {[number, number][]} */ ([
+  [390, 844],
+  [1024, 768],
+]))
+  test(`where fingers point, targets are 44 px and texts can be read: ${width}`, async () => {
+    await open({ viewport: { width, height }, hasTouch: true, isMobile: true });
+    const faults = [];
+    for (const tab of ["Setup", "Program", "Parameters", "Results", "Checks"]) {
+      await page.getByRole("tab", { name: tab }).click();
+      await page.waitForTimeout(60);
+      faults.push(
+        ...(await page.evaluate((tab) => {
+          const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+          const seen = (/** @type {Element} */ one) => one.checkVisibility() && one.getClientRects().length > 0;
+          const small = [
+            ...root.querySelectorAll("button, select, input:not(.unseen, [type=radio], [type=checkbox])"),
+          ].filter((one) => {
+            if (!seen(one) || one.matches(".quiet, td button, p button")) return false;
+            const { width, height } = one.getBoundingClientRect();
+            return width > 1 && (width < 43.5 || height < 43.5);
+          });
+          const texts = [
+            ...root.querySelectorAll("p, td, th, label, button, summary, .line, .step, .note, .verdict"),
+          ].filter(
+            (one) =>
+              seen(one) &&
+              !one.closest(".unseen, .key, .clock") &&
+              one.textContent?.trim() &&
+              Number.parseFloat(getComputedStyle(one).fontSize) < 13,
+          );
+          return [...small, ...texts].map(
+            (one) => `${tab}: ${one.tagName} ${one.className} ${one.textContent?.trim().slice(0, 20)}`,
+          );
+        }, tab)),
+      );
+    }
+    assert.deepEqual(faults, []);
+  });
+
+test("forced colours: the picture has the user's, and what is not chosen has no line", async () => {
+  await page.emulateMedia({ forcedColors: "active", colorScheme: "dark" });
+  await page.waitForTimeout(100);
+  const ground = await page
+    .locator("tp-picture canvas")
+    .first()
+    .evaluate((canvas) => {
+      const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
+      const probe = document.createElement("span");
+      probe.style.color = "Canvas";
+      document.body.append(probe);
+      const wanted = getComputedStyle(probe).color;
+      const [r, g, b] = pen?.getImageData(3, 3, 1, 1).data ?? [];
+      return [`rgb(${r}, ${g}, ${b})`, wanted];
+    });
+  assert.equal(ground[0], ground[1]);
+});
+
+test("what is pasted and cannot be read says why beside it, and Escape closes it", async () => {
+  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await more("Paste");
+  const box = page.getByRole("dialog", { name: "Paste" });
+  await box.locator("#paste").fill("hello");
+  await box.getByRole("button", { name: "Read it" }).click();
+  const why = box.getByRole("status");
+  await why.filter({ hasText: /neither/ }).waitFor();
+  const seen = await boxOf(why);
+  assert.ok(seen.y > 0 && seen.y + seen.height < 844, "in sight");
+  assert.equal(await box.locator("#paste").inputValue(), "hello");
+  await page.keyboard.press("Escape");
+  await box.waitFor({ state: "hidden" });
+});

@@ -1,0 +1,54 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { Part } from "./part.js";
+
+/** A text that is pasted in: it stays where it is until it could be read, and what is wrong with it is said beside it. */
+class PastePart extends Part {
+  protected override follows: string[] = [];
+  /** Takes a text up; false where nothing could be made of it. */
+  declare take: (text: string) => Promise<boolean>;
+  /** What the page says of what was read. */
+  declare said: string;
+  private shown = false;
+
+  static override properties = { take: { attribute: false }, said: { attribute: false } };
+
+  override render(): TemplateResult {
+    return html`<dialog class="paste" aria-label=${this.t("Paste")} @close=${this.closed}>${
+      this.shown
+        ? html`<label for="paste">${this.t("A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job")}</label>
+        <textarea id="paste" rows="8" spellcheck="false"></textarea>
+        <p class="problem error" role="status">${this.said}</p>
+        <div class="tools"><button type="button" class="primary" @click=${this.read}>${this.t("Read it")}</button>
+          <button type="button" @click=${() => this.dialog?.close()}>${this.t("Cancel")}</button></div>`
+        : nothing
+    }</dialog>`;
+  }
+
+  /** Opens it, with an empty field that has the focus. */
+  async open(): Promise<void> {
+    this.shown = true;
+    this.requestUpdate();
+    await this.updateComplete;
+    this.dialog?.showModal();
+    this.querySelector<HTMLElement>("#paste")?.focus();
+  }
+
+  private get dialog(): HTMLDialogElement | null {
+    return this.querySelector("dialog");
+  }
+
+  private readonly closed = (): void => {
+    this.shown = false;
+    this.requestUpdate();
+  };
+
+  private readonly read = async (): Promise<void> => {
+    const held = () => this.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
+    const text = held();
+    if ((await this.take(text)) && held() === text) this.dialog?.close();
+  };
+}
+
+export type { PastePart };
+
+customElements.define("tp-paste", PastePart);
