@@ -228,7 +228,7 @@ test("a long number in inch was printed over its unit", async () => {
       return boxes.flatMap((box) => {
         const input = box.querySelector("input");
         const unit = box.querySelector(".unit");
-        if (!input || !unit || getComputedStyle(unit).opacity === "0") return [];
+        if (!input || !unit?.checkVisibility() || getComputedStyle(unit).opacity === "0") return [];
         const style = getComputedStyle(input);
         pen.font = style.font;
         const end =

@@ -74,7 +74,7 @@ class GalleryPart extends Part {
             this.query = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }}
-          @keydown=${(e: KeyboardEvent) => e.key === "Enter" && found[0] && this.query.trim() !== "" && this.choose(found[0])} />
+          @keydown=${(e: KeyboardEvent) => this.key(e, found[0])} />
         <span role="status" class="told">${this.t("{count} of {all} cycles", found.length, this.store.catalog.cycles.length)}</span>
       </div>
       ${found.length === 0 ? html`<p>${this.t("No cycle is called so.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
@@ -114,6 +114,13 @@ class GalleryPart extends Part {
       post.cycles.some((c) => c.type === type && c.form === "cycle" && c.supported),
     );
     return calls.length === 0 ? "" : this.t("own cycle of {control}", calls.map((post) => post.title).join(", "));
+  }
+
+  /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */
+  private key(event: KeyboardEvent, first: CycleEntry | undefined): void {
+    if (event.key !== "Enter" || !first || this.query.trim() === "") return;
+    event.preventDefault();
+    this.choose(first);
   }
 
   private readonly showAll = (): void => {
