@@ -66,7 +66,7 @@ test("the form of another cycle began where the one before was scrolled to", asy
 
 test("cycles are found by what people call them, in their language, and Enter takes the first", async () => {
   await page.getByRole("button", { name: "Gallery" }).click();
-  const search = page.locator("tp-gallery input");
+  const search = () => page.locator("tp-gallery input");
   const found = () =>
     page.locator("tp-gallery [data-type]:visible").evaluateAll((all) => all.map((one) => one.dataset.type));
   for (const [words, type] of /** @type {[string, string][]} */ ([
@@ -76,19 +76,19 @@ test("cycles are found by what people call them, in their language, and Enter ta
     ["stud", "boss"],
     ["outside corner", "double-wall-external-corner"],
   ])) {
-    await search.fill(words);
+    await search().fill(words);
     assert.ok((await found()).includes(type), `${words}: ${await found()}`);
   }
-  await search.fill("nothing at all");
+  await search().fill("nothing at all");
   await page.getByRole("button", { name: "Show all" }).click();
   assert.equal((await found()).length, 18);
-  await search.fill("web");
-  await search.press("Enter");
+  await search().fill("web");
+  await search().press("Enter");
   await page.locator("tp-gallery").waitFor({ state: "detached" });
   assert.equal(await held("cycle.type"), "web");
   await open({ viewport: { width: 1280, height: 800 }, locale: "de-DE" });
   await page.getByRole("button", { name: "Galerie" }).click();
-  await search.fill("Tasche");
+  await search().fill("Tasche");
   assert.deepEqual(await found(), ["internal-rectangle", "internal-rectangle-protected"]);
 });
 

@@ -212,7 +212,7 @@ test("a tap on a dimension left the focus on the picture: it is in the field", a
     for (let y = 4; box && y < box.height; y += 4)
       for (let x = 4; x < box.width; x += 4) {
         const field = picture.drawing.use((/** @type {any} */ view) =>
-          view.handleAt(x, y) ? undefined : view.dimensionAt(x, y),
+          view.handleAt(x, y, 14) ? undefined : view.dimensionAt(x, y),
         );
         if (field) return { field, x: box.left + x, y: box.top + y };
       }

@@ -200,7 +200,7 @@ test("a cycle that touches nothing asks for no probe, feeds or part, and has not
     const { clientWidth, clientHeight } = picture.querySelector("canvas");
     const found = new Set();
     for (let x = 0; x < clientWidth; x += 8)
-      for (let y = 0; y < clientHeight; y += 8) found.add(picture.drawing.view.handleAt(x, y) ?? "none");
+      for (let y = 0; y < clientHeight; y += 8) found.add(picture.drawing.view.handleAt(x, y, 14) ?? "none");
     return [...found];
   });
   assert.deepEqual(grips, ["none"]);

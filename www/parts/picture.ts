@@ -23,8 +23,8 @@ interface End {
   slope: Spot;
 }
 
-/** How near to the end of a dimension's line it is gripped, pixels. */
-const NEAR = 12;
+/** How near a handle and the end of a dimension's line are gripped, pixels: by a finger they are targets of 44. */
+const REACH = { handle: 14, end: 12, finger: 22 } as const;
 
 /** A turn that is drawn larger stays below this, degrees: more would look like another part. */
 const MOST_TURNED = 20;
@@ -255,8 +255,9 @@ class PicturePart extends DrawnPart {
       this.release();
       return;
     }
+    this.finger = event.pointerType === "touch";
     this.drawing?.use((view) => {
-      const handle = this.store.readonly ? undefined : view.handleAt(at.x, at.y);
+      const handle = this.store.readonly ? undefined : this.handleAt(view, at);
       const [x, y] = (handle && view.handleSpot(handle)) || [];
       if (handle && x !== undefined && y !== undefined) this.grip = { handle, x: at.x - x, y: at.y - y };
       else this.end = this.store.readonly ? null : this.gripped(view, at);
@@ -266,6 +267,13 @@ class PicturePart extends DrawnPart {
     // Messages that come and go must not move the canvas under the pointer.
     if (this.grip || this.end)
       this.frame().style.cssText = `flex: none; height: ${this.frame().getBoundingClientRect().height}px`;
+  }
+
+  /** Whether a finger points, not a mouse. */
+  private finger = false;
+
+  private handleAt(view: View, at: Spot): string | undefined {
+    return view.handleAt(at.x, at.y, this.finger ? REACH.finger : REACH.handle);
   }
 
   /** The handle is let go. */
@@ -295,9 +303,10 @@ class PicturePart extends DrawnPart {
     if (!before) {
       this.drawing?.use((view) => {
         const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
-        const grips = view.handleAt(at.x, at.y) || (!this.store.readonly && this.grippable(view, at));
+        const handle = this.handleAt(view, at);
+        const grips = handle || (!this.store.readonly && this.grippable(view, at));
         this.canvas().style.cursor = grips ? "grab" : over;
-        this.canvas().title = this.handleInWords(view, view.handleAt(at.x, at.y));
+        this.canvas().title = this.handleInWords(view, handle);
         this.store.point(view.pick(at.x, at.y) ?? null);
       });
       return;
@@ -355,7 +364,9 @@ class PicturePart extends DrawnPart {
         return { field, index, far: Math.hypot(x - at.x, y - at.y) };
       }),
     );
-    const near = ends.filter(({ field, far }) => far <= NEAR && typeof this.store.get(field) === "number");
+    const near = ends.filter(
+      ({ field, far }) => far <= (this.finger ? REACH.finger : REACH.end) && typeof this.store.get(field) === "number",
+    );
     return near.sort((a, b) => a.far - b.far)[0] ?? null;
   }
 

@@ -121,7 +121,7 @@ class ResultsPart extends Part {
     const digits = places(unit);
     const middle = limits && (limits[0] + limits[1]) / 2;
     const off = middle !== null && nominal !== null && Math.abs(middle - nominal) > 1e-9;
-    return html`${this.number(nominal, digits)}${off ? html`<br /><small>${this.t("middle {value}", this.number(middle, digits + 1))}</small>` : nothing}`;
+    return html`${this.number(nominal, digits)}${off ? html`<small class="middle">${this.t("middle {value}", this.number(middle, digits + 1))}</small>` : nothing}`;
   }
 
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
