@@ -276,7 +276,7 @@ fn is_program_number(tokens: &[Token]) -> bool {
     matches!(tokens, [Token::Sign(b'O'), Token::Number(_)])
 }
 
-/// A line without its comment. Some comments do something.
+/// A line without its comment. Some comments in brackets do something.
 fn code(line: &str, round: bool) -> &str {
     let mut quoted = false;
     let at = line.find(|c| {
@@ -287,7 +287,7 @@ fn code(line: &str, round: bool) -> &str {
     let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| line[at + 1..].starts_with(word));
     // The text of an alarm belongs to its block.
     let alarm = line.trim_start().starts_with("#3000");
-    if round && (does || alarm) { line } else { &line[..at] }
+    if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }
 }
 
 /// A block without its number: `N10 G1`, or `12 TCH PROBE` of Klartext.

@@ -1,6 +1,6 @@
 //! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
 
-use crate::common::{job, number, planned, with};
+use crate::common::{interpret_until_stop, job, number, planned, with};
 use touchpath::control::trace::Kind;
 use touchpath::form::{Level, Value};
 use touchpath::import::import;
@@ -261,4 +261,22 @@ fn many_declared_names_are_read_at_once() {
     let sets: String = (0..100_000).map(|i| format!("V{}=1\n", 24_999 - i % 9)).collect();
     let read = import(&format!("{names}{sets}G0 X0 Y0 Z5\nMEAS=1 G1 Z0 F100\nM30\n")).unwrap();
     assert_eq!(read.trace.unwrap().moves.len(), 2);
+}
+
+/// A comment stops a program where LinuxCNC's interpreter stops at it, and nowhere else.
+#[test]
+fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
+    let kind = |comment: &str| {
+        let text = format!("G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n{comment}\no1 endif\nG1 X9\nM2\n");
+        import(&text).unwrap().trace.unwrap().moves[1].kind
+    };
+    for (comment, stops) in [("(ABORT,x)", true), (";ABORT,x", false), ("; (ABORT,x)", false), ("(ABORT ,x)", false)] {
+        let (_, stopped) = interpret_until_stop(&format!("G21\n{comment}\nG0 X1\nM2\n"));
+        assert_eq!(stopped.is_some(), stops, "{comment}: {stopped:?}");
+        assert_eq!(kind(comment), if stops { Kind::Watched } else { Kind::Unchecked }, "{comment}");
+    }
+    // The same in a program whose header says its job.
+    let text = program("linuxcnc").replace("(ABORT,Contact", ";ABORT,Contact");
+    let found = said(&text);
+    assert!(found.contains(&"program-differs".to_owned()) && found.contains(&"unsafe-program".to_owned()), "{found:?}");
 }

@@ -190,6 +190,8 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         " M78\nG103 P1\nIF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n",
         "\n",
     ),
+    // Behind a semicolon it is a comment and no more: a contact only ends the program.
+    ("positioning-watched", "linuxcnc", "(ABORT,Contact in move", ";ABORT,Contact in move"),
     ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z10 X3 F2000\no1"),
     ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z9999 F2000\no1"),
     ("contact-lifts", "linuxcnc", "o<tp_exit> call [3] [1]", "o<tp_exit> call [3] [0]"),

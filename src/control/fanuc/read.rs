@@ -87,7 +87,7 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     script.full_circle = true;
     let mut targets = Targets::default();
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
-        let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
+        let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
             let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));

@@ -7,14 +7,24 @@ use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
 
-/// The code of a line and its comment, without its brackets or sign. A sign inside a text begins none.
-pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
+/// A comment of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment<'t> {
+    /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
+    pub sign: u8,
+    /// It, without brackets or sign.
+    pub text: &'t str,
+}
+
+/// The code of a line and its comment. A sign inside a text begins none.
+pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)> {
+    let comment = |sign: u8, text| Some(Comment { sign, text });
     let Some(first) = memchr::memchr3(sign, b';', b'"', line.as_bytes()) else { return Ok((line, None)) };
     let mut quoted = false;
     for (at, b) in line.bytes().enumerate().skip(first) {
         match b {
             b'"' => quoted = !quoted,
-            b';' if sign == b'(' && !quoted => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+            b';' if !quoted => return Ok((&line[..at], comment(b, line[at + 1..].trim()))),
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = line[at + 1..].trim_end();
@@ -22,9 +32,9 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return fault(text!("two comments are in one line, or one in another"));
                 }
-                return Ok((&line[..at], Some(inner)));
+                return Ok((&line[..at], comment(b, inner)));
             }
-            _ => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+            _ => {}
         }
     }
     Ok((line, None))
@@ -43,7 +53,7 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
 }
 
 /// What a control reads a line as: its number, its code, its comment.
-pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()> + 'f;
+pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<Comment<'t>>) -> Parsed<()> + 'f;
 
 /// So many lines that are not understood are listed: after them a text is no program of this control, and is not read on.
 const MOST_TROUBLES: usize = 200;
@@ -70,7 +80,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         begun |= !trimmed.is_empty() && !trimmed.starts_with(';');
         let read = split_comment(full, sign).and_then(|(code, comment)| {
             if let Some(comment) = comment {
-                script.start = script.start.or_else(|| stated_start(comment));
+                script.start = script.start.or_else(|| stated_start(comment.text));
             }
             block(script, line, self::trimmed(code), comment)
         });

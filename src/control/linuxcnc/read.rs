@@ -1,7 +1,7 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lines::{self, Comment, Targets};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
@@ -94,8 +94,12 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     Ok(script)
 }
 
-/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`.
-fn active<'t>(script: &mut Script<'t>, line: usize, comment: &'t str) -> Parsed<()> {
+/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`. Behind a semicolon the interpreter passes them by.
+fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
+    if comment.sign != b'(' {
+        return Ok(());
+    }
+    let comment = comment.text;
     if let Some(rest) = comment.strip_prefix("PRINT,") {
         let (code, value) = rest.split_once('=').ok_or_else(|| text!("a PRINT without its value"))?;
         let mut cursor = Cursor::new(value);

@@ -75,7 +75,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut targets = Targets::default();
     let mut declared = Vec::new();
     lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
-        if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
+        if let Some(list) = comment.and_then(|comment| comment.text.strip_prefix("Results: ")) {
             results(script, list);
         }
         let code = lines::without_number(code);
