@@ -1,6 +1,6 @@
 //! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
 
-use crate::control::iso::lines::next_line;
+use crate::control::iso::lines::{after, next_line};
 use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
 use crate::num::{count, push_in_full};
@@ -45,12 +45,6 @@ pub fn seal(text: &mut String) {
         }
         at = below;
     }
-}
-
-/// What stands after a beginning, in small letters or capitals.
-fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
-    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
-    same.then(|| &text[beginning.len()..])
 }
 
 /// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.

@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use crate::control::header::{self, Said};
+use crate::control::iso::lines::after;
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
@@ -284,7 +285,8 @@ fn code(line: &str, round: bool) -> &str {
         (c == ';' || (round && c == '(')) && !quoted
     });
     let Some(at) = at else { return line };
-    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| line[at + 1..].starts_with(word));
+    let inner = line[at + 1..].trim_start();
+    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| after(inner, word).is_some());
     // The text of an alarm belongs to its block.
     let alarm = line.trim_start().starts_with("#3000");
     if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }

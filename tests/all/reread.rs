@@ -275,6 +275,13 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
         assert_eq!(stopped.is_some(), stops, "{comment}: {stopped:?}");
         assert_eq!(kind(comment), if stops { Kind::Watched } else { Kind::Unchecked }, "{comment}");
     }
+    // Python is carried out behind either sign.
+    for comment in ["(py,x=1)", ";py,x=1", "(PYRUN,x.py)", "; pyreload"] {
+        let error = import(&format!("G21\n#1=1\n{comment}\nG38.2 X#1 F100\nM2\n")).unwrap_err();
+        assert!(error.findings[0].message.contains("Python"), "{comment}: {error}");
+    }
+    let ran = interpret_until_stop("G21\n;py,raise Exception()\nM2\n").1;
+    assert!(ran.is_some_and(|why| why.contains("Exception")));
     // The same in a program whose header says its job.
     let text = program("linuxcnc").replace("(ABORT,Contact", ";ABORT,Contact");
     let found = said(&text);

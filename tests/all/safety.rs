@@ -258,6 +258,9 @@ const DANGEROUS: &[(&str, &[&str])] = &[
             "o77 if [#<never_set> EQ 0]
 o77 endif",
             "(ABORT,here)",
+            "(abort,here)",
+            "(py,here)",
+            ";py,here",
         ],
     ),
     ("grbl", &["G20", "G18", "G55", "G49", "G64", "M3", "G1 Z-80 F100"]),

@@ -115,6 +115,12 @@ pub fn trimmed(text: &str) -> &str {
     }
 }
 
+/// What stands after a beginning, in small letters or capitals.
+pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
+    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
+    same.then(|| &text[beginning.len()..])
+}
+
 /// Jumps and calls by name, resolved when everything is read.
 #[derive(Debug, Default)]
 pub struct Targets<'t> {

@@ -1,7 +1,7 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Comment, Targets};
+use crate::control::iso::lines::{self, Comment, Targets, after};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
@@ -94,19 +94,23 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     Ok(script)
 }
 
-/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`. Behind a semicolon the interpreter passes them by.
+/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes
+/// them by, but for Python, which may do anything.
 fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
+    let text = comment.text.trim_start();
+    if ["PY,", "PYRUN,", "PYRELOAD"].iter().any(|word| after(text, word).is_some()) {
+        return fault(text!("Python in a comment is not followed"));
+    }
     if comment.sign != b'(' {
         return Ok(());
     }
-    let comment = comment.text;
-    if let Some(rest) = comment.strip_prefix("PRINT,") {
+    if let Some(rest) = after(text, "PRINT,") {
         let (code, value) = rest.split_once('=').ok_or_else(|| text!("a PRINT without its value"))?;
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
         script.push(line, What::Output(code.to_owned(), value));
-    } else if comment.starts_with("ABORT,") {
+    } else if after(text, "ABORT,").is_some() {
         script.push(line, What::Alarm);
     }
     Ok(())
