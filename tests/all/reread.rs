@@ -287,3 +287,25 @@ fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     let found = said(&text);
     assert!(found.contains(&"program-differs".to_owned()) && found.contains(&"unsafe-program".to_owned()), "{found:?}");
 }
+
+/// What a subroutine has for itself was one with what stands outside: numbers up to 30, names without `_`.
+#[test]
+fn a_subroutines_own_variables_are_not_those_outside() {
+    let program = |before: &str, inside: &str| {
+        format!(
+            "G21 G17 G90\n{before}\no<a> sub\n{inside}\nG0 X[1+#1] Y[1+#2]\no<a> endsub\nG38.2 Z-5 F100\no<a> call [3]\nG0 Z[#2+1]\nM2\n"
+        )
+    };
+    let read = |before: &str, inside: &str| import(&program(before, inside));
+    // An argument that is not given is 0 inside, whatever it is outside.
+    let text = program("#2=7", "#<_n>=1");
+    let ran = interpret_until_stop(&text).0;
+    let moves = import(&text).unwrap().trace.unwrap().moves;
+    let [inside, after] = [ran.moves[1].to, ran.moves[2].to];
+    assert_eq!((inside[0], inside[1], after[2]), (4.0, 1.0, 8.0));
+    assert_eq!((moves[1].to[0], moves[1].to[1], moves[2].to[2]), (Some(4.0), Some(1.0), Some(8.0)));
+    for inside in ["#<h>=1", "#<H>=1", "#2=1", "#02=1", "#12=1", "G0 Z#12", "G0 Z[1+#<h>]", "(PRINT,h=#<h>)"] {
+        let error = read("#2=7", inside).unwrap_err();
+        assert!(error.findings[0].message.contains("variables of its own"), "{inside}: {error}");
+    }
+}

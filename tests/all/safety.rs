@@ -348,6 +348,32 @@ fn no_dangerous_line_between_two_moves_goes_unnoticed() {
     }
 }
 
+/// A variable has more than one spelling: in capitals, with blanks, with zeros in front of its number.
+#[test]
+fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
+    for (post, line, before) in [
+        ("linuxcnc", "#<center_x>=99", "(PRINT,"),
+        ("linuxcnc", "#<CENTER_X>=99", "(PRINT,"),
+        ("linuxcnc", "#<center _x>=99", "(PRINT,"),
+        ("fanuc", "#0100=99.", "M30"),
+        ("haas", "#0100=99.", "M30"),
+        ("sinumerik", "R01=99", "M30"),
+        ("sinumerik", "r1=99", "M30"),
+    ] {
+        let job = job_for("internal-rectangle-protected", post, Form::Moves, false);
+        let plan = plan(&job).unwrap();
+        // The first result stands in this variable.
+        let named = plan.program.text.split_once("RESULTS: #").map_or("100", |(_, list)| list.split(' ').next().unwrap());
+        let line = line.replace("100", named);
+        let changed = plan.program.text.replacen(&format!("\n{before}"), &format!("\n{line}\n{before}"), 1);
+        assert_ne!(changed, plan.program.text, "{post}");
+        assert!(!touchpath::job::proves(&job, &changed, &plan.program.move_lines), "{post}: {line}");
+        let comment = if post == "sinumerik" { "; HERE" } else { "(HERE)" };
+        let same = changed.replacen(&line, comment, 1);
+        assert!(touchpath::job::proves(&job, &same, &plan.program.move_lines), "{post}: {line}");
+    }
+}
+
 /// Without the blocks that halt a control it evaluates what the ball has not come to yet: no program without them is taken.
 #[test]
 fn the_blocks_that_stop_reading_ahead_are_asked_for() {
