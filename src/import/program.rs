@@ -265,10 +265,13 @@ enum Token {
 /// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
+    let mut begun = false;
     text.lines()
         .enumerate()
         .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
-        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%') && !is_program_number(tokens))
+        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
+        // The number stands above the blocks.
+        .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
         .collect()
 }
 

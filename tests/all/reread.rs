@@ -65,6 +65,21 @@ fn another_program_number_and_comments_are_no_change() {
     }
 }
 
+/// A control begins another program there.
+#[test]
+fn a_second_program_number_was_passed_over() {
+    for post in ["fanuc", "haas"] {
+        let text = program(post);
+        for (old, new) in [("G21", "O1001\nG21"), ("M30\n", "O1001\nM30\n"), ("M30\n", "o2\nM30\n"), ("O1000", "O1000\nO1001")]
+        {
+            assert!(text.contains(old), "{post} {old}");
+            assert_eq!(said(&text.replacen(old, new, 1)), ["not-understood"], "{post} {new}");
+        }
+    }
+    let at_its_end = program("fanuc").replacen("M30\n", "M30\nO1001\n", 1);
+    assert_eq!(said(&at_its_end), ["not-understood"]);
+}
+
 #[test]
 fn a_fault_in_a_fanuc_program_was_said_to_be_another_control() {
     let text = program("fanuc").replacen("#100=#[2000+#4111]", "#100=#[2200+#4111]", 1);

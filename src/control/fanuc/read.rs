@@ -86,6 +86,7 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
     script.full_circle = true;
     let mut targets = Targets::default();
+    let mut numbered = false;
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
         let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
@@ -93,7 +94,15 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
             script.results.push((code, slot));
         }
         let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
-        if code.is_empty() || code == "%" || code.strip_prefix('O').is_some_and(is_number) {
+        if code.is_empty() || code == "%" {
+            return Ok(());
+        }
+        if code.strip_prefix(['O', 'o']).is_some_and(is_number) {
+            // Its own number stands above its blocks.
+            if numbered || !script.blocks.is_empty() {
+                return fault(text!("another program begins here"));
+            }
+            numbered = true;
             return Ok(());
         }
         block(script, line, code, grammar, &mut targets)
