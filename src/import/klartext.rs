@@ -1,5 +1,6 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
+use crate::control::iso::lines::next_line;
 use crate::form::{Checker, Value};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
@@ -343,8 +344,9 @@ fn wanted_iso(word: &str) -> bool {
 fn blocks(text: &str) -> Vec<String> {
     let mut blocks: Vec<String> = Vec::new();
     let mut goes_on = false;
-    for line in text.lines() {
-        let line = line.trim();
+    let mut rest = text;
+    while !rest.is_empty() {
+        let line = next_line(&mut rest).trim();
         let continued = line.ends_with('~');
         let line = line.trim_end_matches('~');
         // `*` ends an ISO block.

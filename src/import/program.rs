@@ -4,7 +4,7 @@
 use serde::Serialize;
 
 use crate::control::header::{self, Said};
-use crate::control::iso::lines::after;
+use crate::control::iso::lines::{after, next_line};
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
@@ -266,7 +266,8 @@ enum Token {
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
     let mut begun = false;
-    text.lines()
+    let mut rest = text;
+    std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)))
         .enumerate()
         .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
         .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))

@@ -109,6 +109,29 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
     }
 }
 
+/// A comment hid a motion from the reader, not from grbl, which ends a line at a carriage return. LinuxCNC does not end one there.
+#[test]
+fn a_carriage_return_hid_a_motion() {
+    for post in MOVES {
+        let text = program(post);
+        let (open, close) = if post == "sinumerik" { (";", "") } else { ("(", ")") };
+        let (head, blocks) = text.split_at(text.find("G1 Z").unwrap_or_else(|| text.find("G17").unwrap()));
+        for hidden in [format!("{open}NOTE\rG0 Z-50\r{close}\n"), format!("{open}NOTE{close}\rG0 Z-50\n"), "G90\r".to_owned()] {
+            let found = said(&format!("{head}{hidden}{blocks}"));
+            assert!(!found.is_empty() && found.iter().all(|code| code == "not-understood"), "{post} {hidden:?}: {found:?}");
+        }
+        // Where nothing stands behind it, it is the end of a line like any other.
+        for end in ["\r\n", "\r\r\n", "\n\r"] {
+            assert_eq!(said(&text.replace('\n', end)), [""; 0], "{post} {end:?}");
+        }
+    }
+    // Lines count as in an editor.
+    let error = import("G21\r\n\rG90\n\r\nWHAT\nG38.2 X1 F100\nM2\n").unwrap_err();
+    assert!(error.findings[0].message.starts_with("Line 5,"), "{error}");
+    let ran = interpret_until_stop("G21\nG0 X1 ;\rG0 X2\nM2\n").0;
+    assert_eq!(ran.moves.iter().map(|step| step.to[0]).collect::<Vec<_>>(), [1.0]);
+}
+
 /// Each of these took from a minute to hours: the way out of every probing move was followed for nothing, and a run of points was read anew at every point.
 #[test]
 fn long_exits_and_long_numbers_come_back() {

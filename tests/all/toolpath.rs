@@ -371,6 +371,19 @@ fn a_dialect_is_that_of_its_words() {
     }
 }
 
+/// A carriage return ends a line, as on grbl; lines count as in an editor.
+#[test]
+fn a_carriage_return_ends_a_line() {
+    for (text, lines) in [
+        ("G21\rG0 X1\rG0 X2", [1, 2]),
+        ("G21\r\nG0 X1\r\nG0 X2\r\n", [1, 2]),
+        ("G21\n(a\rG0 X1\r)\nG0 X2", [2, 4]),
+        ("G21\r\r\nG0 X1\n\rG0 X2\r", [2, 4]),
+    ] {
+        assert_eq!(read_program(text, None).line, lines, "{text:?}");
+    }
+}
+
 /// A tape sign after code ends the program, as LinuxCNC's interpreter has it; a first one begins it, and a name after one ends nothing.
 #[test]
 fn a_tape_sign_ends_the_program() {

@@ -63,6 +63,8 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let mut begun = false;
+    // Whether something stands in front of a carriage return that no line feed has followed yet.
+    let mut returned = false;
     let mut rest = text;
     for line in 0.. {
         if rest.is_empty() || troubles.len() == MOST_TROUBLES {
@@ -70,9 +72,17 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         }
         let full = next_line(&mut rest);
         let trimmed = trimmed(full);
+        // grbl ends a line there, LinuxCNC does not: `;\r` would hide from it what stands behind.
+        if returned && !trimmed.is_empty() {
+            let message = text!("a carriage return without a line feed: not every control ends a line there");
+            troubles.push(Trouble { line, message, understood: false });
+            returned = false;
+            continue;
+        }
+        returned = (returned || !trimmed.is_empty()) && text[..text.len() - rest.len()].ends_with('\r');
         // A tape sign stands before a program and after it: what stands after another is not loaded.
         if trimmed.starts_with('%') {
-            if begun && rest.lines().any(|line| code(line.trim())) {
+            if begun && rest.split(['\n', '\r']).any(|line| code(line.trim())) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
@@ -91,13 +101,13 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
     if troubles.is_empty() { Ok(()) } else { Err(troubles) }
 }
 
-/// Takes the next line off a text, without its end: as [`str::lines`] does, and faster for lines as short as those of programs.
+/// Takes the next line off a text, without its end: a line feed, a carriage return, or both, as editors count lines.
 pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
     let text = *rest;
-    match memchr::memchr(b'\n', text.as_bytes()) {
+    match memchr::memchr2(b'\n', b'\r', text.as_bytes()) {
         Some(at) => {
-            *rest = &text[at + 1..];
-            text[..at].strip_suffix('\r').unwrap_or(&text[..at])
+            *rest = &text[at + if text[at..].starts_with("\r\n") { 2 } else { 1 }..];
+            &text[..at]
         }
         None => {
             *rest = "";

@@ -96,8 +96,8 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         script.push(line, what);
         Ok(())
     })?;
-    if !open.is_empty() {
-        let line = text.lines().count().saturating_sub(1);
+    if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = open.last() {
+        let line = script.blocks[*begin].line;
         let message = text!("a subroutine or an if is not closed");
         return Err(vec![Trouble { line, message, understood: true }]);
     }
