@@ -347,3 +347,31 @@ fn a_subroutines_own_variables_are_not_those_outside() {
         assert!(error.findings[0].message.contains("variables of its own"), "{inside}: {error}");
     }
 }
+
+/// Whatever stood between the first bracket of a call and the last one of its line was nothing.
+#[test]
+fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
+    let text = program("sinumerik");
+    for (line, good) in [
+        ("MSG()", true),
+        ("MSG(\"A) B\"<<R90<<\", C;\")", true),
+        ("MSG(R90)", true),
+        ("MSG(\"\") G0 Z-50 MSG(\"\")", false),
+        ("MSG() G0 Z-50 )", false),
+        ("MSG(\"A)", false),
+    ] {
+        let found = said(&text.replacen("\nSTOPRE\n", &format!("\n{line}\nSTOPRE\n"), 1));
+        assert_eq!(found.contains(&"not-understood".to_owned()), !good, "{line}: {found:?}");
+    }
+    for alarm in ["SETAL(1)", "SETAL(650001)", "SETAL(65000,\"A\")"] {
+        let found = said(&text.replacen("SETAL(65000)", alarm, 1));
+        assert_eq!(found, ["not-understood"], "{alarm}");
+    }
+    let own = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
+    let cycle = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    assert_eq!(said(&cycle), [""; 0]);
+    let (head, _) = cycle.split_once("CYCLE977(").unwrap();
+    let call = cycle[head.len()..].lines().next().unwrap();
+    let moved = format!("{}) G0 Z=-(50)", &call[..call.len() - 1]);
+    assert_eq!(said(&cycle.replacen(call, &moved, 1)), ["not-understood"]);
+}

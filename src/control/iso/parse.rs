@@ -133,7 +133,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// The next byte.
-    pub(super) fn next(&self) -> Option<u8> {
+    pub fn next(&self) -> Option<u8> {
         self.rest.first().copied()
     }
 
@@ -201,6 +201,15 @@ impl<'t> Cursor<'t> {
     pub fn name(&mut self) -> Option<&'t [u8]> {
         let named = self.next().is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
         named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
+    }
+
+    /// Goes past a text in quotes where one is next.
+    pub fn text(&mut self) -> bool {
+        let end = self.rest.strip_prefix(b"\"").and_then(|inside| memchr::memchr(b'"', inside));
+        if let Some(end) = end {
+            self.advance(end + 2);
+        }
+        end.is_some()
     }
 
     /// The name of an O word: `<tp_exit>`, `12`.
