@@ -157,6 +157,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("touches-not-level", "Picked touches of one feature lie at different heights."),
     ("touches-unsound", "The touches of a dump do not make its feature; the job has findings of its own about it."),
     ("uncertain-result", "A result scatters by many times as much as a single touch."),
+    ("units-differ", "The blocks of a program are in other units than the job in its header, which was converted."),
     ("units-unknown", "The text does not say its units: mm is taken."),
     ("unknown-code", "A dump has a code that its cycle does not know."),
     ("unknown-key", "An object has a key that is not known."),

@@ -4,7 +4,7 @@ use crate::control::iso::lines::next_line;
 use crate::form::{Checker, Value};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::{Units, default_job_in};
+use crate::job::{Units, convert_units, default_job_in};
 use crate::text::text;
 
 /// Which parameter is which key of the cycle, and its default on the control.
@@ -45,13 +45,25 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     if !said.findings.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
         return Ok(said);
     }
+    let mut checker = Checker::default();
     let blocks = import(text)?;
     let (mut job, read) = (said.job, blocks.job);
+    // Blocks that do not say their units are in those of the header.
+    let unsaid = blocks.findings.iter().any(|f| f.code == "units-unknown");
+    let units = if unsaid { Units::of(&job) } else { Units::of(&read) };
+    if units != Units::of(&job) {
+        job = convert_units(&job, units.word())?;
+        let message = text!(
+            "The blocks are in {units} and the header's job is not: what only the header says is converted, and the numbers of the cycle are taken in {units}",
+            units.word()
+        );
+        checker.warning("units-differ", "units", message);
+    }
     let mut keys: Vec<String> = PARAMETERS
         .iter()
         .map(|(_, key, _)| format!("cycle.{}", key.split('[').next().unwrap_or(key)))
         .chain(PREDEFINED.iter().map(|(_, key)| format!("cycle.{key}")))
-        .chain(["cycle.extrusion", "control.tool", "units", "name", "plane"].map(str::to_owned))
+        .chain(["cycle.extrusion", "control.tool", "name", "plane"].map(str::to_owned))
         .collect();
     keys.dedup();
     for key in keys {
@@ -60,11 +72,13 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
             set(&mut job, &key, value);
         }
     }
-    let mut checker = Checker::default();
     let message = text!("The blocks differ from what the header's job makes: their values are used, the rest is the header's");
     checker.warning("program-differs", "", message);
-    let findings =
-        checker.findings().into_iter().chain(blocks.findings.into_iter().filter(|f| f.code != "not-in-program")).collect();
+    let findings = checker
+        .findings()
+        .into_iter()
+        .chain(blocks.findings.into_iter().filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")))
+        .collect();
     Ok(Imported { job, trace: None, findings })
 }
 

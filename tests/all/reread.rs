@@ -231,6 +231,30 @@ fn a_klartext_program_keeps_what_only_its_header_says() {
     assert!(read.findings.iter().any(|f| f.code == "not-in-program"));
 }
 
+/// The header's millimetres became inches, 25.4 times as long.
+#[test]
+fn a_klartext_program_in_other_units_converts_its_header() {
+    let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
+    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let at = |job: &Value, path: &str| crate::common::number_at(job, path, f64::NAN);
+    let read = import(&text.replace("PROBE MM", "PROBE INCH")).unwrap();
+    assert!(read.findings.iter().any(|f| f.code == "units-differ" && f.level == Level::Warning), "{:?}", read.findings);
+    assert_eq!(read.job.get("units"), Some(&Value::Text("inch".to_owned())));
+    assert_eq!((at(&read.job, "stylus.diameter"), at(&read.job, "cycle.probe.dist")), (0.23622, 0.393701));
+    let Some(Value::List(start)) = read.job.get("cycle").unwrap().get("start") else { panic!() };
+    assert_eq!(start[2], number(3.937008));
+    // What the blocks say is in the units of the blocks.
+    assert_eq!(at(&read.job, "cycle.diameter1"), at(&own, "cycle.diameter1"));
+    // Blocks that say no units are in those of the header.
+    let inch =
+        planned(&with(&touchpath::job::convert_units(&own, "inch").unwrap(), "control.form", Value::Text("cycle".to_owned())));
+    let bare: String =
+        inch.program.text.lines().filter(|line| !line.contains(" PGM ")).map(|line| format!("{line}\n")).collect();
+    let read = import(&bare).unwrap();
+    assert_eq!((read.job.get("units"), at(&read.job, "stylus.diameter")), (Some(&Value::Text("inch".to_owned())), 0.23622));
+    assert!(!read.findings.iter().any(|f| f.code.starts_with("units-")), "{:?}", read.findings);
+}
+
 /// What a program would do with a probe that stays deflected is asked beside what it does: an alarm there is no fault of the program.
 #[test]
 fn a_feed_that_is_computed_from_a_trigger_was_refused() {
