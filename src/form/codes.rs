@@ -49,6 +49,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("missing-code", "A dump lacks a code: the default is taken."),
     ("missing-parameter", "A program lacks a parameter: the form's default is taken."),
     ("more-findings", "More was found than is listed."),
+    (
+        "moves-before-cycle",
+        "A Klartext program moves before its cycle: the start in the job is not where the stylus stands then.",
+    ),
     ("name-changed", "The job's name has characters that a program must not have; there it stands changed."),
     ("newer-format", "The job is of a newer format than this version reads."),
     ("no-arc", "1411: the touches of a circle lie on one spot, or too near to each other."),

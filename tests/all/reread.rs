@@ -255,6 +255,34 @@ fn a_klartext_program_in_other_units_converts_its_header() {
     assert!(!read.findings.iter().any(|f| f.code.starts_with("units-")), "{:?}", read.findings);
 }
 
+/// It was one of the blocks that are passed over, and the start of the job stayed where it was.
+#[test]
+fn a_motion_before_the_cycle_was_a_note() {
+    let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
+    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let at = text.lines().find(|line| line.contains("TCH PROBE")).unwrap();
+    let number = at.trim_start().split(' ').next().unwrap();
+    let with_block = |block: &str| text.replacen(at, &format!("{number} {block}\n{at}"), 1);
+    assert_eq!(said(&text), [""; 0]);
+    for block in
+        ["L Z-50 R0 FMAX", "l z-50", "CC X+0 Y+0\nC X+10 Y+0 DR+", "CALL LBL 1", "G00 G90 Z+5", "G17 G0 Z+5", "X+10,5 Y+0"]
+    {
+        let findings = import(&with_block(block)).unwrap().findings;
+        let found = findings.iter().find(|f| f.code == "moves-before-cycle").unwrap_or_else(|| panic!("{block}: {findings:?}"));
+        assert!(found.level == Level::Warning && found.message.contains(block.lines().last().unwrap()), "{}", found.message);
+    }
+    for block in ["M5", "CYCL DEF 7.1 X+10", "G54 X+10", "STOP", "G04 F2", "FN 0: Q5 = +3", "LBL 1"] {
+        let found = said(&with_block(block));
+        assert!(!found.iter().any(|code| code == "moves-before-cycle" || code == "unsafe-program"), "{block}: {found:?}");
+    }
+    for block in ["M3", "L Z+100 R0 FMAX M03", "S500 M13"] {
+        assert!(said(&with_block(block)).contains(&"unsafe-program".to_owned()), "{block}");
+    }
+    // Behind the cycle it changes nothing of the job.
+    let behind = text.replacen(" END PGM", " L Z+200 R0 FMAX M3\n99 END PGM", 1);
+    assert!(!said(&behind).iter().any(|code| code == "moves-before-cycle" || code == "unsafe-program"));
+}
+
 /// What a program would do with a probe that stays deflected is asked beside what it does: an alarm there is no fault of the program.
 #[test]
 fn a_feed_that_is_computed_from_a_trigger_was_refused() {
