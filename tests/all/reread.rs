@@ -427,3 +427,32 @@ fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
     let moved = format!("{}) G0 Z=-(50)", &call[..call.len() - 1]);
     assert_eq!(said(&cycle.replacen(call, &moved, 1)), ["not-understood"]);
 }
+
+/// AND binds tighter than a comparison on a Fanuc and a SINUMERIK: without brackets it combines the bits of numbers. It was taken for a condition.
+#[test]
+fn and_beside_a_comparison_needs_brackets() {
+    for (condition, good) in [
+        ("1 EQ 1 AND 2 EQ 2", false),
+        ("[1 EQ 1] AND 2 EQ 2", false),
+        ("1 EQ 1 OR [2 EQ 2]", false),
+        ("1 AND 3", false),
+        ("[1 EQ 1] AND [2 EQ 2]", true),
+        ("[1 EQ 1] OR [2 EQ 3] AND [2 EQ 2]", true),
+    ] {
+        let fanuc = format!("IF [{condition}] GOTO 77\nG0 X5.\nN77\nG31 X1. F100.\nM30\n");
+        let signs = condition.replace("EQ", "==").replace('[', "(").replace(']', ")");
+        let sinumerik = format!("IF {signs} GOTOF A\nG0 X5\nA:\nMEAS=1 G1 X1 F100\nM30\n");
+        for text in [fanuc, sinumerik] {
+            let read = import(&text);
+            assert_eq!(read.is_ok(), good, "{text}");
+            match read {
+                Ok(read) => assert_eq!(read.trace.unwrap().moves.len(), 1, "{text}"),
+                Err(error) => assert!(error.findings[0].message.contains("AND and OR"), "{error}"),
+            }
+        }
+    }
+    // LinuxCNC compares first.
+    let text = "#1=[1 EQ 1 AND 2 EQ 2]\nG38.2 X#1 F100\nM2\n";
+    assert_eq!(import(text).unwrap().trace.unwrap().moves[0].to[0], Some(1.0));
+    assert_eq!(interpret_until_stop(&format!("G21\n{text}")).0.moves[0].to[0], 1.0);
+}

@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
@@ -10,7 +10,7 @@ use crate::text::text;
 static FANUC: Grammar = LIKE_FANUC;
 static HAAS: Grammar = Grammar { code: haas_code, ..LIKE_FANUC };
 const LIKE_FANUC: Grammar =
-    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
+    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: TIGHT_WORD_OPERATORS, system, code };
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.
 fn system(name: &[u8]) -> Option<System> {

@@ -381,6 +381,18 @@ impl<'t> Script<'t> {
         }
     }
 
+    /// Whether a value is true or not true, and no other number.
+    pub fn is_condition(&self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Binary(binary, ..) => match binary {
+                Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Atan => false,
+                Binary::Equal | Binary::Unequal | Binary::Less | Binary::AtMost | Binary::Greater | Binary::AtLeast => true,
+                Binary::And | Binary::Or => true,
+            },
+            Node::Number(_) | Node::Slot(_) | Node::System(_) | Node::Unary(..) => false,
+        }
+    }
+
     /// Puts blocks in before the one at `at`; whatever jumps there comes to them first.
     pub fn insert(&mut self, at: usize, line: usize, blocks: Vec<What>) {
         let more = blocks.len();
