@@ -317,8 +317,18 @@ fn words_that_are_no_moves_were_read_as_moves() {
         // What stands in a subroutine runs where it is called; what stands after the end does not run.
         ("o<s> sub\nG1 Z-50\no<s> endsub\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
         ("M30\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        ("M99\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        ("M99 P5\nX99", 2, known(99.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        // Two motions or places in a block: LinuxCNC refuses them.
+        ("G0 X20 Y20 G1 X5 F100", 2, known(5.0, 20.0, 10.0), &["words-twice"]),
+        ("G0 G1 X5 F100", 2, known(5.0, 10.0, 10.0), &["words-twice"]),
+        // A lathe calls the place where the tool is so.
+        ("G50 X5\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        ("G50 S2000\nG50\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         // Blocks that may be left out, and main blocks.
-        ("/2 X3", 2, known(3.0, 10.0, 10.0), &[]),
+        ("/2 X3", 2, known(3.0, 10.0, 10.0), &["lines-optional"]),
+        ("/G91\nX3", 2, known(13.0, 10.0, 10.0), &["lines-optional"]),
+        ("/M5\n/T1", 1, known(10.0, 10.0, 10.0), &[]),
         (":10 X3", 2, known(3.0, 10.0, 10.0), &[]),
         // An end that is not on its circle.
         ("G2 X20 Y10 I1 J0", 2, known(20.0, 10.0, 10.0), &["arc-unsolved"]),
@@ -369,6 +379,21 @@ fn a_dialect_is_that_of_its_words() {
     for text in ["$Alarm/Send=3\nG21\n", "$P\nG21\n", "N5 G65 P9810 R1\n", "N5 (MSG)\n", "T1 M6\n", "#<meas>=1\n"] {
         assert_eq!(read_program(text, None).dialect, "iso", "{text}");
     }
+}
+
+/// Moves above the first units were taken to be in them without a word.
+#[test]
+fn units_below_the_first_moves_are_said() {
+    for (text, codes) in [
+        ("G0 X1\nG20\nG0 X2\n", vec!["no-units"]),
+        ("G20 G0 X1\nG0 X2\n", vec![]),
+        ("G0 X1\n", vec!["no-units"]),
+        ("T1\nG21\nG0 X1\nG20\nG0 X2\n", vec![]),
+    ] {
+        assert_eq!(said(&read_program(text, None)), codes, "{text}");
+    }
+    let late = read_program("G0 X1\nG20\nG0 X2\n", None);
+    assert!(late.findings[0].message.contains("above line 2"), "{}", late.findings[0].message);
 }
 
 /// A carriage return ends a line, as on grbl; lines count as in an editor.
@@ -432,7 +457,7 @@ fn no_probing_move_is_lost() {
     let ended = read_program("G21\nG0 X1\nM30\nN9 G0 X2\nX3\n", None);
     assert_eq!(
         (ended.len(), ended.findings[0].message.as_str()),
-        (1, "Lines below the end of the program, M2, M30 or %, are not followed: 2 times, the first in line 4")
+        (1, "Lines below the end of the program, M2, M30, M99 or %, are not followed: 2 times, the first in line 4")
     );
     // A radius that is computed makes no arc.
     let computed = read_program("G71\nG0 X0 Y0\nG2 X20 Y0 CR=R5 F100\nSTOPRE\n", None);

@@ -14,7 +14,7 @@ pub(super) struct Count {
 }
 
 /// What stays in force from block to block.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
     pub motion: Motion,
     /// A cycle runs at every place, from G81 until G80 or a motion.
@@ -74,6 +74,10 @@ pub(super) struct Reader {
     pub machine: Count,
     pub transformed: Count,
     pub others: Count,
+    pub optional: Count,
+    pub twice: Count,
+    /// The line of the first units, where moves stand above it.
+    pub late_units: Option<usize>,
 }
 
 impl Reader {
@@ -125,6 +129,9 @@ impl Reader {
             machine: Count::default(),
             transformed: Count::default(),
             others: Count::default(),
+            optional: Count::default(),
+            twice: Count::default(),
+            late_units: None,
         }
     }
 
@@ -188,6 +195,24 @@ impl Reader {
             }
             return count(&mut self.skipped, self.line);
         }
+        let moves_before = self.path.len();
+        self.follow(block, before, leaped);
+        if line[..begin].contains(&b'/') && (self.path.len() > moves_before || self.modes != before) {
+            count(&mut self.optional, self.line);
+        }
+    }
+
+    /// Follows a block of words.
+    fn follow(&mut self, block: &mut Block, before: Modes, leaped: bool) {
+        if block.returns && block.p.is_some() {
+            // It goes on in another line.
+            self.place = [f64::NAN; 3];
+            count(&mut self.skipped, self.line);
+        }
+        block.ends |= block.returns && block.p.is_none();
+        if block.renames && block.given != 0 {
+            count(&mut self.transformed, self.line);
+        }
         // An end that may be jumped over, or that stands in a condition, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
         if block.offset.is_some() | block.writes {
@@ -197,6 +222,9 @@ impl Reader {
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
         if block.elsewhere || waits {
             return;
+        }
+        if block.twice {
+            count(&mut self.twice, self.line);
         }
         if block.others {
             count(&mut self.others, self.line);
@@ -374,7 +402,7 @@ impl Reader {
                 "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
             ),
         );
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30 or %, are not followed"));
+        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
         say(
             self.computed,
             "places-computed",
@@ -401,6 +429,12 @@ impl Reader {
             text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
         );
         say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
+        say(self.optional, "lines-optional", text!("Blocks with / are read: the control leaves them out where it is told to"));
+        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
+        if let Some(line) = self.late_units {
+            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
+            checker.warning("no-units", "", message);
+        }
         if self.path.metric.is_none() && !self.path.is_empty() {
             checker.info("no-units", "", text!("The program does not say its units"));
         }
