@@ -396,6 +396,27 @@ fn units_below_the_first_moves_are_said() {
     assert!(late.findings[0].message.contains("above line 2"), "{}", late.findings[0].message);
 }
 
+/// Frames of a SINUMERIK were lines that are not understood.
+#[test]
+fn a_frame_of_a_sinumerik_transforms_places() {
+    for (line, code) in [
+        ("TRANS X10 Y5", Some("places-transformed")),
+        ("N5 trans x=R1", Some("places-transformed")),
+        ("ATRANS Z1", Some("places-transformed")),
+        ("AROT RPL=30", Some("places-transformed")),
+        ("ROT RPL=30 ; turned", Some("places-transformed")),
+        ("AMIRROR X0", Some("places-transformed")),
+        ("SCALE X2 Y2", Some("places-transformed")),
+        ("TRANS", None),
+        ("ROT ; none", None),
+        ("TRANSMIT", Some("lines-skipped")),
+    ] {
+        let path = read_program(&format!("G71 G90\nG0 X1 Y2 Z3\n{line}\nX20\n"), Some("sinumerik"));
+        assert_eq!((said(&path), path.len()), (code.into_iter().collect(), 2), "{line}");
+        assert_eq!(path.end(1).to_array(), [20.0, 2.0, 3.0], "{line}");
+    }
+}
+
 /// A carriage return ends a line, as on grbl; lines count as in an editor.
 #[test]
 fn a_carriage_return_ends_a_line() {

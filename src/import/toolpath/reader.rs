@@ -155,6 +155,12 @@ impl Reader {
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
+            Some(_) if self.sinumerik => match frame(&line[begin..]) {
+                Some(true) => return count(&mut self.transformed, self.line),
+                // Alone it takes the shifts away.
+                Some(false) => return,
+                None => {}
+            },
             _ => {}
         }
         let before = self.modes;
@@ -453,6 +459,17 @@ pub(super) fn count(count: &mut Count, line: usize) {
 
 fn jumps(line: &[u8]) -> bool {
     line.windows(4).any(|word| word.eq_ignore_ascii_case(b"GOTO"))
+}
+
+/// Whether a block of a SINUMERIK shifts, turns, mirrors or scales: none where it does nothing of that, false where it ends it.
+fn frame(code: &[u8]) -> Option<bool> {
+    const WORDS: [&[u8]; 10] =
+        [b"TRANS", b"ATRANS", b"ROT", b"AROT", b"ROTS", b"AROTS", b"SCALE", b"ASCALE", b"MIRROR", b"AMIRROR"];
+    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    let known = WORDS.iter().any(|known| word.eq_ignore_ascii_case(known));
+    let rest = code[word.len()..].trim_ascii_start();
+    let assigned = matches!(rest.first(), Some(b'=' | b':' | b'('));
+    (known && !assigned).then(|| !matches!(rest.first(), None | Some(b';')))
 }
 
 /// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.
