@@ -44,6 +44,23 @@ fn a_tape_sign_in_the_middle_ended_the_program_unseen() {
     }
 }
 
+/// What stood behind the sign was nothing: no control takes it so.
+#[test]
+fn code_behind_a_tape_sign_was_passed_over() {
+    for post in MOVES {
+        let text = program(post);
+        let text = text.strip_prefix("%\n").unwrap_or(&text);
+        for first in ["%G0 Z-50", "% G0 Z-50", "%100 G0 Z-50", "%(A) G0 Z-50", "%_N_A_MPF G0 Z-50"] {
+            let found = said(&format!("{first}\n{text}"));
+            assert_eq!(found, ["not-understood"], "{post} {first}");
+        }
+        for first in ["%", "% (A)", "%100", "%_N_A_MPF"] {
+            assert_eq!(said(&format!("{first}\n{text}")), [""; 0], "{post} {first}");
+        }
+    }
+    assert!(interpret_until_stop("%G0 Z-50\nG0 X1\nM2\n").1.is_some());
+}
+
 #[test]
 fn words_of_a_job_below_the_header_overrode_it() {
     for post in MOVES {

@@ -81,8 +81,10 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         }
         returned = (returned || !trimmed.is_empty()) && text[..text.len() - rest.len()].ends_with('\r');
         // A tape sign stands before a program and after it: what stands after another is not loaded.
-        if trimmed.starts_with('%') {
-            if begun && rest.split(['\n', '\r']).any(|line| code(line.trim())) {
+        if let Some(behind) = trimmed.strip_prefix('%') {
+            if !is_tape_name(behind) {
+                troubles.push(Trouble { line, message: text!("code stands behind %"), understood: false });
+            } else if begun && rest.split(['\n', '\r']).any(|line| code(line.trim())) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
@@ -99,6 +101,15 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         }
     }
     if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+}
+
+/// Whether what stands behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
+fn is_tape_name(behind: &str) -> bool {
+    let Ok((code, _)) = split_comment(behind, b'(') else { return false };
+    let code = code.trim();
+    let name = code.strip_prefix("_N_").unwrap_or_default();
+    let named = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
+    code.bytes().all(|b| b.is_ascii_digit()) || !name.is_empty() && name.bytes().all(named)
 }
 
 /// Takes the next line off a text, without its end: a line feed, a carriage return, or both, as editors count lines.
