@@ -1,6 +1,6 @@
 //! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
 
-use crate::control::iso::lines::next_line;
+use crate::control::iso::lines::{after, next_line};
 use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
 use crate::num::{count, push_in_full};
@@ -47,12 +47,6 @@ pub fn seal(text: &mut String) {
     }
 }
 
-/// What stands after a beginning, in small letters or capitals.
-fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
-    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
-    same.then(|| &text[beginning.len()..])
-}
-
 /// A hash over lines: line ends, blanks at the end of a line and empty lines do not count. XXH64, 16 hexadecimal digits.
 pub fn hash(text: &str) -> String {
     let mut state = xxhash_rust::xxh64::Xxh64::new(0);
@@ -63,8 +57,7 @@ pub fn hash(text: &str) -> String {
     }
     let mut rest = text;
     while !rest.is_empty() {
-        // Some programs come back with carriage returns before their lines, or before those of a tape.
-        let line = next_line(&mut rest).trim_start_matches('\r').trim_end();
+        let line = next_line(&mut rest).trim_end();
         if !line.is_empty() {
             state.update(line.as_bytes());
             state.update(b"\n");
@@ -209,8 +202,8 @@ const MOST_WORDS: usize = 20_000;
 pub fn read(text: &str) -> Said<'_> {
     let mut said = Said::default();
     let mut rest = text;
-    while let Some((line, below)) = rest.split_once('\n').or_else(|| (!rest.is_empty()).then_some((rest, ""))) {
-        rest = below;
+    while !rest.is_empty() {
+        let line = next_line(&mut rest);
         let Some(comment) = comment(line) else { continue };
         if let Some(words) = after(comment, JOB_LINE) {
             if said.values.len() > MOST_WORDS {
@@ -226,7 +219,7 @@ pub fn read(text: &str) -> Said<'_> {
         } else if let Some(name) = after(comment, "Job:") {
             said.name = said.name.or(Some(name.trim_start()));
         } else if let Some(stated) = after(comment, HASH).filter(|_| said.unchanged.is_none()) {
-            said.unchanged = Some(stated.trim().eq_ignore_ascii_case(&hash(below)));
+            said.unchanged = Some(stated.trim().eq_ignore_ascii_case(&hash(rest)));
             // The header ends here.
             return said;
         }

@@ -1,9 +1,10 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
-use crate::form::{Checker, Value};
+use crate::control::iso::lines::next_line;
+use crate::form::{Checker, Value, printable};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::{Units, default_job_in};
+use crate::job::{Units, convert_units, default_job_in};
 use crate::text::text;
 
 /// Which parameter is which key of the cycle, and its default on the control.
@@ -44,13 +45,25 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     if !said.findings.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
         return Ok(said);
     }
+    let mut checker = Checker::default();
     let blocks = import(text)?;
     let (mut job, read) = (said.job, blocks.job);
+    // Blocks that do not say their units are in those of the header.
+    let unsaid = blocks.findings.iter().any(|f| f.code == "units-unknown");
+    let units = if unsaid { Units::of(&job) } else { Units::of(&read) };
+    if units != Units::of(&job) {
+        job = convert_units(&job, units.word())?;
+        let message = text!(
+            "The blocks are in {units} and the header's job is not: what only the header says is converted, and the numbers of the cycle are taken in {units}",
+            units.word()
+        );
+        checker.warning("units-differ", "units", message);
+    }
     let mut keys: Vec<String> = PARAMETERS
         .iter()
         .map(|(_, key, _)| format!("cycle.{}", key.split('[').next().unwrap_or(key)))
         .chain(PREDEFINED.iter().map(|(_, key)| format!("cycle.{key}")))
-        .chain(["cycle.extrusion", "control.tool", "units", "name", "plane"].map(str::to_owned))
+        .chain(["cycle.extrusion", "control.tool", "name", "plane"].map(str::to_owned))
         .collect();
     keys.dedup();
     for key in keys {
@@ -59,11 +72,13 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
             set(&mut job, &key, value);
         }
     }
-    let mut checker = Checker::default();
     let message = text!("The blocks differ from what the header's job makes: their values are used, the rest is the header's");
     checker.warning("program-differs", "", message);
-    let findings =
-        checker.findings().into_iter().chain(blocks.findings.into_iter().filter(|f| f.code != "not-in-program")).collect();
+    let findings = checker
+        .findings()
+        .into_iter()
+        .chain(blocks.findings.into_iter().filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")))
+        .collect();
     Ok(Imported { job, trace: None, findings })
 }
 
@@ -82,6 +97,8 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         passed_over: 0,
         plane_said: false,
         transformed: Vec::new(),
+        moves: None,
+        spins: None,
     };
     blocks.iter().for_each(|block| reader.block(block));
     reader.finish(&blocks)
@@ -108,12 +125,21 @@ struct Reader {
     plane_said: bool,
     /// What shifts, turns, mirrors or scales before the cycle.
     transformed: Vec<&'static str>,
+    /// The first block before the cycle that moves, and the first that switches the spindle on.
+    moves: Option<String>,
+    spins: Option<String>,
 }
 
 impl Reader {
     fn block(&mut self, block: &str) {
         let upper = block.to_ascii_uppercase();
         let words: Vec<&str> = upper.split_whitespace().collect();
+        if self.found == 0 && moves(&words) {
+            self.moves.get_or_insert_with(|| shown(block));
+        }
+        if self.found == 0 && words.iter().any(|word| matches!(*word, "M3" | "M03" | "M4" | "M04" | "M13" | "M14")) {
+            self.spins.get_or_insert_with(|| shown(block));
+        }
         match words.as_slice() {
             ["BEGIN", "PGM", rest @ ..] => {
                 let original: Vec<&str> = block.split_whitespace().collect();
@@ -218,7 +244,7 @@ impl Reader {
     }
 
     fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
-        let Reader { mut job, mut checker, extrusion, found, passed_over, plane_said, transformed } = self;
+        let Reader { mut job, mut checker, extrusion, found, passed_over, plane_said, transformed, moves, spins } = self;
         let klartext = blocks.iter().any(|b| b.to_ascii_uppercase().starts_with("BEGIN PGM"));
         if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
             let message = text!("The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken");
@@ -240,6 +266,16 @@ impl Reader {
                 text!("{count} other blocks are passed over", passed_over)
             };
             checker.info("passed-over", "", message);
+        }
+        if let Some(block) = moves {
+            let message = text!(
+                "Blocks before the cycle move, the first is {block}: the start in the job is not where the stylus stands then",
+                block
+            );
+            checker.warning("moves-before-cycle", "cycle.start", message);
+        }
+        if let Some(block) = spins {
+            checker.warning("unsafe-program", "", text!("The spindle is switched on before the cycle: {block}", block));
         }
         if !plane_said {
             checker.info("not-in-program", "plane", text!("This program does not say the tool axis: the plane G17 is taken"));
@@ -298,6 +334,34 @@ fn is_iso_word(word: &str) -> bool {
     word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
 }
 
+/// Whether a block moves, or what it calls may.
+fn moves(words: &[&str]) -> bool {
+    const PATHS: [&str; 16] =
+        ["L", "LN", "LP", "C", "CR", "CT", "CP", "CTP", "CHF", "RND", "APPR", "DEP", "FL", "FLT", "FC", "FCT"];
+    let number = |word: &str| word.get(1..).and_then(|number| crate::num::read(&number.replace(',', ".")));
+    let axis = |word: &str| word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W']) && number(word).is_some();
+    // G4 waits, G79 calls a cycle.
+    let code = |word: &str| {
+        let code = number(word).filter(|_| word.starts_with('G'));
+        code.is_some_and(|code| matches!(code, 0.0 | 1.0 | 2.0 | 3.0 | 5.0 | 6.0 | 7.0 | 10.0..=16.0 | 79.0))
+    };
+    match words {
+        ["CALL", ..] | ["CYCL", "CALL", ..] => true,
+        [first, ..] => {
+            PATHS.contains(first)
+                || axis(first)
+                || code(first)
+                || words.iter().all(|w| is_iso_word(w)) && words.iter().any(|w| code(w))
+        }
+        [] => false,
+    }
+}
+
+/// A block in a message.
+fn shown(block: &str) -> String {
+    printable(&block.chars().take(60).collect::<String>())
+}
+
 /// What kind of change of the work coordinate system a block states, and whether it is one: it may also end it.
 fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
     // Zero, an axis alone, and a reset change nothing; a scale of 1 neither.
@@ -343,8 +407,9 @@ fn wanted_iso(word: &str) -> bool {
 fn blocks(text: &str) -> Vec<String> {
     let mut blocks: Vec<String> = Vec::new();
     let mut goes_on = false;
-    for line in text.lines() {
-        let line = line.trim();
+    let mut rest = text;
+    while !rest.is_empty() {
+        let line = next_line(&mut rest).trim();
         let continued = line.ends_with('~');
         let line = line.trim_end_matches('~');
         // `*` ends an ISO block.

@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use crate::control::header::{self, Said};
+use crate::control::iso::lines::{after, next_line};
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
@@ -264,10 +265,14 @@ enum Token {
 /// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
-    text.lines()
+    let mut begun = false;
+    let mut rest = text;
+    std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)))
         .enumerate()
         .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
-        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%') && !is_program_number(tokens))
+        .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
+        // The number stands above the blocks.
+        .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
         .collect()
 }
 
@@ -276,7 +281,7 @@ fn is_program_number(tokens: &[Token]) -> bool {
     matches!(tokens, [Token::Sign(b'O'), Token::Number(_)])
 }
 
-/// A line without its comment. Some comments do something.
+/// A line without its comment. Some comments in brackets do something.
 fn code(line: &str, round: bool) -> &str {
     let mut quoted = false;
     let at = line.find(|c| {
@@ -284,10 +289,11 @@ fn code(line: &str, round: bool) -> &str {
         (c == ';' || (round && c == '(')) && !quoted
     });
     let Some(at) = at else { return line };
-    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| line[at + 1..].starts_with(word));
+    let inner = line[at + 1..].trim_start();
+    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| after(inner, word).is_some());
     // The text of an alarm belongs to its block.
     let alarm = line.trim_start().starts_with("#3000");
-    if round && (does || alarm) { line } else { &line[..at] }
+    if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }
 }
 
 /// A block without its number: `N10 G1`, or `12 TCH PROBE` of Klartext.

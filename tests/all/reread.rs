@@ -1,6 +1,6 @@
 //! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
 
-use crate::common::{job, number, planned, with};
+use crate::common::{interpret_until_stop, job, number, planned, with};
 use touchpath::control::trace::Kind;
 use touchpath::form::{Level, Value};
 use touchpath::import::import;
@@ -44,6 +44,23 @@ fn a_tape_sign_in_the_middle_ended_the_program_unseen() {
     }
 }
 
+/// What stood behind the sign was nothing: no control takes it so.
+#[test]
+fn code_behind_a_tape_sign_was_passed_over() {
+    for post in MOVES {
+        let text = program(post);
+        let text = text.strip_prefix("%\n").unwrap_or(&text);
+        for first in ["%G0 Z-50", "% G0 Z-50", "%100 G0 Z-50", "%(A) G0 Z-50", "%_N_A_MPF G0 Z-50"] {
+            let found = said(&format!("{first}\n{text}"));
+            assert_eq!(found, ["not-understood"], "{post} {first}");
+        }
+        for first in ["%", "% (A)", "%100", "%_N_A_MPF"] {
+            assert_eq!(said(&format!("{first}\n{text}")), [""; 0], "{post} {first}");
+        }
+    }
+    assert!(interpret_until_stop("%G0 Z-50\nG0 X1\nM2\n").1.is_some());
+}
+
 #[test]
 fn words_of_a_job_below_the_header_overrode_it() {
     for post in MOVES {
@@ -63,6 +80,21 @@ fn another_program_number_and_comments_are_no_change() {
     for post in ["linuxcnc", "grbl"] {
         assert_eq!(said(&format!("{}; a note\n", program(post))), [""; 0], "{post}");
     }
+}
+
+/// A control begins another program there.
+#[test]
+fn a_second_program_number_was_passed_over() {
+    for post in ["fanuc", "haas"] {
+        let text = program(post);
+        for (old, new) in [("G21", "O1001\nG21"), ("M30\n", "O1001\nM30\n"), ("M30\n", "o2\nM30\n"), ("O1000", "O1000\nO1001")]
+        {
+            assert!(text.contains(old), "{post} {old}");
+            assert_eq!(said(&text.replacen(old, new, 1)), ["not-understood"], "{post} {new}");
+        }
+    }
+    let at_its_end = program("fanuc").replacen("M30\n", "M30\nO1001\n", 1);
+    assert_eq!(said(&at_its_end), ["not-understood"]);
 }
 
 #[test]
@@ -92,6 +124,29 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
         let error = import(&program).unwrap_err();
         assert!(error.findings.iter().any(|f| f.message.contains("does not come to an end")), "{error}");
     }
+}
+
+/// A comment hid a motion from the reader, not from grbl, which ends a line at a carriage return. LinuxCNC does not end one there.
+#[test]
+fn a_carriage_return_hid_a_motion() {
+    for post in MOVES {
+        let text = program(post);
+        let (open, close) = if post == "sinumerik" { (";", "") } else { ("(", ")") };
+        let (head, blocks) = text.split_at(text.find("G1 Z").unwrap_or_else(|| text.find("G17").unwrap()));
+        for hidden in [format!("{open}NOTE\rG0 Z-50\r{close}\n"), format!("{open}NOTE{close}\rG0 Z-50\n"), "G90\r".to_owned()] {
+            let found = said(&format!("{head}{hidden}{blocks}"));
+            assert!(!found.is_empty() && found.iter().all(|code| code == "not-understood"), "{post} {hidden:?}: {found:?}");
+        }
+        // Where nothing stands behind it, it is the end of a line like any other.
+        for end in ["\r\n", "\r\r\n", "\n\r"] {
+            assert_eq!(said(&text.replace('\n', end)), [""; 0], "{post} {end:?}");
+        }
+    }
+    // Lines count as in an editor.
+    let error = import("G21\r\n\rG90\n\r\nWHAT\nG38.2 X1 F100\nM2\n").unwrap_err();
+    assert!(error.findings[0].message.starts_with("Line 5,"), "{error}");
+    let ran = interpret_until_stop("G21\nG0 X1 ;\rG0 X2\nM2\n").0;
+    assert_eq!(ran.moves.iter().map(|step| step.to[0]).collect::<Vec<_>>(), [1.0]);
 }
 
 /// Each of these took from a minute to hours: the way out of every probing move was followed for nothing, and a run of points was read anew at every point.
@@ -193,6 +248,58 @@ fn a_klartext_program_keeps_what_only_its_header_says() {
     assert!(read.findings.iter().any(|f| f.code == "not-in-program"));
 }
 
+/// The header's millimetres became inches, 25.4 times as long.
+#[test]
+fn a_klartext_program_in_other_units_converts_its_header() {
+    let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
+    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let at = |job: &Value, path: &str| crate::common::number_at(job, path, f64::NAN);
+    let read = import(&text.replace("PROBE MM", "PROBE INCH")).unwrap();
+    assert!(read.findings.iter().any(|f| f.code == "units-differ" && f.level == Level::Warning), "{:?}", read.findings);
+    assert_eq!(read.job.get("units"), Some(&Value::Text("inch".to_owned())));
+    assert_eq!((at(&read.job, "stylus.diameter"), at(&read.job, "cycle.probe.dist")), (0.23622, 0.393701));
+    let Some(Value::List(start)) = read.job.get("cycle").unwrap().get("start") else { panic!() };
+    assert_eq!(start[2], number(3.937008));
+    // What the blocks say is in the units of the blocks.
+    assert_eq!(at(&read.job, "cycle.diameter1"), at(&own, "cycle.diameter1"));
+    // Blocks that say no units are in those of the header.
+    let inch =
+        planned(&with(&touchpath::job::convert_units(&own, "inch").unwrap(), "control.form", Value::Text("cycle".to_owned())));
+    let bare: String =
+        inch.program.text.lines().filter(|line| !line.contains(" PGM ")).map(|line| format!("{line}\n")).collect();
+    let read = import(&bare).unwrap();
+    assert_eq!((read.job.get("units"), at(&read.job, "stylus.diameter")), (Some(&Value::Text("inch".to_owned())), 0.23622));
+    assert!(!read.findings.iter().any(|f| f.code.starts_with("units-")), "{:?}", read.findings);
+}
+
+/// It was one of the blocks that are passed over, and the start of the job stayed where it was.
+#[test]
+fn a_motion_before_the_cycle_was_a_note() {
+    let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
+    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let at = text.lines().find(|line| line.contains("TCH PROBE")).unwrap();
+    let number = at.trim_start().split(' ').next().unwrap();
+    let with_block = |block: &str| text.replacen(at, &format!("{number} {block}\n{at}"), 1);
+    assert_eq!(said(&text), [""; 0]);
+    for block in
+        ["L Z-50 R0 FMAX", "l z-50", "CC X+0 Y+0\nC X+10 Y+0 DR+", "CALL LBL 1", "G00 G90 Z+5", "G17 G0 Z+5", "X+10,5 Y+0"]
+    {
+        let findings = import(&with_block(block)).unwrap().findings;
+        let found = findings.iter().find(|f| f.code == "moves-before-cycle").unwrap_or_else(|| panic!("{block}: {findings:?}"));
+        assert!(found.level == Level::Warning && found.message.contains(block.lines().last().unwrap()), "{}", found.message);
+    }
+    for block in ["M5", "CYCL DEF 7.1 X+10", "G54 X+10", "STOP", "G04 F2", "FN 0: Q5 = +3", "LBL 1"] {
+        let found = said(&with_block(block));
+        assert!(!found.iter().any(|code| code == "moves-before-cycle" || code == "unsafe-program"), "{block}: {found:?}");
+    }
+    for block in ["M3", "L Z+100 R0 FMAX M03", "S500 M13"] {
+        assert!(said(&with_block(block)).contains(&"unsafe-program".to_owned()), "{block}");
+    }
+    // Behind the cycle it changes nothing of the job.
+    let behind = text.replacen(" END PGM", " L Z+200 R0 FMAX M3\n99 END PGM", 1);
+    assert!(!said(&behind).iter().any(|code| code == "moves-before-cycle" || code == "unsafe-program"));
+}
+
 /// What a program would do with a probe that stays deflected is asked beside what it does: an alarm there is no fault of the program.
 #[test]
 fn a_feed_that_is_computed_from_a_trigger_was_refused() {
@@ -261,4 +368,108 @@ fn many_declared_names_are_read_at_once() {
     let sets: String = (0..100_000).map(|i| format!("V{}=1\n", 24_999 - i % 9)).collect();
     let read = import(&format!("{names}{sets}G0 X0 Y0 Z5\nMEAS=1 G1 Z0 F100\nM30\n")).unwrap();
     assert_eq!(read.trace.unwrap().moves.len(), 2);
+}
+
+/// A comment stops a program where LinuxCNC's interpreter stops at it, and nowhere else.
+#[test]
+fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
+    let kind = |comment: &str| {
+        let text = format!("G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n{comment}\no1 endif\nG1 X9\nM2\n");
+        import(&text).unwrap().trace.unwrap().moves[1].kind
+    };
+    for (comment, stops) in [("(ABORT,x)", true), (";ABORT,x", false), ("; (ABORT,x)", false), ("(ABORT ,x)", false)] {
+        let (_, stopped) = interpret_until_stop(&format!("G21\n{comment}\nG0 X1\nM2\n"));
+        assert_eq!(stopped.is_some(), stops, "{comment}: {stopped:?}");
+        assert_eq!(kind(comment), if stops { Kind::Watched } else { Kind::Unchecked }, "{comment}");
+    }
+    // Python is carried out behind either sign.
+    for comment in ["(py,x=1)", ";py,x=1", "(PYRUN,x.py)", "; pyreload"] {
+        let error = import(&format!("G21\n#1=1\n{comment}\nG38.2 X#1 F100\nM2\n")).unwrap_err();
+        assert!(error.findings[0].message.contains("Python"), "{comment}: {error}");
+    }
+    let ran = interpret_until_stop("G21\n;py,raise Exception()\nM2\n").1;
+    assert!(ran.is_some_and(|why| why.contains("Exception")));
+    // The same in a program whose header says its job.
+    let text = program("linuxcnc").replace("(ABORT,Contact", ";ABORT,Contact");
+    let found = said(&text);
+    assert!(found.contains(&"program-differs".to_owned()) && found.contains(&"unsafe-program".to_owned()), "{found:?}");
+}
+
+/// What a subroutine has for itself was one with what stands outside: numbers up to 30, names without `_`.
+#[test]
+fn a_subroutines_own_variables_are_not_those_outside() {
+    let program = |before: &str, inside: &str| {
+        format!(
+            "G21 G17 G90\n{before}\no<a> sub\n{inside}\nG0 X[1+#1] Y[1+#2]\no<a> endsub\nG38.2 Z-5 F100\no<a> call [3]\nG0 Z[#2+1]\nM2\n"
+        )
+    };
+    let read = |before: &str, inside: &str| import(&program(before, inside));
+    // An argument that is not given is 0 inside, whatever it is outside.
+    let text = program("#2=7", "#<_n>=1");
+    let ran = interpret_until_stop(&text).0;
+    let moves = import(&text).unwrap().trace.unwrap().moves;
+    let [inside, after] = [ran.moves[1].to, ran.moves[2].to];
+    assert_eq!((inside[0], inside[1], after[2]), (4.0, 1.0, 8.0));
+    assert_eq!((moves[1].to[0], moves[1].to[1], moves[2].to[2]), (Some(4.0), Some(1.0), Some(8.0)));
+    for inside in ["#<h>=1", "#<H>=1", "#2=1", "#02=1", "#12=1", "G0 Z#12", "G0 Z[1+#<h>]", "(PRINT,h=#<h>)"] {
+        let error = read("#2=7", inside).unwrap_err();
+        assert!(error.findings[0].message.contains("variables of its own"), "{inside}: {error}");
+    }
+}
+
+/// Whatever stood between the first bracket of a call and the last one of its line was nothing.
+#[test]
+fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
+    let text = program("sinumerik");
+    for (line, good) in [
+        ("MSG()", true),
+        ("MSG(\"A) B\"<<R90<<\", C;\")", true),
+        ("MSG(R90)", true),
+        ("MSG(\"\") G0 Z-50 MSG(\"\")", false),
+        ("MSG() G0 Z-50 )", false),
+        ("MSG(\"A)", false),
+    ] {
+        let found = said(&text.replacen("\nSTOPRE\n", &format!("\n{line}\nSTOPRE\n"), 1));
+        assert_eq!(found.contains(&"not-understood".to_owned()), !good, "{line}: {found:?}");
+    }
+    for alarm in ["SETAL(1)", "SETAL(650001)", "SETAL(65000,\"A\")"] {
+        let found = said(&text.replacen("SETAL(65000)", alarm, 1));
+        assert_eq!(found, ["not-understood"], "{alarm}");
+    }
+    let own = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
+    let cycle = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    assert_eq!(said(&cycle), [""; 0]);
+    let (head, _) = cycle.split_once("CYCLE977(").unwrap();
+    let call = cycle[head.len()..].lines().next().unwrap();
+    let moved = format!("{}) G0 Z=-(50)", &call[..call.len() - 1]);
+    assert_eq!(said(&cycle.replacen(call, &moved, 1)), ["not-understood"]);
+}
+
+/// AND binds tighter than a comparison on a Fanuc and a SINUMERIK: without brackets it combines the bits of numbers. It was taken for a condition.
+#[test]
+fn and_beside_a_comparison_needs_brackets() {
+    for (condition, good) in [
+        ("1 EQ 1 AND 2 EQ 2", false),
+        ("[1 EQ 1] AND 2 EQ 2", false),
+        ("1 EQ 1 OR [2 EQ 2]", false),
+        ("1 AND 3", false),
+        ("[1 EQ 1] AND [2 EQ 2]", true),
+        ("[1 EQ 1] OR [2 EQ 3] AND [2 EQ 2]", true),
+    ] {
+        let fanuc = format!("IF [{condition}] GOTO 77\nG0 X5.\nN77\nG31 X1. F100.\nM30\n");
+        let signs = condition.replace("EQ", "==").replace('[', "(").replace(']', ")");
+        let sinumerik = format!("IF {signs} GOTOF A\nG0 X5\nA:\nMEAS=1 G1 X1 F100\nM30\n");
+        for text in [fanuc, sinumerik] {
+            let read = import(&text);
+            assert_eq!(read.is_ok(), good, "{text}");
+            match read {
+                Ok(read) => assert_eq!(read.trace.unwrap().moves.len(), 1, "{text}"),
+                Err(error) => assert!(error.findings[0].message.contains("AND and OR"), "{error}"),
+            }
+        }
+    }
+    // LinuxCNC compares first.
+    let text = "#1=[1 EQ 1 AND 2 EQ 2]\nG38.2 X#1 F100\nM2\n";
+    assert_eq!(import(text).unwrap().trace.unwrap().moves[0].to[0], Some(1.0));
+    assert_eq!(interpret_until_stop(&format!("G21\n{text}")).0.moves[0].to[0], 1.0);
 }

@@ -186,6 +186,8 @@ const BROKEN: &[(&str, &str, &str, &str)] = &[
         " M78\nG103 P1\nIF [ABS[#5061-32.]+ABS[#5062]+ABS[#5063-#100-10.] GT 0.05] GOTO 9001\n",
         "\n",
     ),
+    // Behind a semicolon it is a comment and no more: a contact only ends the program.
+    ("positioning-watched", "linuxcnc", "(ABORT,Contact in move", ";ABORT,Contact in move"),
     ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z10 X3 F2000\no1"),
     ("contact-lifts", "linuxcnc", "G1 Z30 F2000\no1", "G1 Z9999 F2000\no1"),
     ("contact-lifts", "linuxcnc", "o<tp_exit> call [3] [1]", "o<tp_exit> call [3] [0]"),
@@ -252,6 +254,9 @@ const DANGEROUS: &[(&str, &[&str])] = &[
             "o77 if [#<never_set> EQ 0]
 o77 endif",
             "(ABORT,here)",
+            "(abort,here)",
+            "(py,here)",
+            ";py,here",
         ],
     ),
     ("grbl", &["G20", "G18", "G55", "G49", "G64", "M3", "G1 Z-80 F100"]),
@@ -272,6 +277,7 @@ o77 endif",
             "IF [#500 EQ 1] GOTO 9001",
             "#101=#5041",
             "#5221=0",
+            "O1001",
         ],
     ),
     (
@@ -281,6 +287,7 @@ o77 endif",
             "G18",
             "G55",
             "G154 P3",
+            "O1001",
             "M3",
             "#5201=5.",
             "#3003=2",
@@ -306,6 +313,10 @@ o77 endif",
             "G1 Z-80 F100",
             "IF R90==1 GOTOF TP_EXIT",
             "R95=$AA_IW[X]",
+            "MSG(\"\") G0 X5 Y5 Z-50 MSG(\"\")",
+            "MSG() G0 Z-50 )",
+            "MSG(\"A\"<<TP_MOVE) Z=-(50)",
+            "SETAL(65000) G0 Z=-(50)",
             "$P_UIFR[1,X,TR]=0",
         ],
     ),
@@ -336,6 +347,32 @@ fn no_dangerous_line_between_two_moves_goes_unnoticed() {
         for line in *lines {
             assert!(!unnoticed(line), "{post}: {line}");
         }
+    }
+}
+
+/// A variable has more than one spelling: in capitals, with blanks, with zeros in front of its number.
+#[test]
+fn a_result_that_is_overwritten_in_another_spelling_is_not_proven() {
+    for (post, line, before) in [
+        ("linuxcnc", "#<center_x>=99", "(PRINT,"),
+        ("linuxcnc", "#<CENTER_X>=99", "(PRINT,"),
+        ("linuxcnc", "#<center _x>=99", "(PRINT,"),
+        ("fanuc", "#0100=99.", "M30"),
+        ("haas", "#0100=99.", "M30"),
+        ("sinumerik", "R01=99", "M30"),
+        ("sinumerik", "r1=99", "M30"),
+    ] {
+        let job = job_for("internal-rectangle-protected", post, Form::Moves, false);
+        let plan = plan(&job).unwrap();
+        // The first result stands in this variable.
+        let named = plan.program.text.split_once("RESULTS: #").map_or("100", |(_, list)| list.split(' ').next().unwrap());
+        let line = line.replace("100", named);
+        let changed = plan.program.text.replacen(&format!("\n{before}"), &format!("\n{line}\n{before}"), 1);
+        assert_ne!(changed, plan.program.text, "{post}");
+        assert!(!touchpath::job::proves(&job, &changed, &plan.program.move_lines), "{post}: {line}");
+        let comment = if post == "sinumerik" { "; HERE" } else { "(HERE)" };
+        let same = changed.replacen(&line, comment, 1);
+        assert!(touchpath::job::proves(&job, &same, &plan.program.move_lines), "{post}: {line}");
     }
 }
 

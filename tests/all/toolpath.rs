@@ -317,8 +317,18 @@ fn words_that_are_no_moves_were_read_as_moves() {
         // What stands in a subroutine runs where it is called; what stands after the end does not run.
         ("o<s> sub\nG1 Z-50\no<s> endsub\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
         ("M30\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        ("M99\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        ("M99 P5\nX99", 2, known(99.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        // Two motions or places in a block: LinuxCNC refuses them.
+        ("G0 X20 Y20 G1 X5 F100", 2, known(5.0, 20.0, 10.0), &["words-twice"]),
+        ("G0 G1 X5 F100", 2, known(5.0, 10.0, 10.0), &["words-twice"]),
+        // A lathe calls the place where the tool is so.
+        ("G50 X5\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        ("G50 S2000\nG50\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         // Blocks that may be left out, and main blocks.
-        ("/2 X3", 2, known(3.0, 10.0, 10.0), &[]),
+        ("/2 X3", 2, known(3.0, 10.0, 10.0), &["lines-optional"]),
+        ("/G91\nX3", 2, known(13.0, 10.0, 10.0), &["lines-optional"]),
+        ("/M5\n/T1", 1, known(10.0, 10.0, 10.0), &[]),
         (":10 X3", 2, known(3.0, 10.0, 10.0), &[]),
         // An end that is not on its circle.
         ("G2 X20 Y10 I1 J0", 2, known(20.0, 10.0, 10.0), &["arc-unsolved"]),
@@ -371,6 +381,55 @@ fn a_dialect_is_that_of_its_words() {
     }
 }
 
+/// Moves above the first units were taken to be in them without a word.
+#[test]
+fn units_below_the_first_moves_are_said() {
+    for (text, codes) in [
+        ("G0 X1\nG20\nG0 X2\n", vec!["no-units"]),
+        ("G20 G0 X1\nG0 X2\n", vec![]),
+        ("G0 X1\n", vec!["no-units"]),
+        ("T1\nG21\nG0 X1\nG20\nG0 X2\n", vec![]),
+    ] {
+        assert_eq!(said(&read_program(text, None)), codes, "{text}");
+    }
+    let late = read_program("G0 X1\nG20\nG0 X2\n", None);
+    assert!(late.findings[0].message.contains("above line 2"), "{}", late.findings[0].message);
+}
+
+/// Frames of a SINUMERIK were lines that are not understood.
+#[test]
+fn a_frame_of_a_sinumerik_transforms_places() {
+    for (line, code) in [
+        ("TRANS X10 Y5", Some("places-transformed")),
+        ("N5 trans x=R1", Some("places-transformed")),
+        ("ATRANS Z1", Some("places-transformed")),
+        ("AROT RPL=30", Some("places-transformed")),
+        ("ROT RPL=30 ; turned", Some("places-transformed")),
+        ("AMIRROR X0", Some("places-transformed")),
+        ("SCALE X2 Y2", Some("places-transformed")),
+        ("TRANS", None),
+        ("ROT ; none", None),
+        ("TRANSMIT", Some("lines-skipped")),
+    ] {
+        let path = read_program(&format!("G71 G90\nG0 X1 Y2 Z3\n{line}\nX20\n"), Some("sinumerik"));
+        assert_eq!((said(&path), path.len()), (code.into_iter().collect(), 2), "{line}");
+        assert_eq!(path.end(1).to_array(), [20.0, 2.0, 3.0], "{line}");
+    }
+}
+
+/// A carriage return ends a line, as on grbl; lines count as in an editor.
+#[test]
+fn a_carriage_return_ends_a_line() {
+    for (text, lines) in [
+        ("G21\rG0 X1\rG0 X2", [1, 2]),
+        ("G21\r\nG0 X1\r\nG0 X2\r\n", [1, 2]),
+        ("G21\n(a\rG0 X1\r)\nG0 X2", [2, 4]),
+        ("G21\r\r\nG0 X1\n\rG0 X2\r", [2, 4]),
+    ] {
+        assert_eq!(read_program(text, None).line, lines, "{text:?}");
+    }
+}
+
 /// A tape sign after code ends the program, as LinuxCNC's interpreter has it; a first one begins it, and a name after one ends nothing.
 #[test]
 fn a_tape_sign_ends_the_program() {
@@ -419,7 +478,7 @@ fn no_probing_move_is_lost() {
     let ended = read_program("G21\nG0 X1\nM30\nN9 G0 X2\nX3\n", None);
     assert_eq!(
         (ended.len(), ended.findings[0].message.as_str()),
-        (1, "Lines below the end of the program, M2, M30 or %, are not followed: 2 times, the first in line 4")
+        (1, "Lines below the end of the program, M2, M30, M99 or %, are not followed: 2 times, the first in line 4")
     );
     // A radius that is computed makes no arc.
     let computed = read_program("G71\nG0 X0 Y0\nG2 X20 Y0 CR=R5 F100\nSTOPRE\n", None);

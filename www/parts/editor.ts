@@ -84,8 +84,6 @@ export class Editor {
       // Nothing opens a keyboard on a phone; what is selected can be copied.
       EditorView.editable.of(false),
       EditorView.lineWrapping,
-      // The lines are those that the core counts.
-      EditorState.lineSeparator.of("\n"),
       EditorView.contentAttributes.of(() => ({
         tabindex: "0",
         "aria-readonly": "true",

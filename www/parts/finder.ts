@@ -63,7 +63,7 @@ export class Finder {
   private find(): void {
     const holds = (text: string) => this.words !== "" && text.toLowerCase().includes(this.words);
     this.lines = this.text()
-      .split("\n")
+      .split(/\r\n?|\n/)
       .flatMap((text, line) => (holds(text) ? [line] : []));
   }
 

@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
@@ -10,7 +10,7 @@ use crate::text::text;
 static FANUC: Grammar = LIKE_FANUC;
 static HAAS: Grammar = Grammar { code: haas_code, ..LIKE_FANUC };
 const LIKE_FANUC: Grammar =
-    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: WORD_OPERATORS, system, code };
+    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: TIGHT_WORD_OPERATORS, system, code };
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.
 fn system(name: &[u8]) -> Option<System> {
@@ -86,14 +86,23 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
     script.full_circle = true;
     let mut targets = Targets::default();
+    let mut numbered = false;
     lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
-        let results = comment.and_then(|comment| comment.strip_prefix("RESULTS: "));
+        let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
             let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));
         }
         let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
-        if code.is_empty() || code == "%" || code.strip_prefix('O').is_some_and(is_number) {
+        if code.is_empty() || code == "%" {
+            return Ok(());
+        }
+        if code.strip_prefix(['O', 'o']).is_some_and(is_number) {
+            // Its own number stands above its blocks.
+            if numbered || !script.blocks.is_empty() {
+                return fault(text!("another program begins here"));
+            }
+            numbered = true;
             return Ok(());
         }
         block(script, line, code, grammar, &mut targets)

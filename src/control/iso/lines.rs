@@ -7,14 +7,24 @@ use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
 
-/// The code of a line and its comment, without its brackets or sign. A sign inside a text begins none.
-pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
+/// A comment of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment<'t> {
+    /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
+    pub sign: u8,
+    /// It, without brackets or sign.
+    pub text: &'t str,
+}
+
+/// The code of a line and its comment. A sign inside a text begins none.
+pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)> {
+    let comment = |sign: u8, text| Some(Comment { sign, text });
     let Some(first) = memchr::memchr3(sign, b';', b'"', line.as_bytes()) else { return Ok((line, None)) };
     let mut quoted = false;
     for (at, b) in line.bytes().enumerate().skip(first) {
         match b {
             b'"' => quoted = !quoted,
-            b';' if sign == b'(' && !quoted => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+            b';' if !quoted => return Ok((&line[..at], comment(b, line[at + 1..].trim()))),
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = line[at + 1..].trim_end();
@@ -22,9 +32,9 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<&str>)> {
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return fault(text!("two comments are in one line, or one in another"));
                 }
-                return Ok((&line[..at], Some(inner)));
+                return Ok((&line[..at], comment(b, inner)));
             }
-            _ => return Ok((&line[..at], Some(line[at + 1..].trim()))),
+            _ => {}
         }
     }
     Ok((line, None))
@@ -43,7 +53,7 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
 }
 
 /// What a control reads a line as: its number, its code, its comment.
-pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<&'t str>) -> Parsed<()> + 'f;
+pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<Comment<'t>>) -> Parsed<()> + 'f;
 
 /// So many lines that are not understood are listed: after them a text is no program of this control, and is not read on.
 const MOST_TROUBLES: usize = 200;
@@ -53,6 +63,8 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let mut begun = false;
+    // Whether something stands in front of a carriage return that no line feed has followed yet.
+    let mut returned = false;
     let mut rest = text;
     for line in 0.. {
         if rest.is_empty() || troubles.len() == MOST_TROUBLES {
@@ -60,9 +72,19 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         }
         let full = next_line(&mut rest);
         let trimmed = trimmed(full);
+        // grbl ends a line there, LinuxCNC does not: `;\r` would hide from it what stands behind.
+        if returned && !trimmed.is_empty() {
+            let message = text!("a carriage return without a line feed: not every control ends a line there");
+            troubles.push(Trouble { line, message, understood: false });
+            returned = false;
+            continue;
+        }
+        returned = (returned || !trimmed.is_empty()) && text[..text.len() - rest.len()].ends_with('\r');
         // A tape sign stands before a program and after it: what stands after another is not loaded.
-        if trimmed.starts_with('%') {
-            if begun && rest.lines().any(|line| code(line.trim())) {
+        if let Some(behind) = trimmed.strip_prefix('%') {
+            if !is_tape_name(behind) {
+                troubles.push(Trouble { line, message: text!("code stands behind %"), understood: false });
+            } else if begun && rest.split(['\n', '\r']).any(|line| code(line.trim())) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
@@ -70,7 +92,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         begun |= !trimmed.is_empty() && !trimmed.starts_with(';');
         let read = split_comment(full, sign).and_then(|(code, comment)| {
             if let Some(comment) = comment {
-                script.start = script.start.or_else(|| stated_start(comment));
+                script.start = script.start.or_else(|| stated_start(comment.text));
             }
             block(script, line, self::trimmed(code), comment)
         });
@@ -81,13 +103,22 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
     if troubles.is_empty() { Ok(()) } else { Err(troubles) }
 }
 
-/// Takes the next line off a text, without its end: as [`str::lines`] does, and faster for lines as short as those of programs.
+/// Whether what stands behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
+fn is_tape_name(behind: &str) -> bool {
+    let Ok((code, _)) = split_comment(behind, b'(') else { return false };
+    let code = code.trim();
+    let name = code.strip_prefix("_N_").unwrap_or_default();
+    let named = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
+    code.bytes().all(|b| b.is_ascii_digit()) || !name.is_empty() && name.bytes().all(named)
+}
+
+/// Takes the next line off a text, without its end: a line feed, a carriage return, or both, as editors count lines.
 pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
     let text = *rest;
-    match memchr::memchr(b'\n', text.as_bytes()) {
+    match memchr::memchr2(b'\n', b'\r', text.as_bytes()) {
         Some(at) => {
-            *rest = &text[at + 1..];
-            text[..at].strip_suffix('\r').unwrap_or(&text[..at])
+            *rest = &text[at + if text[at..].starts_with("\r\n") { 2 } else { 1 }..];
+            &text[..at]
         }
         None => {
             *rest = "";
@@ -103,6 +134,12 @@ pub fn trimmed(text: &str) -> &str {
         [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => text,
         _ => text.trim(),
     }
+}
+
+/// What stands after a beginning, in small letters or capitals.
+pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
+    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
+    same.then(|| &text[beginning.len()..])
 }
 
 /// Jumps and calls by name, resolved when everything is read.

@@ -58,26 +58,41 @@ pub enum Code {
 /// How tightly * and / bind; nothing binds tighter.
 const TIGHTEST: u8 = 3;
 
-/// Operators as words, in brackets `[ ]`.
+/// How tightly comparisons bind.
+const COMPARES: u8 = 1;
+
+/// Operators as words, in brackets `[ ]`, where AND and OR bind least.
 pub const WORD_OPERATORS: &[(&str, u8, Binary)] = &[
     ("OR", 0, Binary::Or),
     ("AND", 0, Binary::And),
-    ("EQ", 1, Binary::Equal),
-    ("NE", 1, Binary::Unequal),
-    ("LT", 1, Binary::Less),
-    ("LE", 1, Binary::AtMost),
-    ("GT", 1, Binary::Greater),
-    ("GE", 1, Binary::AtLeast),
+    ("EQ", COMPARES, Binary::Equal),
+    ("NE", COMPARES, Binary::Unequal),
+    ("LT", COMPARES, Binary::Less),
+    ("LE", COMPARES, Binary::AtMost),
+    ("GT", COMPARES, Binary::Greater),
+    ("GE", COMPARES, Binary::AtLeast),
 ];
 
-/// Operators as signs, in brackets `( )`.
+/// The same where AND binds as a product, and OR as a sum: beside a comparison without brackets they combine the bits of its numbers.
+pub const TIGHT_WORD_OPERATORS: &[(&str, u8, Binary)] = &[
+    ("OR", TIGHTEST - 1, Binary::Or),
+    ("AND", TIGHTEST, Binary::And),
+    ("EQ", COMPARES, Binary::Equal),
+    ("NE", COMPARES, Binary::Unequal),
+    ("LT", COMPARES, Binary::Less),
+    ("LE", COMPARES, Binary::AtMost),
+    ("GT", COMPARES, Binary::Greater),
+    ("GE", COMPARES, Binary::AtLeast),
+];
+
+/// Operators as signs, in brackets `( )`. Comparisons bind least.
 pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
-    ("OR", 0, Binary::Or),
-    ("AND", 0, Binary::And),
-    ("==", 1, Binary::Equal),
-    ("<>", 1, Binary::Unequal),
-    (">=", 1, Binary::AtLeast),
-    ("<=", 1, Binary::AtMost),
+    ("OR", TIGHTEST - 1, Binary::Or),
+    ("AND", TIGHTEST, Binary::And),
+    ("==", COMPARES, Binary::Equal),
+    ("<>", COMPARES, Binary::Unequal),
+    (">=", COMPARES, Binary::AtLeast),
+    ("<=", COMPARES, Binary::AtMost),
 ];
 
 /// A place in a line.
@@ -133,7 +148,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// The next byte.
-    pub(super) fn next(&self) -> Option<u8> {
+    pub fn next(&self) -> Option<u8> {
         self.rest.first().copied()
     }
 
@@ -203,6 +218,15 @@ impl<'t> Cursor<'t> {
         named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
     }
 
+    /// Goes past a text in quotes where one is next.
+    pub fn text(&mut self) -> bool {
+        let end = self.rest.strip_prefix(b"\"").and_then(|inside| memchr::memchr(b'"', inside));
+        if let Some(end) = end {
+            self.advance(end + 2);
+        }
+        end.is_some()
+    }
+
     /// The name of an O word: `<tp_exit>`, `12`.
     pub fn label(&mut self) -> Option<&'t [u8]> {
         let end = match self.next()? {
@@ -257,6 +281,11 @@ impl<'t> Cursor<'t> {
             }
             let right =
                 if binds == TIGHTEST { self.operand(grammar, script)? } else { self.bound(binds + 1, grammar, script)? };
+            // What AND and OR bind tighter than must stand in brackets to be a condition: of numbers they make other numbers.
+            let joins = binds > COMPARES && matches!(binary, Binary::And | Binary::Or);
+            if joins && !(script.is_condition(left) && script.is_condition(right)) {
+                return fault(text!("AND and OR stand between conditions in brackets"));
+            }
             left = script.keep(Node::Binary(binary, left, right));
         }
         Ok(left)

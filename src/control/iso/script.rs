@@ -1,5 +1,6 @@
 //! A program as it is read: blocks with resolved jumps, over one arena of expressions.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::num::NonZeroU32;
 
@@ -23,7 +24,7 @@ pub struct Trouble {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeId(NonZeroU32);
 
-/// A variable, by its place in [`Script::slots`].
+/// A variable, by its number: the first is 0.
 pub type Slot = u32;
 
 /// A value.
@@ -286,12 +287,12 @@ pub struct Script<'t> {
     pub blocks: Vec<Block>,
     /// Its values.
     pub nodes: Vec<Node>,
-    /// The names of its variables.
-    pub slots: Vec<&'t [u8]>,
-    /// The same by name.
-    names: HashMap<&'t [u8], Slot, FxBuildHasher>,
+    /// How many variables it has.
+    pub slots: usize,
+    /// They by name.
+    names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
     /// Those beyond the usual number.
-    more_names: BTreeMap<&'t [u8], Slot>,
+    more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
@@ -333,7 +334,6 @@ impl<'t> Script<'t> {
         Script {
             blocks: Vec::with_capacity(lines + 16),
             nodes: Vec::with_capacity(text.len() / 8 + 16),
-            slots: Vec::with_capacity(names),
             names: HashMap::with_capacity_and_hasher(names, FxBuildHasher),
             ..Script::default()
         }
@@ -341,11 +341,12 @@ impl<'t> Script<'t> {
 
     /// The variable of this name, a new one where there is none yet.
     pub fn slot(&mut self, name: &'t [u8]) -> Slot {
-        if let Some(slot) = self.find(name) {
+        let name = spelled(name);
+        if let Some(slot) = self.find(&name) {
             return slot;
         }
-        let new = self.slots.len() as Slot;
-        self.slots.push(name);
+        let new = self.slots as Slot;
+        self.slots += 1;
         if self.names.len() < USUAL_NAMES {
             self.names.insert(name, new);
         } else {
@@ -354,7 +355,7 @@ impl<'t> Script<'t> {
         new
     }
 
-    /// The variable of this name, where there is one.
+    /// The variable of this name, spelled as below, where there is one.
     pub fn find(&self, name: &[u8]) -> Option<Slot> {
         let known = self.names.get(name).copied();
         // The tree is empty in nearly every program.
@@ -377,6 +378,18 @@ impl<'t> Script<'t> {
         match self.node(id) {
             Node::Number(x) => Some(x),
             _ => None,
+        }
+    }
+
+    /// Whether a value is true or not true, and no other number.
+    pub fn is_condition(&self, id: NodeId) -> bool {
+        match self.node(id) {
+            Node::Binary(binary, ..) => match binary {
+                Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Atan => false,
+                Binary::Equal | Binary::Unequal | Binary::Less | Binary::AtMost | Binary::Greater | Binary::AtLeast => true,
+                Binary::And | Binary::Or => true,
+            },
+            Node::Number(_) | Node::Slot(_) | Node::System(_) | Node::Unary(..) => false,
         }
     }
 
@@ -412,9 +425,55 @@ impl<'t> Script<'t> {
     }
 }
 
+/// A name as a control takes it: capitals, blanks and zeros in front of a number make no other variable.
+fn spelled(name: &[u8]) -> Cow<'_, [u8]> {
+    let (hash, blank) = (name.starts_with(b"#"), name.iter().any(u8::is_ascii_whitespace));
+    let plain = match name {
+        [b'#', b'[', ..] => true,
+        [b'#', b'<', rest @ ..] => !blank && !rest.iter().any(u8::is_ascii_uppercase),
+        [b'#', ..] => !name[1..].starts_with(b"0"),
+        [b'R' | b'r', b'0', _, ..] => false,
+        _ => !blank && !name.iter().any(u8::is_ascii_lowercase),
+    };
+    if plain {
+        return Cow::Borrowed(name);
+    }
+    let same = |b: &u8| if hash { b.to_ascii_lowercase() } else { b.to_ascii_uppercase() };
+    let mut spelled: Vec<u8> = name.iter().filter(|b| !b.is_ascii_whitespace()).map(same).collect();
+    if let [b'#' | b'R', number @ .., last] = spelled.as_slice()
+        && number.iter().chain([last]).all(u8::is_ascii_digit)
+    {
+        let zeros = number.iter().take_while(|b| **b == b'0').count();
+        spelled.drain(1..=zeros);
+    }
+    Cow::Owned(spelled)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Script, USUAL_NAMES};
+    use super::{Script, USUAL_NAMES, spelled};
+
+    #[test]
+    fn a_name_is_spelled_as_a_control_takes_it() {
+        for (name, wanted) in [
+            ("#<Center _X>", "#<center_x>"),
+            ("#<a>", "#<a>"),
+            ("#05", "#5"),
+            ("#00", "#0"),
+            ("#0", "#0"),
+            ("#100", "#100"),
+            ("R010", "R10"),
+            ("r0", "R0"),
+            ("R0X", "R0X"),
+            ("tp_move", "TP_MOVE"),
+            ("#[A+1]", "#[A+1]"),
+            ("A01", "A01"),
+            ("", ""),
+            (" ", ""),
+        ] {
+            assert_eq!(spelled(name.as_bytes()), wanted.as_bytes(), "{name}");
+        }
+    }
 
     /// Beyond the usual number names are kept elsewhere, and found all the same.
     #[test]
@@ -427,7 +486,7 @@ mod tests {
             assert_eq!(script.slot(name.as_bytes()), slot, "{name}");
             assert_eq!(script.find(name.as_bytes()), Some(slot), "{name}");
         }
-        assert_eq!(script.slots.len(), names.len());
+        assert_eq!(script.slots, names.len());
         assert_eq!(script.find(b"#<w>"), None);
     }
 }

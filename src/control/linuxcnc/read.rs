@@ -1,9 +1,9 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lines::{self, Comment, Targets, after};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, Node, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -20,9 +20,9 @@ static GRAMMAR: Grammar = Grammar {
 fn system(name: &[u8]) -> Option<System> {
     if let [b'#', b'<', name @ ..] = name {
         return match name {
-            b"_x>" => Some(System::Place(0)),
-            b"_y>" => Some(System::Place(1)),
-            b"_z>" => Some(System::Place(2)),
+            b"_x>" | b"_X>" => Some(System::Place(0)),
+            b"_y>" | b"_Y>" => Some(System::Place(1)),
+            b"_z>" | b"_Z>" => Some(System::Place(2)),
             _ => None,
         };
     }
@@ -42,6 +42,9 @@ fn system(name: &[u8]) -> Option<System> {
     }
 }
 
+/// So many arguments of a call are followed.
+const MOST_ARGUMENTS: i32 = 9;
+
 /// O words that are open.
 enum Open<'t> {
     /// The jump past the subroutine.
@@ -60,6 +63,10 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if let Some(comment) = comment {
             active(script, line, comment)?;
         }
+        let in_sub = open.iter().any(|open| matches!(open, Open::Sub(..)));
+        if in_sub && (has_own(code) || comment.is_some_and(|comment| has_own(comment.text))) {
+            return fault(text!("a subroutine has variables of its own: they are not followed"));
+        }
         if code.is_empty() || code == "%" {
             return Ok(());
         }
@@ -76,8 +83,12 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
             let value = cursor.value(&GRAMMAR, script)?;
             cursor.end()?;
             let slot = script.slot(name);
-            // Above 5000 stand the control's own; #5599 only says whether messages are shown.
-            let own = parse::whole(&name[1..]).is_none_or(|number| number <= 5000 || number == 5599);
+            // Above 5000 stand the control's own; #5599 only says whether messages are shown. Which one #[…] is comes out only where it runs.
+            let own = match parse::whole(&name[1..]) {
+                Some(1..=30) if in_sub => return fault(text!("a subroutine has variables of its own: they are not followed")),
+                Some(number) => number <= 5000 || number == 5599,
+                None => name.starts_with(b"#<"),
+            };
             script.push(line, if own { What::Set(slot, value) } else { What::SetOther(slot, value) });
             return Ok(());
         }
@@ -85,8 +96,8 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         script.push(line, what);
         Ok(())
     })?;
-    if !open.is_empty() {
-        let line = text.lines().count().saturating_sub(1);
+    if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = open.last() {
+        let line = script.blocks[*begin].line;
         let message = text!("a subroutine or an if is not closed");
         return Err(vec![Trouble { line, message, understood: true }]);
     }
@@ -94,15 +105,35 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     Ok(script)
 }
 
-/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`.
-fn active<'t>(script: &mut Script<'t>, line: usize, comment: &'t str) -> Parsed<()> {
-    if let Some(rest) = comment.strip_prefix("PRINT,") {
+/// Whether a text names a variable that a subroutine has for itself: one without _, or a number up to 30 that is no argument.
+fn has_own(text: &str) -> bool {
+    text.match_indices('#').any(|(at, _)| match text[at + 1..].strip_prefix('<') {
+        Some(name) => !name.starts_with('_'),
+        None => {
+            let mut cursor = Cursor::new(&text[at + 1..]);
+            let number = cursor.label().and_then(parse::whole);
+            number.is_some_and(|number| (MOST_ARGUMENTS + 1..=30).contains(&number))
+        }
+    })
+}
+
+/// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes
+/// them by, but for Python, which may do anything.
+fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
+    let text = comment.text.trim_start();
+    if ["PY,", "PYRUN,", "PYRELOAD"].iter().any(|word| after(text, word).is_some()) {
+        return fault(text!("Python in a comment is not followed"));
+    }
+    if comment.sign != b'(' {
+        return Ok(());
+    }
+    if let Some(rest) = after(text, "PRINT,") {
         let (code, value) = rest.split_once('=').ok_or_else(|| text!("a PRINT without its value"))?;
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
         script.push(line, What::Output(code.to_owned(), value));
-    } else if comment.starts_with("ABORT,") {
+    } else if after(text, "ABORT,").is_some() {
         script.push(line, What::Alarm);
     }
     Ok(())
@@ -140,6 +171,10 @@ fn o_word<'t>(
             let mut arguments = Vec::new();
             while !cursor.is_done() {
                 arguments.push(cursor.bracketed(&GRAMMAR, script)?);
+            }
+            // What is not given is 0 inside.
+            while arguments.len() < MOST_ARGUMENTS as usize {
+                arguments.push(script.keep(Node::Number(0.0)));
             }
             script.push(line, What::Call(0, arguments));
             targets.wanted.push((here, label));

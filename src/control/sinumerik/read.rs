@@ -75,7 +75,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut targets = Targets::default();
     let mut declared = Vec::new();
     lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
-        if let Some(list) = comment.and_then(|comment| comment.strip_prefix("Results: ")) {
+        if let Some(list) = comment.and_then(|comment| comment.text.strip_prefix("Results: ")) {
             results(script, list);
         }
         let code = lines::without_number(code);
@@ -179,15 +179,46 @@ fn block<'t>(
     Ok(())
 }
 
-/// `MSG(…)`, `SETAL(…)`, `CYCLE977(…)` with its 29 arguments.
-fn call(script: &mut Script<'_>, line: usize, name: &str, arguments: &str) -> Parsed<()> {
-    let arguments = arguments.strip_suffix(')').ok_or_else(|| text!("a bracket is not closed"))?;
+/// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` with its 29 arguments. Nothing stands behind its bracket.
+fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str) -> Parsed<()> {
+    let mut cursor = Cursor::new(arguments);
     let what = match name {
-        "MSG" => What::Nothing,
-        "SETAL" => What::Warned,
-        "CYCLE977" if arguments.split(',').count() == 29 => What::Native,
+        "MSG" => {
+            message(&mut cursor, script)?;
+            What::Nothing
+        }
+        // Alarms of other numbers may stop nothing.
+        "SETAL" => {
+            cursor.expect("65000")?;
+            What::Warned
+        }
+        "CYCLE977" => {
+            let inner = arguments.strip_suffix(')').ok_or_else(|| text!("a bracket is not closed"))?;
+            if inner.split(',').count() != 29 || inner.contains(['(', ')']) {
+                return fault(text!("this call is not known, or not with so many arguments"));
+            }
+            script.push(line, What::Native);
+            return Ok(());
+        }
         _ => return fault(text!("this call is not known, or not with so many arguments")),
     };
+    cursor.expect(")")?;
+    cursor.end()?;
     script.push(line, what);
     Ok(())
+}
+
+/// `"Contact in move "<<TP_MOVE<<", which must be free"`, or nothing.
+fn message<'t>(cursor: &mut Cursor<'t>, script: &mut Script<'t>) -> Parsed<()> {
+    if cursor.next() == Some(b')') {
+        return Ok(());
+    }
+    loop {
+        if !cursor.text() {
+            cursor.operand(&GRAMMAR, script)?;
+        }
+        if !cursor.eat("<<") {
+            return Ok(());
+        }
+    }
 }

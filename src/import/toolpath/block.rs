@@ -74,6 +74,12 @@ pub(super) struct Block {
     pub feedless: bool,
     /// It ends the program.
     pub ends: bool,
+    /// It goes back to where the program was called from, M99, or to the number in its P.
+    pub returns: bool,
+    /// Its places, if it has any, are where the tool is called to be: G50 of a lathe.
+    pub renames: bool,
+    /// It names two motions, or an axis twice.
+    pub twice: bool,
     /// Something in it is not a word.
     pub strange: bool,
     /// It jumps.
@@ -103,6 +109,9 @@ pub(super) const EMPTY: Block = Block {
     feed: None,
     feedless: false,
     ends: false,
+    returns: false,
+    renames: false,
+    twice: false,
     strange: false,
     jumps: false,
 };
@@ -116,6 +125,7 @@ impl Block {
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
+        (self.returns, self.renames, self.twice) = (false, false, false);
     }
 }
 

@@ -80,14 +80,14 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let mut block = EMPTY;
     let (bytes, mut at) = (text.as_bytes(), 0);
     while at < bytes.len() {
-        let end = memchr::memchr(b'\n', &bytes[at..]).map_or(bytes.len(), |length| at + length);
+        let end = memchr::memchr2(b'\n', b'\r', &bytes[at..]).map_or(bytes.len(), |length| at + length);
         let line = match &bytes[at..end] {
             line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
             _ => text[at..end].trim().as_bytes(),
         };
         reader.read(line, &mut block);
         reader.line += 1;
-        at = end + 1;
+        at = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
     }
     reader.finish()
 }

@@ -14,7 +14,7 @@ pub(super) struct Count {
 }
 
 /// What stays in force from block to block.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
     pub motion: Motion,
     /// A cycle runs at every place, from G81 until G80 or a motion.
@@ -74,6 +74,10 @@ pub(super) struct Reader {
     pub machine: Count,
     pub transformed: Count,
     pub others: Count,
+    pub optional: Count,
+    pub twice: Count,
+    /// The line of the first units, where moves stand above it.
+    pub late_units: Option<usize>,
 }
 
 impl Reader {
@@ -125,6 +129,9 @@ impl Reader {
             machine: Count::default(),
             transformed: Count::default(),
             others: Count::default(),
+            optional: Count::default(),
+            twice: Count::default(),
+            late_units: None,
         }
     }
 
@@ -148,6 +155,12 @@ impl Reader {
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
+            Some(_) if self.sinumerik => match frame(&line[begin..]) {
+                Some(true) => return count(&mut self.transformed, self.line),
+                // Alone it takes the shifts away.
+                Some(false) => return,
+                None => {}
+            },
             _ => {}
         }
         let before = self.modes;
@@ -188,6 +201,24 @@ impl Reader {
             }
             return count(&mut self.skipped, self.line);
         }
+        let moves_before = self.path.len();
+        self.follow(block, before, leaped);
+        if line[..begin].contains(&b'/') && (self.path.len() > moves_before || self.modes != before) {
+            count(&mut self.optional, self.line);
+        }
+    }
+
+    /// Follows a block of words.
+    fn follow(&mut self, block: &mut Block, before: Modes, leaped: bool) {
+        if block.returns && block.p.is_some() {
+            // It goes on in another line.
+            self.place = [f64::NAN; 3];
+            count(&mut self.skipped, self.line);
+        }
+        block.ends |= block.returns && block.p.is_none();
+        if block.renames && block.given != 0 {
+            count(&mut self.transformed, self.line);
+        }
         // An end that may be jumped over, or that stands in a condition, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
         if block.offset.is_some() | block.writes {
@@ -197,6 +228,9 @@ impl Reader {
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
         if block.elsewhere || waits {
             return;
+        }
+        if block.twice {
+            count(&mut self.twice, self.line);
         }
         if block.others {
             count(&mut self.others, self.line);
@@ -374,7 +408,7 @@ impl Reader {
                 "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
             ),
         );
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30 or %, are not followed"));
+        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
         say(
             self.computed,
             "places-computed",
@@ -401,6 +435,12 @@ impl Reader {
             text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
         );
         say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
+        say(self.optional, "lines-optional", text!("Blocks with / are read: the control leaves them out where it is told to"));
+        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
+        if let Some(line) = self.late_units {
+            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
+            checker.warning("no-units", "", message);
+        }
         if self.path.metric.is_none() && !self.path.is_empty() {
             checker.info("no-units", "", text!("The program does not say its units"));
         }
@@ -419,6 +459,17 @@ pub(super) fn count(count: &mut Count, line: usize) {
 
 fn jumps(line: &[u8]) -> bool {
     line.windows(4).any(|word| word.eq_ignore_ascii_case(b"GOTO"))
+}
+
+/// Whether a block of a SINUMERIK shifts, turns, mirrors or scales: none where it does nothing of that, false where it ends it.
+fn frame(code: &[u8]) -> Option<bool> {
+    const WORDS: [&[u8]; 10] =
+        [b"TRANS", b"ATRANS", b"ROT", b"AROT", b"ROTS", b"AROTS", b"SCALE", b"ASCALE", b"MIRROR", b"AMIRROR"];
+    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    let known = WORDS.iter().any(|known| word.eq_ignore_ascii_case(known));
+    let rest = code[word.len()..].trim_ascii_start();
+    let assigned = matches!(rest.first(), Some(b'=' | b':' | b'('));
+    (known && !assigned).then(|| !matches!(rest.first(), None | Some(b';')))
 }
 
 /// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.

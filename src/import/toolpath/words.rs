@@ -52,6 +52,7 @@ impl Reader {
         match (letter, word) {
             (b'X'..=b'Z', word) => {
                 let axis = letter - b'X';
+                block.twice |= block.given & (1 << axis) != 0;
                 block.given |= 1 << axis;
                 match word {
                     Word::Number(x) => block.places[usize::from(axis)] = x,
@@ -74,6 +75,8 @@ impl Reader {
                 count(&mut self.skipped, self.line);
             }
             (b'M', Word::Number(2.0 | 30.0)) => block.ends = true,
+            (b'M', Word::Number(17.0)) if self.sinumerik => block.ends = true,
+            (b'M', Word::Number(99.0)) if !self.sinumerik => block.returns = true,
             (b'M', Word::Number(x @ (70.0 | 71.0 | 72.0 | 73.0))) if !self.sinumerik => block.keeps = Some(x as u8),
             // A tool and its edge have their length from here on.
             (b'D', _) | (b'M', Word::Number(6.0)) if self.sinumerik => block.lengthens = true,
@@ -151,7 +154,7 @@ impl Reader {
             220 | 230 | 370 => block.elsewhere = true,
             430 | 434 | 435 | 440 | 490 if !self.sinumerik => block.lengthens = true,
             431 | 432 if !self.sinumerik => (block.elsewhere, block.lengthens) = (true, true),
-            500 | 501 if !self.sinumerik => block.elsewhere = true,
+            500 | 501 if !self.sinumerik => (block.elsewhere, block.renames) = (true, tenths == 500),
             250 | 260 | 1100 | 1110 | 1120 if self.sinumerik => block.elsewhere = true,
             // Nor are shifts, turns, mirrors, scales and polar places; but what comes after them is another place than it says.
             160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 if !self.sinumerik => {
@@ -191,6 +194,7 @@ impl Reader {
     }
 
     fn go(&mut self, motion: Motion, block: &mut Block) {
+        block.twice |= block.motion;
         (self.modes.motion, self.modes.cycle, block.motion) = (motion, false, true);
     }
 
@@ -200,6 +204,9 @@ impl Reader {
     }
 
     fn units(&mut self, metric: bool) {
+        if self.path.metric.is_none() && !self.path.is_empty() {
+            self.late_units = Some(self.line);
+        }
         let first = *self.path.metric.get_or_insert(metric);
         self.modes.scale = match (first, metric) {
             (true, false) => 25.4,

@@ -136,7 +136,7 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     let mut scratch = State::default();
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.what, What::Words(_)) {
-            machine.spend(MOTION + script.slots.len() / 8);
+            machine.spend(MOTION + script.slots / 8);
         }
         let line = machine.line(block.line);
         match machine.step()? {
@@ -197,7 +197,7 @@ pub fn near(a: Place, b: Place, off: f64) -> bool {
 impl<'s, 't> Machine<'s, 't> {
     fn new(script: &'s Script<'t>, run: Run) -> Self {
         let state = State {
-            slots: vec![f64::NAN; script.slots.len()],
+            slots: vec![f64::NAN; script.slots],
             at: run.start,
             stated: [run.known; 3],
             trigger: [f64::NAN; 3],
