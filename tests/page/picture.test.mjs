@@ -205,10 +205,10 @@ test("deviations are drawn ten and a hundred times as large, and not dragged the
   assert.equal(await button.textContent(), "×1");
   const one = (await pixels()).sum;
   await button.click();
-  assert.equal(await button.textContent(), "×10");
+  assert.equal(await button.textContent(), "drawn ×10");
   const ten = (await pixels()).sum;
   await button.click();
-  assert.equal(await button.textContent(), "×100");
+  assert.equal(await button.textContent(), "drawn ×100");
   assert.equal(new Set([one, ten, (await pixels()).sum]).size, 3);
   const handle = () =>
     page.evaluate(() => {

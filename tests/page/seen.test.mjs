@@ -77,7 +77,7 @@ for (const [width, height] of /** @type {const} */ ([
     }
     const speed = await page.getByRole("button", { name: /^Speed/ }).boundingBox();
     assert.ok(speed && speed.x + speed.width <= width, `${speed?.x}`);
-    assert.match(await textOf(page.locator(".scrub output:visible")), /^touch 1 · X37 Y0 Z-10/);
+    assert.match(await textOf(page.locator(".scrub output:visible")), /^touch 1 · contact X37 Y0 Z-10/);
   });
 
 test("a part that lies elsewhere was not said beside an error", async () => {
@@ -96,7 +96,7 @@ test("a turn of 20° was drawn as one of 200°: it is not drawn larger", async (
   const button = page.getByRole("button", { name: /Deviations are drawn/ });
   await put("part.rotation", 1);
   await button.click();
-  assert.equal(await textOf(button), "×10");
+  assert.equal(await textOf(button), "drawn ×10");
   await button.click();
   assert.equal(await textOf(button), "×1", "a hundred times would be 100°");
   await button.click();
@@ -130,7 +130,7 @@ test("only keys went move by move", async () => {
   await page.getByRole("button", { name: "Next move" }).click();
   await page.getByRole("button", { name: "Next move" }).click();
   assert.equal(await move(), "2");
-  assert.match(await textOf(page.locator(".scrub output")), /^positioning · X0 Y0 Z10 · approach$/);
+  assert.match(await textOf(page.locator(".scrub output")), /^positioning · X0 Y0 Z10 · F2000$/);
   await page.getByRole("button", { name: "Move before" }).click();
   assert.equal(await move(), "1");
   await page.getByRole("button", { name: "Move before" }).click();
