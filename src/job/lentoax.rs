@@ -4,7 +4,7 @@ use crate::form::{Checker, Choice, Code, Field, Section, Value, form, printable}
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
 use crate::text::text;
-use crate::tool_length::{Query, Step};
+use crate::tool_length::{Axis, Query, Step};
 
 /// The most frame steps a query may have.
 pub const MOST_STEPS: usize = 50;
@@ -79,7 +79,7 @@ pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
 
 fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {
     let axis = |key: &str| match step.get(key) {
-        Some(Value::Text(name)) => AXIS_NAMES.iter().position(|axis| axis == name),
+        Some(Value::Text(name)) => Axis::ALL.into_iter().find(|axis| AXIS_NAMES[*axis as usize] == name),
         _ => None,
     };
     let Value::Map(entries) = step else {

@@ -110,8 +110,14 @@ fn manual(def: &CycleDef) -> String {
              the user's own positive codes.\n",
         );
     }
-    page.push_str("\n## Results\n\n| code | unit | what it is |\n|---|---|---|\n");
-    for row in &plan(&default_job(def.key).unwrap()).unwrap().results {
+    let results = plan(&default_job(def.key).unwrap()).unwrap().results;
+    page.push_str("\n## Results\n\n");
+    page.push_str(if results.is_empty() {
+        "None: nothing is measured.\n"
+    } else {
+        "| code | unit | what it is |\n|---|---|---|\n"
+    });
+    for row in &results {
         writeln!(
             page,
             "| `{}` | {} | {} |",
