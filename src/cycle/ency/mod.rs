@@ -350,7 +350,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::form::form;
+    use crate::form::{Value, form};
 
     form! {
         /// A form with another point in front of the place.
@@ -363,7 +363,12 @@ mod tests {
 
     #[test]
     fn a_cycle_stands_at_its_origin_whatever_points_its_form_has() {
-        let form = Form { target: Vec3::new(7.0, 8.0, 9.0), origin: Vec3::new(1.0, 2.0, 3.0) };
+        let point = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
+        let given = [("target", [7.0, 8.0, 9.0]), ("origin", [1.0, 2.0, 3.0])];
+        let given = Value::Map(given.map(|(key, p)| (key.to_owned(), point(p))).to_vec());
+        let mut checker = Checker::default();
+        let form = Form::read(&mut Section::new(&mut checker, Some(&given), "cycle"));
+        assert_eq!(form.values()[0].1, Shown::Point(Vec3::new(7.0, 8.0, 9.0)));
         let made = Made { form, shape: |_| Box::new(Still) };
         assert_eq!(Ency::frame(&made, Plane::G17).origin, Vec3::new(1.0, 2.0, 3.0));
     }
