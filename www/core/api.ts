@@ -96,7 +96,7 @@ export interface Api {
   readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
   /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
   jobSchema(): Record<string, unknown>;
-  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
+  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
   /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
   meanings(job: Job): Said[];
