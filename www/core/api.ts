@@ -206,13 +206,14 @@ export function dress(raw: Raw, instance: Instance): Api {
       return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
     },
     moveColumns: (job) => {
-      const { to, feed, kind, step, touch } = columns(known(coded(job)));
+      const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));
       return {
         to: to.slice(),
         feed: Uint8Array.from(feed),
         kind: Uint8Array.from(kind),
         step: Uint8Array.from(step),
         touch: Int32Array.from(touch),
+        arcs: arcs.fives().slice(),
         feeds: [...FEEDS],
         kinds: [...KINDS],
       };

@@ -14,6 +14,8 @@ export interface MoveColumns {
   kind: Uint8Array;
   step: Uint8Array;
   touch: Int32Array;
+  /** Five numbers an arc: index of its move, centre X, Y, Z, and degrees about the tool axis, counter-clockwise positive. */
+  arcs: Float64Array;
   feeds: string[];
   kinds: string[];
 }
