@@ -76,7 +76,7 @@ export class Frame extends EventTarget {
     super.addEventListener(type, listener, options);
   }
 
-  /** Sets the job, the control, what is shown. Fails with the reasons where any of it cannot be used; that part changed nothing. */
+  /** Sets the job, the control, what is shown: all of it, or, where any of it cannot be used, nothing. Then it fails with the reasons. */
   async set(state: FrameState): Promise<void> {
     await this.ask((id) => ({ type: "set", id, state }));
   }
