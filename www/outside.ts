@@ -46,7 +46,11 @@ export class Outside {
           ? null
           : refused(input, "unknown-value", w("Nothing was changed: {input} must be a BCP 47 tag"), input);
       const { cycles, posts } = this.store.catalog;
-      const known = { cycle: cycles.map((c) => c.type as string), post: posts.map((p) => p.id), units: ["mm", "inch"] };
+      const known = {
+        cycle: cycles.map((c) => c.type as string),
+        post: posts.map((p) => p.id as string),
+        units: ["mm", "inch"],
+      };
       return known[input].includes(value as string) ? null : this.unknown(input, known[input]);
     } catch {
       return refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input);

@@ -48,6 +48,8 @@ test("the package had no licence text", () => {
     "dist/embed.css",
     "dist/embed.html",
     "dist/frame.schema.json",
+    "dist/react.d.ts",
+    "dist/react.js",
     "dist/schema.json",
     "dist/words/de.json",
     "dist/words/ru.json",
