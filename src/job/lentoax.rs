@@ -3,7 +3,7 @@
 use crate::form::{Checker, Choice, Code, Field, Section, Value, form, printable};
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
-use crate::text::text;
+use crate::text::{text, words};
 use crate::tool_length::{Axis, Query, Step};
 
 /// The most frame steps a query may have.
@@ -42,6 +42,7 @@ form! {
 /// The query of a loose value; an absent one is the standard case.
 pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     let mut checker = Checker::default();
+    checker.whole = words!("the query");
     let given = if matches!(value, Value::Null | Value::Other("undefined")) { None } else { Some(value) };
     let mut section = Section::new(&mut checker, given, "");
     section.only(QueryForm::FIELDS, &["frame"]);

@@ -1,7 +1,9 @@
 //! LENTOAX: the printed examples, the table of values, and what must hold for every frame.
 
 use proptest::prelude::*;
+use touchpath::form::Value;
 use touchpath::geom::Plane;
+use touchpath::job::lentoax_query;
 use touchpath::tool_length::{Answer, Axis, Query, Step, lentoax, nc_block, sentence};
 
 fn mill() -> Query {
@@ -84,6 +86,13 @@ fn what_is_not_known() {
     for coord in ["wcs", "W", "Mcs", "b", "K", "tcs"] {
         assert_eq!(asked(|q| q.coord = coord.to_owned()).0, 0, "{coord}");
     }
+}
+
+#[test]
+fn a_query_is_not_called_a_job() {
+    let message = |value: &Value| lentoax_query(value).unwrap_err().findings[0].message.clone();
+    assert_eq!(message(&Value::Number(7.0)), "the query must be an object, not a number");
+    assert!(message(&Value::Map(vec![("x".to_owned(), Value::Null)])).starts_with("the query has no \"x\""));
 }
 
 #[test]

@@ -244,6 +244,8 @@ test("a frame without a list of origins refuses every page; another version of t
   const wrong = await connect({ origin: origin(2), patience: 1200 });
   assert.match(wrong, /does not answer/, "what is said reaches no other origin");
   assert.match(await connect({ origin: "not an origin" }), /is no origin/);
+  await page.evaluate(() => document.querySelector("iframe")?.remove());
+  assert.match(await connect(), /FrameError: connect takes the iframe/, "null was taken for a wrong origin");
 });
 
 test("a portal that leaves, or gives up, leaves nothing dead behind; what is asked of it fails", async () => {

@@ -165,6 +165,8 @@ test("the service: plans, findings, limits, its own description, and an end with
   const valid = new Ajv2020({ strict: false }).compile(api.components.schemas.Job);
   assert.ok(valid(job) && !valid(wrong));
   assert.deepEqual(Object.keys(api.paths), ["/plan", "/check", "/import", "/health"]);
+  for (const status of ["400", "413", "415", "422", "503"])
+    assert.ok(api.paths["/plan"].post.responses[status], status);
   // Many at once, and the end in the middle: each is answered.
   const many = Array.from({ length: 40 }, () => post("/plan", JSON.stringify(job)));
   await many[0];

@@ -145,6 +145,8 @@ export function connect(
   { origin, saves = false, patience = PATIENCE }: ConnectOptions,
 ): Promise<Frame> {
   return new Promise((done, fail) => {
+    // What `querySelector` did not find.
+    if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
     let port: MessagePort | null = null;
     const end = () => {
       clearInterval(asking);
