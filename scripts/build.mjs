@@ -61,7 +61,9 @@ function buildPackage() {
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
-  for (const name of ["embed.html", "frame.schema.json"]) cpSync(at("www", name), at("dist", name));
+  for (const name of ["embed.html", "frame.schema.json", "react.d.ts"]) cpSync(at("www", name), at("dist", name));
+  // Types alone: what imports them imports nothing.
+  writeFileSync(at("dist", "react.js"), "export {};\n");
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
   mkdirSync(at("dist", "words"));
   for (const name of readdirSync(at("www", "words")).filter((name) => name !== "core.json"))

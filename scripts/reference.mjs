@@ -2,10 +2,10 @@
 // With `check` nothing is written, and a stale file fails.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { at } from "./lib.mjs";
 
-const read = (/** @type {string} */ name) => readFileSync(at("dist", name), "utf8");
+const read = (/** @type {string[]} */ ...path) => readFileSync(at("dist", ...path), "utf8");
 
 /** A doc comment as one paragraph. */
 const plain = (/** @type {string} */ comment) =>
@@ -28,6 +28,18 @@ function declarations(/** @type {string} */ text) {
   });
 }
 
+/** The names that a file of types exports, through all that it hands on. @returns {string[]} */
+function exported(/** @type {string} */ file) {
+  const text = read(file);
+  const last = (/** @type {string} */ name) => name.split(" as ").at(-1)?.trim() ?? "";
+  const named = [...text.matchAll(/^export (?:type )?\{([^}]*)\}/gm)].flatMap(([, list = ""]) =>
+    list.split(",").map(last),
+  );
+  const all = [...text.matchAll(/^export (?:type )?\* from "\.\/([\w-]+)\.js"/gm)];
+  const own = declarations(text).map(({ name }) => name);
+  return [...own, ...named.filter(Boolean), ...all.flatMap(([, name]) => exported(`${name}.d.ts`))];
+}
+
 /** The functions of the package, in their order. */
 function functions() {
   const api = declarations(read("api.d.ts")).find(({ name }) => name === "Api")?.code ?? "";
@@ -42,12 +54,13 @@ function functions() {
     .join("\n");
 }
 
-function types(/** @type {string} */ file, /** @type {string[]} */ without = []) {
+/** The declarations of a file that are wanted, as TypeScript. */
+function types(/** @type {string} */ file, wanted = (/** @type {string} */ _name) => true) {
   return declarations(read(file))
-    .filter(({ name }) => !without.includes(name))
+    .filter(({ name }) => wanted(name))
     .map(
       ({ comment, code }) =>
-        `${comment ? `${comment}\n\n` : ""}\`\`\`ts\n${code.replaceAll(/^ +private .*;\n/gm, "").replaceAll(/^ {4}/gm, "  ")}\n\`\`\`\n`,
+        `${comment ? `${comment}\n\n` : ""}\`\`\`ts\n${code.replaceAll(/^ +private .*;\n/gm, "").replaceAll(/^(?: {4})+/gm, (space) => " ".repeat(space.length / 2))}\n\`\`\`\n`,
     )
     .join("\n");
 }
@@ -59,6 +72,39 @@ const table = (head, rows, of) => {
   const names = head.split(", ");
   return `| ${names.join(" | ")} |\n|${"---|".repeat(names.length)}\n${rows.map((row) => `| ${of(row).map(cell).join(" | ")} |\n`).join("")}`;
 };
+
+/** The methods of a View: its own, and those of the module's class that take no coded value. */
+function view() {
+  const own = declarations(read("browser.d.ts")).find(({ name }) => name === "View")?.code ?? "";
+  const whole = /export class View \{[\s\S]*?^\}/m.exec(read("wasm", "touchpath.d.ts"))?.[0] ?? "";
+  const method = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n +(\w+\([^;]*);/g;
+  const rows = [...own.matchAll(method), ...whole.matchAll(method)].map(([, comment = "", code = ""]) => [
+    code,
+    plain(comment),
+  ]);
+  const hidden = /^(constructor|free|\w+Coded)\(/;
+  return table(
+    "method, meaning",
+    rows.filter(([code = ""]) => !hidden.test(code)),
+    ([code, meaning]) => [`\`${code}\``, meaning],
+  );
+}
+
+/** The types of the cycles' forms, with their pages of the manual. */
+function cycles() {
+  const all = declarations(read("job-types.d.ts")).flatMap(({ name, code }) => {
+    const type = /^ {4}type: "([\w-]+)";$/m.exec(code)?.[1];
+    return type && name !== "CustomCode" ? [{ name, type }] : [];
+  });
+  return {
+    names: all.map(({ name }) => name),
+    text: table("type, `cycle.type`, page", all, ({ name, type }) => [
+      `\`${name}\``,
+      `\`${type}\``,
+      `[its fields](cycles/${type}.md)`,
+    ]),
+  };
+}
 
 function element() {
   const [one] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
@@ -82,6 +128,7 @@ ${table("part, meaning", one.cssParts, (p) => [code(p.name), p.description])}
 ${table("custom property, meaning", one.cssProperties, (p) => [code(p.name), p.description])}`;
 }
 
+const forms = cycles();
 const help = execFileSync("node", [at("dist", "cli", "touchpath.js"), "--help"], { encoding: "utf8" });
 const page = `# Reference
 
@@ -92,21 +139,47 @@ What the package offers, from its own doc comments. How it is put into a portal,
 ## Functions: \`import { plan } from "touchpath"\`
 
 ${functions()}
+### say
+
+${types("said.d.ts", (name) => name === "say")}
+### JobError
+
+${types("api.d.ts", (name) => name === "JobError")}
+### View
+
+In browsers only. The picture of a job on a canvas: \`new View(canvas)\`. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed.
+Freed (\`free()\`) it gives back its memory.
+
+${view()}
 ## Types
 
 Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive.
 
 ${types("types.d.ts")}
+${types("said.d.ts", (name) => name !== "say")}
 ### Plans and catalog
 
 ${types("plan-types.d.ts")}
 ### Jobs
 
-The fields of every cycle: [the manual](cycles/), \`touchpath/schema.json\`, and the types of the package.
+The fields of every cycle: [the manual](cycles/), \`touchpath/schema.json\`, and the types of the package. \`Cycle\` is any of them.
+
+${types("job-types.d.ts", (name) => name !== "Cycle" && !forms.names.includes(name))}
+${forms.text}
 
 ## The element: \`import "touchpath/element"\`
 
 ${element()}
+### Types
+
+The class of the element is \`TouchPath\`.
+
+${types("element/element.d.ts", (name) => name !== "TouchPath")}
+### React
+
+\`import type {} from "touchpath/react"\` tells TSX of the element.
+
+${types("react.d.ts")}
 ## The frame: \`import { connect } from "touchpath/frame"\`
 
 ${types("frame.d.ts")}
@@ -118,6 +191,17 @@ ${types("protocol.d.ts")}
 \`\`\`text
 ${help.replace(/^touchpath \S+:/, "touchpath:")}\`\`\`
 `;
+
+// Every name that can be imported stands in the page: declared, or as code.
+const entries = ["node.d.ts", "browser.d.ts", "frame.d.ts", "react.d.ts", "element/element.d.ts"];
+const values = Object.keys(await import(pathToFileURL(at("dist", "node.js")).href));
+const missing = [...new Set([...values, ...entries.flatMap((entry) => exported(entry))])].filter(
+  (name) => !new RegExp(`^(### |(interface|class|type|function|const) )${name}\\b|\`${name}\``, "m").test(page),
+);
+if (missing.length > 0) {
+  console.error(`docs/reference.md lacks ${missing.join(", ")}`);
+  process.exit(1);
+}
 
 const file = at("docs", "reference.md");
 if (process.argv[2] === "check") {

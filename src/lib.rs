@@ -71,10 +71,6 @@ mod view;
 #[cfg(feature = "internals")]
 pub mod view;
 
-/// What `control` was called up to 0.1.
-#[cfg(feature = "internals")]
-#[doc(hidden)]
-pub use control as post;
 /// What [`form`] was called up to 0.1.
 #[doc(hidden)]
 pub use form as spec;

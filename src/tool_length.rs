@@ -17,20 +17,36 @@ const ROUNDING: f64 = 1e-12;
 /// A 3 × 3 matrix by rows, as it is handed out.
 pub type Rows = [[f64; 3]; 3];
 
-/// One step of the active frame. Axes are 0, 1, 2 for X, Y, Z.
+/// An axis of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
+}
+
+impl Axis {
+    /// All three, in their order.
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+}
+
+/// One step of the active frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// Turned about an axis by degrees.
     Rotation {
         /// About which axis.
-        axis: usize,
+        axis: Axis,
         /// Degrees.
         angle: f64,
     },
     /// Mirrored: the axis points the other way.
     Mirror {
         /// Which axis.
-        axis: usize,
+        axis: Axis,
     },
 }
 
@@ -116,9 +132,9 @@ pub fn frame(steps: &[Step]) -> (DMat3, Vec3) {
         all *= match *step {
             Step::Rotation { axis, angle } => rotation(axis, angle),
             Step::Mirror { axis } => {
-                mirror[axis] = -mirror[axis];
+                mirror[axis as usize] *= -1.0;
                 let mut own = Vec3::ONE;
-                own[axis] = -1.0;
+                own[axis as usize] = -1.0;
                 DMat3::from_diagonal(own)
             }
         };
@@ -126,7 +142,8 @@ pub fn frame(steps: &[Step]) -> (DMat3, Vec3) {
     (all, mirror)
 }
 
-fn rotation(axis: usize, degrees: f64) -> DMat3 {
+fn rotation(axis: Axis, degrees: f64) -> DMat3 {
+    let axis = axis as usize;
     let angle = degrees.rem_euclid(360.0);
     // Quarter turns are exact.
     let (sin, cos) = match angle {

@@ -23,6 +23,17 @@ export interface TouchPathEvents {
 const INPUTS = ["job", "cycle", "post", "units"] as const;
 type Input = (typeof INPUTS)[number];
 
+/** The attributes that are words, and which there are. One that is not known changes nothing. */
+const WORDS = { theme: ["light", "dark", "auto"], panels: PANEL_NAMES, storage: ["none", "local"] } as const;
+type Wordy = keyof typeof WORDS;
+const isWordy = (name: string): name is Wordy => Object.hasOwn(WORDS, name);
+
+/** Whether a value is one of the words; of panels, some of them. */
+function isKnown(name: Wordy, value: unknown): boolean {
+  const words = name === "panels" && typeof value === "string" ? value.split(/\s+/).filter(Boolean) : [value];
+  return words.length > 0 && words.every((word) => (WORDS[name] as readonly unknown[]).includes(word));
+}
+
 /** One attempt to load the element. */
 class Attempt {
   /** Whether it has failed. */
@@ -47,7 +58,7 @@ class Attempt {
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 /**
- * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box, which needs a height.
+ * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box: without a height that is 480 pixels.
  *
  * @tag touch-path
  * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
@@ -83,7 +94,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels"];
+  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "storage"];
 
   /** The page's state, once it is loaded. Not part of what is promised. @internal */
   store?: Store;
@@ -95,6 +106,8 @@ export class TouchPath extends Base {
   /** What the attributes said before there was anything to put it into, and what was set since, in its order. */
   private readonly waiting = new Map<Input, unknown>();
   private readonly later: [Input, unknown][] = [];
+  /** What the attributes that are words say, or last said that is known. */
+  private readonly words = new Map<Wordy, string>();
   /** What the browser puts back into a form. */
   private restored: unknown;
   /** What a form puts back. */
@@ -140,7 +153,10 @@ export class TouchPath extends Base {
     if ((INPUTS as readonly string[]).includes(name)) {
       this.put(name as Input, value, this.waiting);
     } else if (name === "lang") this.app?.reword();
-    else this.dress();
+    else {
+      if (isWordy(name)) this.word(name, value);
+      this.dress();
+    }
   }
 
   /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
@@ -191,8 +207,7 @@ export class TouchPath extends Base {
 
   /** Colours; `auto` follows the system. */
   get theme(): "light" | "dark" | "auto" {
-    const theme = this.getAttribute("theme");
-    return theme === "light" || theme === "dark" ? theme : "auto";
+    return (this.words.get("theme") ?? "auto") as "light" | "dark" | "auto";
   }
 
   set theme(value: "light" | "dark" | "auto") {
@@ -210,7 +225,7 @@ export class TouchPath extends Base {
 
   /** What is shown, as words with spaces between. */
   get panels(): string {
-    return this.getAttribute("panels") ?? PANEL_NAMES.join(" ");
+    return this.words.get("panels") ?? PANEL_NAMES.join(" ");
   }
 
   set panels(value: string) {
@@ -219,7 +234,7 @@ export class TouchPath extends Base {
 
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
   get storage(): "none" | "local" {
-    return this.getAttribute("storage") === "local" ? "local" : "none";
+    return this.words.get("storage") === "local" ? "local" : "none";
   }
 
   set storage(value: "none" | "local") {
@@ -279,6 +294,21 @@ export class TouchPath extends Base {
     else this.restored = state;
   }
 
+  /** Why any of what is given could not be taken; nothing is changed. @internal */
+  refusals(state: Record<string, unknown>): Finding[] {
+    const { store } = this;
+    if (!store) return [];
+    const found: Finding[] = [];
+    for (const [name, value] of Object.entries(state)) {
+      if (value === undefined) continue;
+      if (!isWordy(name)) {
+        const refusal = store.outside.refusal(name as Input | "lang" | "readonly", value);
+        if (refusal) found.push(refusal);
+      } else if (!isKnown(name, value)) found.push(store.outside.unknown(name, WORDS[name], name === "panels"));
+    }
+    return found;
+  }
+
   private get shadow(): ShadowRoot {
     return this.shadowRoot as ShadowRoot;
   }
@@ -292,6 +322,7 @@ export class TouchPath extends Base {
       this.store = store;
       for (const input of INPUTS) if (this.waiting.has(input)) this.use(input, this.waiting.get(input));
       for (const [input, value] of this.later) this.use(input, value);
+      for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
       this.first = structuredClone(store.draft);
       if (this.restored !== undefined) this.use("job", this.restored);
       store.clear();
@@ -374,14 +405,26 @@ export class TouchPath extends Base {
     if (refused) this.tell("finding", { findings: [refused], refused: true });
   }
 
+  /** Takes a word, or says why it cannot be taken: as soon as there is something to say it. */
+  private word(name: Wordy, value: string | null): void {
+    if (value === null) this.words.delete(name);
+    else if (isKnown(name, value)) this.words.set(name, value);
+    else {
+      const refused = this.refusals({ [name]: value });
+      if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
+    }
+  }
+
   /** What is shown, and how. */
   private dress(): void {
     const { app, store } = this;
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
     const words = this.panels.split(/\s+/);
-    const wanted = PANEL_NAMES.filter((name) => words.includes(name));
-    app.dress(this.theme, wanted.length ? wanted : PANEL_NAMES);
+    app.dress(
+      this.theme,
+      PANEL_NAMES.filter((name) => words.includes(name)),
+    );
   }
 }
 

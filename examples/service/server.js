@@ -63,12 +63,13 @@ function openapi() {
   const json = (schema) => ({ "application/json": { schema } });
   const finding = {
     type: "object",
-    required: ["level", "code", "path", "message"],
+    required: ["level", "code", "path", "message", "said"],
     properties: {
       level: { enum: ["error", "warning", "info"] },
       code: { type: "string" },
       path: { type: "string" },
       message: { type: "string" },
+      said: { type: "array", description: "The message as its template and its values, for other languages" },
     },
   };
   const findings = { type: "array", items: finding };
@@ -78,6 +79,7 @@ function openapi() {
     [
       ["400", "The body is no JSON"],
       ["413", "The body is too long"],
+      ["415", "The body is of another content type"],
       ["422", "The job has errors: findings says which"],
       ["503", "Too many requests at once"],
     ].map(([status, description]) => [status, answer(description, failed)]),

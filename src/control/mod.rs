@@ -1,4 +1,4 @@
-//! Programs for controls. Adding a control is a file and its line in [`POSTS`].
+//! Programs for controls. What adding one takes, step by step: "Adding a control" in `CONTRIBUTING.md`.
 //!
 //! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
 //! each, and every touch runs on past its nominal contact by the overtravel.

@@ -4,7 +4,7 @@ use crate::form::field::Checked;
 use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
 use crate::geom::Vec3;
 use crate::num::decimal;
-use crate::text::{Part, Text, text};
+use crate::text::{Part, Text, text, words};
 use crate::tolerance::{self, Nominal};
 
 /// Collects findings and knows which paths have failed, so that rules say nothing about values that are not there.
@@ -14,6 +14,8 @@ pub struct Checker {
     pub scale: f64,
     /// The unit's name, `mm` or `inch`.
     pub unit: &'static str,
+    /// What is read, as messages call it.
+    pub whole: &'static str,
     found: Vec<Finding>,
 }
 
@@ -23,11 +25,16 @@ const MOST_FINDINGS: usize = 200;
 /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
 impl std::default::Default for Checker {
     fn default() -> Self {
-        Checker { scale: 1.0, unit: "mm", found: Vec::new() }
+        Checker { scale: 1.0, unit: "mm", whole: words!("the job"), found: Vec::new() }
     }
 }
 
 impl Checker {
+    /// A section as it is called in a message.
+    fn place(&self, path: &str) -> Part {
+        if path.is_empty() { Text::words(self.whole).into() } else { path.to_owned().into() }
+    }
+
     /// Reports an error.
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Error, code, path, message);
@@ -135,7 +142,11 @@ impl<'a, 'c> Section<'a, 'c> {
         let value = match value {
             None | Some(Value::Map(_)) => value,
             Some(other) => {
-                checker.error("wrong-type", path, text!("{place} must be an object, not {given}", place(path), other.noun()));
+                checker.error(
+                    "wrong-type",
+                    path,
+                    text!("{place} must be an object, not {given}", checker.place(path), other.noun()),
+                );
                 None
             }
         };
@@ -177,7 +188,7 @@ impl<'a, 'c> Section<'a, 'c> {
                 self.checker.error(
                     "unknown-key",
                     self.at(&shown),
-                    text!("{place} has no \"{key}\"; it knows {keys}", place(self.path), shown, names.join(", ")),
+                    text!("{place} has no \"{key}\"; it knows {keys}", self.checker.place(self.path), shown, names.join(", ")),
                 );
             }
         }
@@ -505,9 +516,4 @@ pub(crate) fn printable(text: &str) -> String {
         shown.push('…');
     }
     shown
-}
-
-/// A section as it is called in a message.
-fn place(path: &str) -> Part {
-    if path.is_empty() { text!("the job").into() } else { path.to_owned().into() }
 }

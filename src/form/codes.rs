@@ -85,6 +85,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("not-understood", "A line of a program is outside the part of the language read here."),
     ("not-verified", "The program was not run on a control of this kind."),
     ("not-whole", "A number should be whole."),
+    ("nothing-switched", "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing."),
     ("nothing-to-import", "No job can be made of the text."),
     ("nothing-to-write", "The cycle measures nothing that a work offset could take."),
     ("offset-one-direction", "A work offset gets more axes than the touches have directions: a shift across them is not seen."),

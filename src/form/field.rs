@@ -336,6 +336,14 @@ pub trait Values {
             _ => None,
         })
     }
+
+    /// The point under a key.
+    fn point(&self, key: &str) -> Option<Vec3> {
+        self.values().into_iter().find_map(|(field, value)| match value {
+            Shown::Point(point) if field.key == key => Some(point),
+            _ => None,
+        })
+    }
 }
 
 /// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.

@@ -57,9 +57,9 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
         checker.warning("unknown-type", "cycle.type", message);
     }
     let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks.iter().filter_map(|b| Some((b, def_of(b)?))).collect();
-    let probing = known.iter().find(|(_, def)| def.number.is_some_and(|n| n > 1)).or(known.first());
+    let probing = known.iter().find(|(_, def)| def.place.is_some()).or(known.first());
     let Some((block, def)) = probing else {
-        checker.error("nothing-to-import", "cycle.type", text!("This dump gives no job: it holds no cycle type from 0 to 16"));
+        checker.error("nothing-to-import", "cycle.type", text!("This dump gives no job: it holds no cycle type that is known"));
         return Err(JobError { findings: checker.findings() });
     };
     if known.len() > 1 {

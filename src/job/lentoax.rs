@@ -3,8 +3,8 @@
 use crate::form::{Checker, Choice, Code, Field, Section, Value, form, printable};
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::job::JobError;
-use crate::text::text;
-use crate::tool_length::{Query, Step};
+use crate::text::{text, words};
+use crate::tool_length::{Axis, Query, Step};
 
 /// The most frame steps a query may have.
 pub const MOST_STEPS: usize = 50;
@@ -42,6 +42,7 @@ form! {
 /// The query of a loose value; an absent one is the standard case.
 pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     let mut checker = Checker::default();
+    checker.whole = words!("the query");
     let given = if matches!(value, Value::Null | Value::Other("undefined")) { None } else { Some(value) };
     let mut section = Section::new(&mut checker, given, "");
     section.only(QueryForm::FIELDS, &["frame"]);
@@ -79,7 +80,7 @@ pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
 
 fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {
     let axis = |key: &str| match step.get(key) {
-        Some(Value::Text(name)) => AXIS_NAMES.iter().position(|axis| axis == name),
+        Some(Value::Text(name)) => Axis::ALL.into_iter().find(|axis| AXIS_NAMES[*axis as usize] == name),
         _ => None,
     };
     let Value::Map(entries) = step else {

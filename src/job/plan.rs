@@ -15,7 +15,7 @@ use crate::job::rows::{
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
+use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 use crate::text::{Text, text};
 
 /// The surfaces of the actual part where it really lies.
@@ -163,6 +163,16 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     }
 }
 
+/// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
+fn report_still(path: &Path, checker: &mut Checker) {
+    if matches!(path.feature, Feature::Still) {
+        let message = text!(
+            "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for stands in the parameter table only, for a postprocessor"
+        );
+        checker.warning("nothing-switched", "cycle", message);
+    }
+}
+
 /// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
@@ -191,6 +201,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);
+    report_still(path, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());

@@ -59,7 +59,7 @@ pub enum ParameterValue {
     Whole(i32),
     /// True or false.
     Flag(bool),
-    /// Text, as it was given.
+    /// Text, as it goes out.
     Text(String),
     /// A word of the control that stands for a number.
     Word(&'static str),

@@ -24,7 +24,7 @@ pub struct Nominal {
     pub unknown: bool,
     /// The actual value, where it is given and not probed.
     pub actual: Option<f64>,
-    /// The text it was written as; none for a plain number.
+    /// The text it was written as, with points for decimal commas; none for a plain number.
     pub text: Option<String>,
 }
 
@@ -52,7 +52,7 @@ impl Nominal {
 pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     let whole = text.trim();
     let wrong = || text!("\"{value}\" is not a value: the forms are {forms}", shown(whole), FORMS.to_owned());
-    let mut value = Nominal { text: Some(whole.to_owned()), ..Nominal::default() };
+    let mut value = Nominal { text: Some(whole.replace(',', ".")), ..Nominal::default() };
     let (rest, actual) = match whole.split_once('@') {
         Some((left, right)) => (left, Some(right)),
         None => (whole, None),

@@ -9,10 +9,11 @@ mod words;
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::common::with;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
-use touchpath::form::{CODES, Default, Field, Kind};
-use touchpath::job::{default_job, plan, planned};
+use touchpath::form::{CODES, Default, Field, Kind, Value};
+use touchpath::job::{ParameterRow, ResultRow, default_job, plan, planned};
 use touchpath::num::decimal;
 use touchpath::view::scene::Projection;
 use touchpath::view::{Legend, svg};
@@ -68,6 +69,12 @@ fn picture(def: &CycleDef) -> Option<String> {
     Some(svg(&planned.picture(Projection::Isometric, 1.0).scene, &legend))
 }
 
+/// The codes of the fields that begin so: a point's axes have one each.
+fn codes_of(rows: &[ParameterRow], field: &str) -> String {
+    let axes = rows.iter().filter(|row| row.field.as_deref().is_some_and(|of| of.starts_with(field)));
+    axes.map(|row| format!("`{}`", row.code)).collect::<Vec<_>>().join(", ")
+}
+
 fn manual(def: &CycleDef) -> String {
     let mut page = format!("# {}\n\n{}. In a job: `\"type\": \"{}\"`.\n\n", def.title, def.source, def.key);
     if def.steps.is_empty() {
@@ -80,13 +87,18 @@ fn manual(def: &CycleDef) -> String {
     for (i, step) in def.steps.iter().enumerate() {
         writeln!(page, "{}. {step}.", i + 1).unwrap();
     }
+    let default = plan(&default_job(def.key).unwrap()).unwrap();
+    let rows = planned(&default_job(def.key).unwrap()).unwrap().table();
     page.push_str("\n## Fields\n\nLengths are in the job's units; ranges and defaults are given in mm.\n\n");
     page.push_str("| key | name | unit | range | default | code | what it does |\n|---|---|---|---|---|---|---|\n");
     let sections = def.sections.iter().flat_map(|s| s.fields.iter().map(move |f| (format!("{}.{}", s.key, f.key), f)));
     for (key, field) in def.fields.iter().map(|f| (f.key.to_owned(), f)).chain(sections) {
+        let of_axes = codes_of(&rows, &format!("cycle.{key}["));
         // What has no code of the source is our own way to say where the touches are.
         let code = if field.code.is_empty() && def.number.is_some() {
             "ours".to_owned()
+        } else if !of_axes.is_empty() {
+            of_axes
         } else if field.code.is_empty() {
             String::new()
         } else {
@@ -110,11 +122,26 @@ fn manual(def: &CycleDef) -> String {
              the user's own positive codes.\n",
         );
     }
-    page.push_str("\n## Results\n\n| code | unit | what it is |\n|---|---|---|\n");
-    for row in &plan(&default_job(def.key).unwrap()).unwrap().results {
+    let mut results: Vec<(ResultRow, String)> = default.results.into_iter().map(|row| (row, String::new())).collect();
+    // What only a form inside the form brings.
+    for section in def.sections.iter().filter(|section| section.optional) {
+        let job = with(&default_job(def.key).unwrap(), &format!("cycle.{}", section.key), Value::Map(Vec::new()));
+        for row in plan(&job).unwrap().results {
+            if results.iter().all(|(known, _)| known.code != row.code) {
+                results.push((row, format!(" (only with `{}`)", section.key)));
+            }
+        }
+    }
+    page.push_str("\n## Results\n\n");
+    page.push_str(if results.is_empty() {
+        "None: nothing is measured.\n"
+    } else {
+        "| code | unit | what it is |\n|---|---|---|\n"
+    });
+    for (row, only) in &results {
         writeln!(
             page,
-            "| `{}` | {} | {} |",
+            "| `{}` | {} | {}{only} |",
             row.code,
             match row.unit {
                 "deg" => "°",

@@ -1,8 +1,10 @@
 //! LENTOAX: the printed examples, the table of values, and what must hold for every frame.
 
 use proptest::prelude::*;
+use touchpath::form::Value;
 use touchpath::geom::Plane;
-use touchpath::tool_length::{Answer, Query, Step, lentoax, nc_block, sentence};
+use touchpath::job::lentoax_query;
+use touchpath::tool_length::{Answer, Axis, Query, Step, lentoax, nc_block, sentence};
 
 fn mill() -> Query {
     Query {
@@ -18,7 +20,7 @@ fn mill() -> Query {
 }
 
 fn rot(axis: char, angle: f64) -> Step {
-    Step::Rotation { axis: "XYZ".find(axis).unwrap(), angle }
+    Step::Rotation { axis: Axis::ALL["XYZ".find(axis).unwrap()], angle }
 }
 
 fn asked(change: impl Fn(&mut Query)) -> (i32, [i32; 3]) {
@@ -57,7 +59,7 @@ fn the_table_of_values() {
         assert_eq!(asked(|q| (q.plane, q.tool_type) = (plane, 500)), (0, [2, 1, 3]));
     }
     let mirrored = |sd: bool, coord: &str| {
-        asked(|q| (q.frame, q.sd42900, q.coord) = (vec![Step::Mirror { axis: 0 }], sd, coord.to_owned()))
+        asked(|q| (q.frame, q.sd42900, q.coord) = (vec![Step::Mirror { axis: Axis::X }], sd, coord.to_owned()))
     };
     assert_eq!(mirrored(false, "WCS"), (0, [-3, 2, 1]));
     assert_eq!(mirrored(true, "WCS"), (0, [3, 2, 1]));
@@ -87,6 +89,13 @@ fn what_is_not_known() {
 }
 
 #[test]
+fn a_query_is_not_called_a_job() {
+    let message = |value: &Value| lentoax_query(value).unwrap_err().findings[0].message.clone();
+    assert_eq!(message(&Value::Number(7.0)), "the query must be an object, not a number");
+    assert!(message(&Value::Map(vec![("x".to_owned(), Value::Null)])).starts_with("the query has no \"x\""));
+}
+
+#[test]
 fn nearly_a_quarter_turn_is_one_and_a_tie_goes_to_the_lower_length() {
     assert_eq!(asked(|q| q.frame = vec![rot('Z', 90.000_000_000_1)]), (0, [2, -3, 1]));
     assert_eq!(asked(|q| q.frame = vec![rot('Z', 90.001)]).0, 1);
@@ -111,11 +120,15 @@ fn words_and_nc_lines() {
     assert!(nc_block("x\")\nM3").contains("\"WCS\")"), "nothing of a user's text reaches the lines");
 }
 
+fn axis() -> impl Strategy<Value = Axis> {
+    proptest::sample::select(Axis::ALL.to_vec())
+}
+
 fn step() -> impl Strategy<Value = Step> {
     prop_oneof![
-        (0usize..3, -720.0..720.0f64).prop_map(|(axis, angle)| Step::Rotation { axis, angle }),
-        (0usize..3, -4..5i32).prop_map(|(axis, quarter)| Step::Rotation { axis, angle: 90.0 * f64::from(quarter) }),
-        (0usize..3).prop_map(|axis| Step::Mirror { axis }),
+        (axis(), -720.0..720.0f64).prop_map(|(axis, angle)| Step::Rotation { axis, angle }),
+        (axis(), -4..5i32).prop_map(|(axis, quarter)| Step::Rotation { axis, angle: 90.0 * f64::from(quarter) }),
+        axis().prop_map(|axis| Step::Mirror { axis }),
     ]
 }
 
@@ -123,7 +136,7 @@ fn step() -> impl Strategy<Value = Step> {
 /// rows longer than 1.
 #[test]
 fn a_frame_that_is_all_but_square_keeps_rows_of_length_one() {
-    let frame = vec![Step::Rotation { axis: 0, angle: 540.002_215_372_537_9 }];
+    let frame = vec![Step::Rotation { axis: Axis::X, angle: 540.002_215_372_537_9 }];
     let query = Query {
         plane: Plane::G17,
         tool_type: 0,

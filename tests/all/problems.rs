@@ -3,6 +3,7 @@
 use crate::common::{job, number, point, with};
 use touchpath::form::{Finding, Level, Value};
 use touchpath::job::{check, default_job, plan};
+use touchpath::path::Subject;
 
 fn pocket() -> Value {
     default_job("internal-rectangle-protected").unwrap()
@@ -25,7 +26,10 @@ fn found(job: &Value, level: Level) -> Vec<String> {
 fn default_jobs_are_without_any_finding() {
     for cycle in touchpath::cycle::CYCLES {
         let job = default_job(cycle.key).unwrap();
-        assert_eq!(check(&job), [], "{}", cycle.key);
+        // What is rows of the table alone says so.
+        let still = matches!(cycle.probes, Subject::Switch | Subject::Action);
+        assert_eq!(found(&job, Level::Warning), vec!["nothing-switched cycle"; usize::from(still)], "{}", cycle.key);
+        assert_eq!(check(&job).len(), usize::from(still), "{}", cycle.key);
         plan(&job).unwrap();
     }
     assert!(default_job("bogus").is_none());

@@ -131,3 +131,17 @@ fn the_table_as_text_csv_and_json() {
     );
     assert!(touchpath::describe::export_table(&planned(&circles), "text").unwrap().contains("\nQ1116 = 20H7\n"));
 }
+
+/// The code is the parameter's; a text goes into the program as QS of that number, with a point, as the row says.
+#[test]
+fn a_tolerance_is_one_text_in_table_and_program() {
+    let plan = planned(&job(
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "probing-two-circles", "diameter1": "20+0,05-0,02" } }"#,
+    ));
+    let row = plan.table.iter().find(|row| row.code == "Q1116").unwrap();
+    assert_eq!(row.value, touchpath::job::ParameterValue::Text("20+0.05-0.02".to_owned()));
+    assert_eq!(row.meaning.english(), "DIAMETER 1 (in Klartext QS1116)");
+    assert!(plan.program.text.contains("QS1116=\"20+0.05-0.02\" ;DIAMETER 1 ~"), "{}", plan.program.text);
+    let number = plan.table.iter().find(|row| row.code == "Q1117").unwrap();
+    assert_eq!(number.meaning.english(), "DIAMETER 2");
+}

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -81,6 +81,7 @@ test("check, and a job with errors: everything at once, exit code 1", () => {
 test("wrong use: one line, exit code 2, nothing written", () => {
   const name = file("hole.json", job("hole"));
   const other = file("other.json", job("boss"));
+  mkdirSync(join(folder, "jobs"));
   for (const [args, why] of /** @type {[string[], RegExp][]} */ ([
     [["fly", name], /The command is one of plan, check/],
     [["plan"], /takes files/],
@@ -96,7 +97,8 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "--jobs", "0"], /--jobs is a whole number/],
     [["plan", name, "--jobs", "many"], /--jobs is a whole number/],
     [["plan", name, "-o", join(name, "below")], /cannot be made/],
-    [["plan", "."], /cannot be read/],
+    [["plan", "."], /\. is a folder: name its files, as '\.\/\*\*\/\*\.json'/],
+    [["plan", "jobs/", "-o", "none"], /jobs\/ is a folder: name its files, as 'jobs\/\*\*/],
     [["schema", name], /takes no files/],
     [["schema", "--post", "fanuc"], /takes no files and no options/],
     [["check", name, "-o", "nothing"], /--out is for plan/],
@@ -109,6 +111,7 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     assert.match(stderr, why);
     assert.match(stderr, /^touchpath: [^\n]*\n$/, args.join(" "));
   }
+  assert.ok(!readdirSync(folder).includes("none"), "an empty folder was left behind");
   assert.match(JSON.parse(run(["plan", "missing.json", "--json"]).stderr).error, /There is no file/);
   assert.equal(run([]).status, 2);
 });
@@ -134,6 +137,12 @@ test("many files into a folder: patterns, names by the jobs, two of one name, on
   );
   assert.equal(run(["svg", "many/a.json", "-o", "out"]).status, 0);
   assert.ok(readdirSync(join(folder, "out")).includes("ONE.svg"));
+});
+
+test("a program that says no job ended with 1 and no error", () => {
+  const { status, stdout, stderr } = run(["import", file("foreign.nc", "G21 G90 G0 X0 Y0\nG1 X5 F100\nM30\n")]);
+  assert.deepEqual([status, stdout], [1, ""]);
+  assert.match(stderr, /^foreign\.nc: error: This program says no job, only moves.* \[nothing-to-import\]$/m);
 });
 
 test("a dump becomes a job again, and measured points become results", () => {
@@ -282,12 +291,13 @@ test("names that collide with names that were made, and a file that was read, ar
 });
 
 test("what cannot be read ends the run after what came before it was handed out, over any number of threads", () => {
-  mkdirSync(join(folder, "folder.ndjson"));
+  // A file that can be opened, and fails when it is read.
+  symlinkSync("/proc/self/mem", join(folder, "broken.ndjson"));
   file("ten.ndjson", Array.from({ length: 10 }, (_, i) => JSON.stringify(job("hole", `N${i}`))).join("\n"));
   for (const jobs of ["1", "2", "4"]) {
-    const { status, stdout, stderr } = run(["check", "ten.ndjson", "folder.ndjson", "--jobs", jobs]);
+    const { status, stdout, stderr } = run(["check", "ten.ndjson", "broken.ndjson", "--jobs", jobs]);
     assert.deepEqual([status, stdout.trimEnd().split("\n").length], [2, 10], jobs);
-    assert.match(stderr, /^touchpath: folder\.ndjson cannot be read/);
+    assert.match(stderr, /^touchpath: broken\.ndjson cannot be read/);
   }
 });
 

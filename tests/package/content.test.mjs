@@ -1,10 +1,11 @@
 // What is in the package, and in the crate: what is needed, with its licences, and nothing else.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { catalog } from "touchpath";
 
 const cwd = fileURLToPath(new URL("../..", import.meta.url));
 
@@ -38,8 +39,14 @@ test("the package had no licence text", () => {
   const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
     (f) => `dist/wasm/${f}`,
   );
+  // The manual, which README, types and catalog point to, without its pictures.
+  const manual = readdirSync(join(cwd, "docs"), { recursive: true, encoding: "utf8" })
+    .filter((name) => name.endsWith(".md"))
+    .map((name) => `docs/${name.replaceAll("\\", "/")}`);
+  for (const { doc } of catalog().cycles) assert.ok(manual.includes(doc), doc);
   const wanted = [
     ...modules,
+    ...manual,
     ...pieces,
     "dist/cli/tasks.js",
     "dist/cli/touchpath.js",
@@ -48,12 +55,15 @@ test("the package had no licence text", () => {
     "dist/embed.css",
     "dist/embed.html",
     "dist/frame.schema.json",
+    "dist/react.d.ts",
+    "dist/react.js",
     "dist/schema.json",
     "dist/words/de.json",
     "dist/words/ru.json",
     "dist/words/zh-Hant.json",
     ...wasm,
     "dist/licences.txt",
+    "CHANGELOG.md",
     "LICENSE-APACHE",
     "LICENSE-MIT",
     "README.md",

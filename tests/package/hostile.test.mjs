@@ -221,6 +221,10 @@ test("columns are the moves, the program is the plan's, in a row of many too", (
       ]),
     );
     assert.equal(columns.to.length, 3 * moves.length);
+    assert.deepEqual(
+      [...columns.arcs],
+      moves.flatMap(({ arc }, i) => (arc ? [i, ...arc.center, arc.sweep] : [])),
+    );
     // The columns are the caller's own.
     columns.to.fill(0);
     assert.deepEqual(

@@ -251,7 +251,8 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
   writeFileSync(
     join(user, "use.ts"),
     `import { catalog, check, defaultJob, evaluate, importJob, JobError, moveColumns, plan, version } from "touchpath";
-import type { Catalog, Finding, Job, Move, MoveColumns, ParameterRow, Plan, ResultRow, Vec3 } from "touchpath";
+import type { Catalog, Finding, Job, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, Vec3 } from "touchpath";
+import { PROTOCOL } from "touchpath/frame";
 const job: Job = defaultJob("internal-rectangle-protected");
 const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
 const found: Finding[] = check(short);
@@ -263,6 +264,14 @@ const results: ResultRow[] = evaluate(job, "1,2,3");
 const columns: MoveColumns = moveColumns(job);
 const all: Catalog = catalog();
 const circles: Job = { format: 1, cycle: { type: "probing-two-circles", point1: ["10@10.02", 0, "?"], diameter1: "10H7", extrusion: null } };
+const whole = defaultJob("hole");
+const sure: number = whole.cycle.diameter + (whole.feeds.work ?? 0) + whole.stylus.diameter + whole.part.rotation;
+const offset: number | null = whole.control.workOffset;
+whole.cycle.properties = { wcsMode: 1 };
+whole.cycle.touches = [{ point: [0, 0, 0], vector: [1, 0, 0] }];
+const circle: number = defaultJob("probing-two-circles").cycle.probe.dist;
+const posts: PostId[] = catalog().posts.map((post) => post.id);
+console.log(sure, offset, circle, posts, PROTOCOL satisfies 1);
 const read: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
 console.log(circles, read, found, to, rows, results, columns, all, version());

@@ -164,10 +164,19 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
     ["cycle", "holes"],
     ["post", "mazak"],
     ["units", "cm"],
+    ["theme", "drak"],
+    ["panels", "form progam"],
+    ["storage", "locl"],
   ]) {
+    const before = await on((element, input) => element[input], input);
     await set(input, value);
-    const [[name, detail]] = /** @type {any} */ (await heard());
-    assert.deepEqual([name, detail.refused, detail.findings[0].code], ["finding", true, "unknown-value"]);
+    const [[name, detail], ...rest] = /** @type {any} */ (await heard());
+    assert.deepEqual(
+      [name, detail.refused, detail.findings[0].code, rest],
+      ["finding", true, "unknown-value", []],
+      input,
+    );
+    assert.equal(await on((element, input) => element[input], input), before, `${input} is what it was`);
   }
   await page.evaluate(() => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
@@ -269,6 +278,37 @@ test("readonly: nothing changes the job but the page around, and the program can
   await field("cycle.diameter").fill("22");
   assert.equal(await on((element) => element.job.cycle.diameter), 22);
   assert.deepEqual((await heard()).filter(([name]) => name === "job-change").length, 1);
+});
+
+test("a word that is not known was passed over in silence: it is refused, and what was shown stays", async () => {
+  await open("<touch-path></touch-path>");
+  await page.evaluate(() => {
+    const element = document.createElement("touch-path");
+    for (const [name, value] of [
+      ["panels", "form progam"],
+      ["theme", "drak"],
+      ["storage", "locl"],
+    ])
+      element.setAttribute(/** @type {string} */ (name), /** @type {string} */ (value));
+    /** @type {any} */ (window).refused = [];
+    element.addEventListener("finding", ({ detail }) => {
+      if (detail.refused) /** @type {any} */ (window).refused.push(detail.findings[0]?.message);
+    });
+    document.querySelector("touch-path")?.replaceWith(element);
+    return element.ready;
+  });
+  const said = await page.evaluate(() => /** @type {any} */ (window).refused);
+  assert.equal(said.length, 3, said.join("\n"));
+  for (const reason of [
+    "panels must be some of form, stage",
+    "theme must be one of",
+    "storage must be one of none, local",
+  ])
+    assert.ok(said.join("\n").includes(reason), reason);
+  assert.ok(await page.locator("tp-form").isVisible(), "all is shown, as without the attribute");
+  await set("panels", "stage");
+  await set("panels", "stage forms");
+  assert.ok(!(await page.locator("tp-form").isVisible()) && (await page.locator("tp-picture").isVisible()));
 });
 
 test("panels, theme, slots, parts and custom properties", async () => {

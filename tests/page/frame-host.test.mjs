@@ -149,10 +149,14 @@ test("what cannot be used is answered with its reasons, and the conversation con
     ['{ job: "x".repeat(50_000_000) }', /at most/],
     ['{ post: "mazak" }', /post must be one of/],
     ["{ colour: 1 }", /nothing to set that is called colour/],
-    ['{ theme: "purple" }', /theme is light, dark or auto/],
-    ['{ panels: "form lid" }', /panels are some of form stage/],
-    ['{ readonly: "yes" }', /readonly is true or false/],
-    ["{ job: null }", /the job is an object/],
+    ['{ theme: "purple" }', /theme must be one of light, dark, auto/],
+    ['{ panels: "form lid" }', /panels must be some of form, stage/],
+    ['{ readonly: "yes" }', /readonly must be true or false/],
+    ["{ job: null }", /the job cannot be used/],
+    // What is good beside it is not taken either.
+    ['{ job: { format: 1, cycle: { type: "boss" } }, post: "mazak", panels: "form" }', /post must be one of/],
+    ['{ cycle: "boss", units: "inch", theme: "dark", lang: "<b>" }', /lang must be a BCP 47 tag/],
+    ['{ units: "inch", post: null }', /post must be one of/],
     ["7", /has a state/],
     ["null", /has a state/],
   ]) {
@@ -240,6 +244,8 @@ test("a frame without a list of origins refuses every page; another version of t
   const wrong = await connect({ origin: origin(2), patience: 1200 });
   assert.match(wrong, /does not answer/, "what is said reaches no other origin");
   assert.match(await connect({ origin: "not an origin" }), /is no origin/);
+  await page.evaluate(() => document.querySelector("iframe")?.remove());
+  assert.match(await connect(), /FrameError: connect takes the iframe/, "null was taken for a wrong origin");
 });
 
 test("a portal that leaves, or gives up, leaves nothing dead behind; what is asked of it fails", async () => {

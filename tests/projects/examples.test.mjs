@@ -1,11 +1,13 @@
 // The examples, each with the package from its tarball: a portal, React, Vue, a service.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
+import { writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { unzipSync } from "fflate";
+import { at } from "../../scripts/lib.mjs";
 import { inBrowser, project } from "./installed.mjs";
 
 const inside = inBrowser();
@@ -83,6 +85,30 @@ for (const [name, libraries, jobName] of /** @type {const} */ ([
     assert.deepEqual(problems, []);
   });
 
+test("the element was unknown in React's TSX: the example compiles, and a property that is wrong does not", () => {
+  const own = project("react-types", ["@types/react", "csstype"], "react");
+  // The repository has no types of react-dom.
+  writeFileSync(join(own, "dom.d.ts"), 'declare module "react-dom/client";\n');
+  writeFileSync(
+    join(own, "wrong.tsx"),
+    `import type {} from "touchpath/react";
+// @ts-expect-error there is no such theme
+export const theme = <touch-path theme="drak" />;
+// @ts-expect-error there is no such control
+export const post = <touch-path post="mazak" />;
+// @ts-expect-error a plan has no such section
+export const plan = <touch-path onplan-change={(event) => event.detail.plan.nothing} />;
+`,
+  );
+  const options = ["--strict", "--noEmit", "--skipLibCheck", "false", "--jsx", "react-jsx", "--target", "es2022"];
+  const resolution = ["--module", "esnext", "--moduleResolution", "bundler", "--types", ""];
+  const files = ["main.tsx", "wrong.tsx", "dom.d.ts"];
+  const lib = ["--lib", "ES2023,DOM"];
+  const tsc = at("node_modules", ".bin", "tsc");
+  const ran = spawnSync(tsc, [...options, ...resolution, ...lib, ...files], { cwd: own, encoding: "utf8" });
+  assert.equal(ran.status, 0, ran.stdout + ran.stderr);
+});
+
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string} */ own, /** @type {Record<string, string>} */ settings = {}) {
   const child = spawn("node", ["server.js"], { cwd: own, env: { ...process.env, PORT: "0", ...settings } });
@@ -139,6 +165,8 @@ test("the service: plans, findings, limits, its own description, and an end with
   const valid = new Ajv2020({ strict: false }).compile(api.components.schemas.Job);
   assert.ok(valid(job) && !valid(wrong));
   assert.deepEqual(Object.keys(api.paths), ["/plan", "/check", "/import", "/health"]);
+  for (const status of ["400", "413", "415", "422", "503"])
+    assert.ok(api.paths["/plan"].post.responses[status], status);
   // Many at once, and the end in the middle: each is answered.
   const many = Array.from({ length: 40 }, () => post("/plan", JSON.stringify(job)));
   await many[0];

@@ -16,10 +16,8 @@ import type {
   ProgramText,
   ResultRow,
   Said,
+  WholeJob,
 } from "./types.js";
-
-export { say } from "./said.js";
-export type * from "./types.js";
 
 /** Thrown where no plan can be made; `findings` says everything that was found. */
 export class JobError extends Error {
@@ -71,7 +69,7 @@ export interface Api {
   /** Everything a form needs: cycles, their fields, the controls. */
   catalog(): Catalog;
   /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
-  defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> };
+  defaultJob<T extends Cycle["type"]>(type: T): WholeJob<Extract<Cycle, { type: T }>>;
   /** Everything that is wrong, unusual or worth knowing. Never throws. */
   check(job: unknown): Finding[];
   /** The whole plan. Throws `JobError` if any finding is an error. */
@@ -96,7 +94,7 @@ export interface Api {
   readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
   /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
   jobSchema(): Record<string, unknown>;
-  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. Throws `JobError`. */
+  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
   exportTable(job: Job, format: "csv" | "json" | "text"): string;
   /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
   meanings(job: Job): Said[];
@@ -206,13 +204,14 @@ export function dress(raw: Raw, instance: Instance): Api {
       return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
     },
     moveColumns: (job) => {
-      const { to, feed, kind, step, touch } = columns(known(coded(job)));
+      const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));
       return {
         to: to.slice(),
         feed: Uint8Array.from(feed),
         kind: Uint8Array.from(kind),
         step: Uint8Array.from(step),
         touch: Int32Array.from(touch),
+        arcs: arcs.fives().slice(),
         feeds: [...FEEDS],
         kinds: [...KINDS],
       };

@@ -2,7 +2,9 @@ import { dress, Instance } from "./api.js";
 import { coded } from "./coded.js";
 import init, * as raw from "./wasm/touchpath.js";
 
-export * from "./api.js";
+export { JobError } from "./api.js";
+export { say } from "./said.js";
+export type * from "./types.js";
 
 await init();
 

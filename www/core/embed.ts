@@ -8,10 +8,10 @@ interface Element extends HTMLElement {
   job: unknown;
   readonly plan: unknown;
   readonly findings: Finding[];
+  refusals(state: Record<string, unknown>): Finding[];
 }
 
 const INPUTS = ["job", "cycle", "post", "units", "theme", "lang", "panels"] as const;
-const PANELS = ["form", "stage", "program", "table", "results", "checks"];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;
@@ -85,29 +85,14 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
   else {
     const unknown = Object.keys(data.state).filter((key) => key !== "readonly" && !INPUTS.includes(key as "job"));
     if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
-    else if (unfit(data.state)) error(`Nothing was changed: ${unfit(data.state)}`);
     else {
-      const refused = set(data.state);
+      // All of it or nothing: a portal that is refused need not ask what of its state was taken.
+      const refused = element.refusals(data.state);
+      if (refused.length === 0) refused.push(...set(data.state));
       if (refused.length > 0) error(refused.map((f) => f.message).join(". "), refused);
       else say({ type: "done", id });
     }
   }
-}
-
-/** What of a state the element would not refuse by itself, but pass over. */
-function unfit(state: Record<string, unknown>): string | null {
-  const { theme, lang, panels, readonly, job } = state;
-  const words = typeof panels === "string" ? panels.split(/\s+/).filter(Boolean) : [];
-  if (theme !== undefined && !["light", "dark", "auto"].includes(theme as string))
-    return "theme is light, dark or auto";
-  if (lang !== undefined && !(typeof lang === "string" && /^[a-z0-9-]{0,35}$/i.test(lang)))
-    return "lang is a BCP 47 tag";
-  if (panels !== undefined && (words.length === 0 || !words.every((word) => PANELS.includes(word))))
-    return `panels are some of ${PANELS.join(" ")}`;
-  if (readonly !== undefined && typeof readonly !== "boolean") return "readonly is true or false";
-  if (job === null) return "the job is an object, or its JSON";
-  for (const input of ["cycle", "post", "units"]) if (state[input] === null) return `${input} is a word`;
-  return null;
 }
 
 /** Sets what is given; what could not be used, as findings. */

@@ -3,6 +3,7 @@ import { type Answer, type FrameState, type FrameView, type Hello, PROTOCOL, typ
 import type { Finding, Job, Plan } from "./types.js";
 
 export type * from "./protocol.js";
+export { PROTOCOL } from "./protocol.js";
 
 /** Thrown where the frame refuses a request; `findings` says why, where there is more to say. */
 export class FrameError extends Error {
@@ -18,7 +19,8 @@ export class FrameError extends Error {
 /** How long is waited for an answer of the frame, milliseconds. */
 const PATIENCE = 15_000;
 
-interface Options {
+/** How a portal connects. */
+export interface ConnectOptions {
   /** The origin that the frame is served from. A frame of another origin gets no message. */
   origin: string;
   /** Whether the portal saves programs itself; else the frame hands them out as files. */
@@ -76,7 +78,7 @@ export class Frame extends EventTarget {
     super.addEventListener(type, listener, options);
   }
 
-  /** Sets the job, the control, what is shown. Fails with the reasons where any of it cannot be used; that part changed nothing. */
+  /** Sets the job, the control, what is shown: all of it, or, where any of it cannot be used, nothing. Then it fails with the reasons. */
   async set(state: FrameState): Promise<void> {
     await this.ask((id) => ({ type: "set", id, state }));
   }
@@ -140,9 +142,11 @@ export class Frame extends EventTarget {
 /** Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. */
 export function connect(
   iframe: HTMLIFrameElement,
-  { origin, saves = false, patience = PATIENCE }: Options,
+  { origin, saves = false, patience = PATIENCE }: ConnectOptions,
 ): Promise<Frame> {
   return new Promise((done, fail) => {
+    // What `querySelector` did not find.
+    if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
     let port: MessagePort | null = null;
     const end = () => {
       clearInterval(asking);

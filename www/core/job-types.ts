@@ -669,3 +669,6 @@ export interface Job {
   };
   cycle: Cycle;
 }
+
+/** The id of a control. */
+export type PostId = NonNullable<NonNullable<Job["control"]>["post"]>;

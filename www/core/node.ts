@@ -2,7 +2,9 @@ import { readFileSync } from "node:fs";
 import { dress, Instance } from "./api.js";
 import * as raw from "./wasm/touchpath.js";
 
-export * from "./api.js";
+export { JobError } from "./api.js";
+export { say } from "./said.js";
+export type * from "./types.js";
 
 raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
 

@@ -1,6 +1,6 @@
 // Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
 
-import type { Cycle, Vec3 } from "./job-types.js";
+import type { Cycle, PostId, Vec3 } from "./job-types.js";
 import type { Said } from "./said.js";
 
 /** How much a finding weighs. */
@@ -304,7 +304,7 @@ export interface SupportEntry {
 /** One control. */
 export interface PostEntry {
   /** `control.post`. */
-  id: string;
+  id: PostId;
   /** Its name. */
   title: string;
   /** The usual file extension, without the dot. */

@@ -99,6 +99,13 @@ class Reader {
     return items;
   }
 
+  /** Numbers five by five, as they lie there, up to a −1. */
+  fives(): Float64Array {
+    const from = this.at;
+    while (this.index() !== null) this.at += 4;
+    return this.packed.numbers.subarray(from, this.at - 1);
+  }
+
   /** So many numbers as they lie there. */
   column(count: number): Float64Array {
     this.at += count;

@@ -508,7 +508,12 @@ export class App extends LitElement {
   async ask(what: string): Promise<void> {
     const { store } = this;
     if (this.away && OF_THE_JOB.has(what)) return;
-    const open = (id: string) => this.renderRoot.querySelector<HTMLDialogElement>(`#${id}`)?.showModal();
+    const open = (id: string) => {
+      const dialog = this.renderRoot.querySelector<HTMLDialogElement>(`#${id}`);
+      dialog?.showModal();
+      // Not by `autofocus`: a browser complains of it in a frame of another origin.
+      dialog?.querySelector<HTMLElement>("h2[tabindex]")?.focus();
+    };
     const actions: Record<string, () => unknown> = {
       redo: () => store.redo(),
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),

@@ -83,7 +83,7 @@ export function dialogs({ store, presets }: Frame): TemplateResult {
       ${close}
     </dialog>
     <dialog id="keys" aria-labelledby="keys-title">
-      <h2 id="keys-title" tabindex="-1" autofocus>${t("Keys")}</h2>
+      <h2 id="keys-title" tabindex="-1">${t("Keys")}</h2>
       <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${t(keys)}</dt><dd>${t(what)}</dd>`)}</dl>
       ${close}
     </dialog>

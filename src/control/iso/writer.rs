@@ -3,7 +3,7 @@
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::Digits;
-use crate::path::{Arc, Move, ONE_LEVEL, Purpose, Surface, Touch};
+use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
 #[derive(Debug)]
@@ -155,6 +155,9 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
+        if matches!(request.path.feature, Feature::Still) {
+            return self.comment("Switches nothing, moves nothing: states its modes and ends");
+        }
         self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");
         if let Some(start) = request.path.start {
             let text = stated_start(request, &self.place_words(start));

@@ -82,7 +82,8 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_write(request, checker);
     check_short(request, checker);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
+        let message =
+            text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
         checker.info("rapid-at-feed", "feeds", message);
     }
     let Some(datum) = request.path.formula.datum.as_ref() else { return };

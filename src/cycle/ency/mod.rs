@@ -23,7 +23,7 @@ pub use table::{CODE_GROUPS, code_of, only_angular};
 
 use custom::Custom;
 
-use crate::cycle::Cycle;
+use crate::cycle::{Cycle, CycleDef};
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
@@ -35,9 +35,6 @@ pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties:
 
 /// A cycle of the family with its form filled in, whichever it is.
 trait Filled {
-    /// Its type number, code −1, and what the source calls it in the parameter table.
-    fn kind(&self) -> (i32, &'static str);
-
     /// Its form.
     fn form(&self) -> &dyn Values;
 
@@ -53,6 +50,9 @@ trait Filled {
 
 /// A cycle of the family with checked values.
 struct Ency {
+    def: &'static CycleDef,
+    /// What the source calls it in the parameter table.
+    name: &'static str,
     form: Box<dyn Filled>,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
@@ -64,6 +64,8 @@ struct Ency {
 impl Clone for Ency {
     fn clone(&self) -> Self {
         Ency {
+            def: self.def,
+            name: self.name,
             form: self.form.copy(),
             properties: self.properties.clone(),
             picks: self.picks.clone(),
@@ -73,19 +75,14 @@ impl Clone for Ency {
     }
 }
 
-/// A form, the type number and name of its cycle, and the shape it makes.
+/// A form, and the shape it makes.
 #[derive(Clone)]
 struct Made<F> {
     form: F,
-    kind: (i32, &'static str),
     shape: fn(&F) -> Box<dyn Shape>,
 }
 
 impl<F: Values + Clone + 'static> Filled for Made<F> {
-    fn kind(&self) -> (i32, &'static str) {
-        self.kind
-    }
-
     fn form(&self) -> &dyn Values {
         &self.form
     }
@@ -103,22 +100,28 @@ impl<F: Values + Clone + 'static> Filled for Made<F> {
     }
 }
 
-/// Makes a cycle of a form: its type number, what the source calls it in the parameter table, and the shape of its dimensions.
+/// Makes a cycle of a form: what is known of it, what the source calls it in the parameter table, and the shape of its dimensions.
 pub fn read<F: Values + Clone + 'static>(
     section: &mut Section<'_, '_>,
-    kind: (i32, &'static str),
+    def: &'static CycleDef,
+    name: &'static str,
     form: F,
     shape: fn(&F) -> Box<dyn Shape>,
 ) -> Box<dyn Cycle> {
-    read_rest(section, Box::new(Made { form, kind, shape }))
+    read_rest(section, def, name, Box::new(Made { form, shape }))
 }
 
 /// Reads what every cycle of the family may have besides its form.
-fn read_rest(section: &mut Section<'_, '_>, form: Box<dyn Filled>) -> Box<dyn Cycle> {
+fn read_rest(
+    section: &mut Section<'_, '_>,
+    def: &'static CycleDef,
+    name: &'static str,
+    form: Box<dyn Filled>,
+) -> Box<dyn Cycle> {
     let properties = section.sub(&PROPERTIES, Properties::read);
-    let picks = if form.kind().0 > 1 { picks::read(section) } else { None };
+    let picks = if def.place.is_some() { picks::read(section) } else { None };
     let custom = custom::read(section);
-    Box::new(Ency { form, properties, picks, custom, deltas: Vec::new() })
+    Box::new(Ency { def, name, form, properties, picks, custom, deltas: Vec::new() })
 }
 
 /// Where picked touches put a cycle, and the touches that its dimensions give there; none where they do not make one.
@@ -128,7 +131,7 @@ pub fn place<F: Values + Clone + 'static>(
     picks: &[Pick],
     plane: Plane,
 ) -> Option<(Placement, Vec<Pick>)> {
-    place_by(Box::new(Made { form, kind: (0, ""), shape }), picks, plane)
+    place_by(Box::new(Made { form, shape }), picks, plane)
 }
 
 fn place_by(mut form: Box<dyn Filled>, picks: &[Pick], plane: Plane) -> Option<(Placement, Vec<Pick>)> {
@@ -168,10 +171,7 @@ impl Ency {
     }
 
     fn frame(form: &dyn Filled, plane: Plane) -> Frame {
-        let origin = form.form().values().into_iter().find_map(|(_, value)| match value {
-            Shown::Point(point) => Some(point),
-            _ => None,
-        });
+        let origin = form.form().point("origin");
         let rotation = form.form().number("rotation").unwrap_or(0.0);
         Frame::new(plane, origin.unwrap_or(Vec3::ZERO), rotation.to_radians())
     }
@@ -276,7 +276,7 @@ impl Cycle for Ency {
 
     fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
         let (shape, ..) = self.seat(setup);
-        let mut rows = table(&*self.form, self.properties.as_ref(), touches, setup, |k| shape.name(k));
+        let mut rows = table((self.def, self.name), &*self.form, self.properties.as_ref(), touches, setup, |k| shape.name(k));
         rows.extend(self.custom.iter().map(Custom::row));
         rows
     }
@@ -344,5 +344,32 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             checker.warning("low-start", field, message);
         }
         None => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::form::{Value, form};
+
+    form! {
+        /// A form with another point in front of the place.
+        struct Form {
+            /// Any.
+            target: Vec3 = Field::point("target", "Target"),
+            origin: Vec3 = field::top_centre(),
+        }
+    }
+
+    #[test]
+    fn a_cycle_stands_at_its_origin_whatever_points_its_form_has() {
+        let point = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
+        let given = [("target", [7.0, 8.0, 9.0]), ("origin", [1.0, 2.0, 3.0])];
+        let given = Value::Map(given.map(|(key, p)| (key.to_owned(), point(p))).to_vec());
+        let mut checker = Checker::default();
+        let form = Form::read(&mut Section::new(&mut checker, Some(&given), "cycle"));
+        assert_eq!(form.values()[0].1, Shown::Point(Vec3::new(7.0, 8.0, 9.0)));
+        let made = Made { form, shape: |_| Box::new(Still) };
+        assert_eq!(Ency::frame(&made, Plane::G17).origin, Vec3::new(1.0, 2.0, 3.0));
     }
 }

@@ -1,8 +1,9 @@
 //! The parameter table, from the form's own codes.
 
+use crate::cycle::CycleDef;
 use crate::cycle::ency::{Filled, Properties};
 use crate::form::{Field, Kind, Shown, Values};
-use crate::path::{Accessor, Parameter, ParameterValue, Setup, Touch};
+use crate::path::{Accessor, Parameter, ParameterValue, Setup, Subject, Touch};
 use crate::text::{Text, text};
 
 /// The code of the variant, and those that say something only of the angular one.
@@ -27,40 +28,38 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 /// The rows in the order of the source's pages: type and SubCode, the dimensions by falling code, the touches, the original
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands after its touches.
 pub(super) fn table(
+    (def, kind_name): (&CycleDef, &'static str),
     form: &dyn Filled,
     properties: Option<&Properties>,
     touches: &[Touch],
     setup: &Setup,
     name: impl Fn(usize) -> Text,
 ) -> Vec<Parameter> {
-    let (number, kind_name) = form.kind();
-    let kind = Parameter {
-        code: -1,
+    let whole = |code: i32, n: i32, meaning: Text, field: Option<String>| Parameter {
+        code,
         accessor: Accessor::Int,
         type_name: "Integer",
-        value: ParameterValue::Whole(number),
-        meaning: text!("Probing cycle type: {number} = {name}", number, kind_name.to_owned()),
-        field: Some("cycle.type".to_owned()),
+        value: ParameterValue::Whole(n),
+        meaning,
+        field,
         touch: None,
     };
+    let kind = def.number.map(|number| {
+        let meaning = text!("Probing cycle type: {number} = {name}", number, kind_name.to_owned());
+        whole(-1, number, meaning, Some("cycle.type".to_owned()))
+    });
     let mut own: Vec<Parameter> =
         form.form().values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
     // In the rectangular variant the touches follow from the variant alone.
     let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
     falling(&mut own);
-    let late = |p: &Parameter| p.code == -66 || (number == 2 && p.code == -56);
+    let late = |p: &Parameter| p.code == -66 || (def.probes == Subject::Surface && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
     let compensated = last.iter().any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
-    let mut rows = vec![kind];
-    if number == 0 {
-        rows.push(Parameter {
-            code: -2,
-            value: ParameterValue::Whole(-500),
-            meaning: text!("SubCode of probe on/off"),
-            field: None,
-            ..rows[0].clone()
-        });
+    let mut rows: Vec<Parameter> = kind.into_iter().collect();
+    if def.probes == Subject::Switch {
+        rows.push(whole(-2, -500, text!("SubCode of probe on/off"), None));
     }
     rows.extend(first);
     push_touches(&mut rows, touches, if compensated { setup.radius } else { 0.0 }, name);

@@ -5,11 +5,16 @@ use std::fmt::Write;
 use touchpath::control::safety::RULES;
 use touchpath::control::{Form, POSTS, PostDef};
 use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::path::Subject;
 
 const BEGIN: &str = "<!-- generated: controls -->";
 const END: &str = "<!-- generated: end -->";
 
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
+    // Rows of the table alone: a program of moves states its modes and ends.
+    if matches!(def.probes, Subject::Switch | Subject::Action) {
+        return if (post.serves)(def.probes, Form::Moves).is_ok() { "table only" } else { "–" };
+    }
     match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
         [true, true] => "moves, own cycle",
         [true, false] => "moves",
@@ -35,6 +40,10 @@ pub fn page() -> String {
         hold, and what they cannot. [The programs](programs.md) says how they are written, and where that comes from.\n\n"
         .to_owned();
     text.push_str(&matrix(""));
+    text.push_str(
+        "\n*Table only*: the cycle is rows of the parameter table. A program says the job in its header, states its modes and ends; it switches nothing and moves \
+         nothing (`nothing-switched`).\n",
+    );
     text.push_str(
         "\n## What a program has\n\n| control | `control.post` | file | work offsets | positioning is watched | computes the results |\n\
          |---|---|---|---|---|---|\n",

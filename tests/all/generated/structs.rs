@@ -57,12 +57,13 @@ const EXACT: &[(&str, &str)] = &[
     ("CycleEntry.type", r#"Cycle["type"]"#),
     ("SupportEntry.type", r#"Cycle["type"]"#),
     ("SupportEntry.form", r#""moves" | "cycle""#),
+    ("PostEntry.id", "PostId"),
     ("Catalog.format", "1"),
 ];
 
 const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
 
-import type { Cycle, Vec3 } from \"./job-types.js\";
+import type { Cycle, PostId, Vec3 } from \"./job-types.js\";
 import type { Said } from \"./said.js\";
 ";
 

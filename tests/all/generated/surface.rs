@@ -44,8 +44,9 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
         {
             let mut found = Renamed::new();
             uses(&item.tree, &mut found);
-            // From elsewhere in the crate: the name is this module's, too.
-            if matches!(&item.tree, UseTree::Path(path) if path.ident == "crate") {
+            // From elsewhere in the crate, or another name of what is here: the name is this module's, too.
+            let elsewhere = matches!(&item.tree, UseTree::Path(path) if path.ident == "crate");
+            if elsewhere || matches!(&item.tree, UseTree::Rename(_)) {
                 names.extend(found.values().filter_map(|name| Some(format!("{module}::{} use", shown(name)?))));
             }
             reexported.extend(found);

@@ -140,5 +140,8 @@ pub fn job_types() -> String {
         text.push_str("  };\n");
     }
     text.push_str("  cycle: Cycle;\n}\n");
+    text.push_str(
+        "\n/** The id of a control. */\nexport type PostId = NonNullable<NonNullable<Job[\"control\"]>[\"post\"]>;\n",
+    );
     text
 }

@@ -115,7 +115,10 @@ function read(text: string, task: Task): unknown {
 
 function imported(source: string, text: string): Outcome {
   const { job, findings, trace } = importJob(text);
-  if (trace || !job) return { source, output: null, findings, failed: true };
+  if (trace || !job) {
+    const none = "This program says no job, only moves: there is no job to write";
+    return { source, output: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
+  }
   const name = typeof job.name === "string" ? job.name : "";
   return {
     source,

@@ -101,13 +101,10 @@ function taskOf(command: Task["command"], values: Values): Task {
 async function filesOf(names: string[]): Promise<string[]> {
   const files: string[] = [];
   for (const name of names) {
-    const is =
-      name === "-" ||
-      (await stat(name).then(
-        () => true,
-        () => false,
-      ));
-    if (is) files.push(name);
+    const there = name === "-" ? undefined : await stat(name).catch(() => null);
+    if (there?.isDirectory())
+      throw new Refused(`${name} is a folder: name its files, as '${name.replace(/[/\\]+$/, "")}/**/*.json'`);
+    if (there !== null) files.push(name);
     else if (!isDynamicPattern(name)) throw new Refused(`There is no file ${name}`);
     else {
       const found = await glob(name, { dot: false, expandDirectories: false });
@@ -186,12 +183,22 @@ const said = (source: string, { level, path, message, code }: Finding) =>
 /** Puts the outputs into files of a folder. Two of the same name get two names, and no job is written over: nothing is lost. */
 class Folder {
   private readonly taken = new Set<string>();
+  private made = false;
 
   constructor(
     private readonly folder: string,
     /** The files that the jobs come from, as whole paths. */
     private readonly inputs: Set<string>,
   ) {}
+
+  /** Makes the folder, where that is not done: after the first job was read, so that a mistake in the arguments leaves none behind. */
+  async make(): Promise<void> {
+    if (this.made) return;
+    await mkdir(this.folder, { recursive: true }).catch((thrown: Error) => {
+      throw new Refused(`${this.folder} cannot be made: ${thrown.message}`);
+    });
+    this.made = true;
+  }
 
   async put({ name, ending, text }: NonNullable<Outcome["output"]>): Promise<void> {
     const plain = programStem(name, text);
@@ -218,13 +225,10 @@ async function handOut(
   progress: Progress,
 ): Promise<boolean> {
   const folder = values.out === undefined ? null : new Folder(values.out, inputs);
-  if (values.out !== undefined)
-    await mkdir(values.out, { recursive: true }).catch((thrown: Error) => {
-      throw new Refused(`${values.out} cannot be made: ${thrown.message}`);
-    });
   let failed = false;
   for await (const outcome of outcomes) {
     failed ||= outcome.failed;
+    await folder?.make();
     progress.count();
     const { source, output, findings } = outcome;
     // What is written stands on a line of its own.

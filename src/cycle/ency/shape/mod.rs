@@ -122,7 +122,7 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
 pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &'static str, clearance: f64, path: &str) {
     if checker.sound(&[path, "stylus.diameter"]) && clearance < setup.radius + SHORTEST_TOUCH - 1e-6 {
         let message = text!(
-            "{label} ({clearance}) must be at least the ball radius ({radius}) plus {least}: it is measured from the wall to the ball centre, and the touch would begin in contact",
+            "{label} ({clearance}) must be at least the ball radius ({radius}) plus {least}: it is measured from the surface to the ball centre, and the touch would begin in contact",
             label,
             checker.length(clearance),
             checker.length(setup.radius),

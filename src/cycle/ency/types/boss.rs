@@ -42,7 +42,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = RoundProtected::read(section);
-        ency::read(section, (5, "boss probing"), form, shape)
+        ency::read(section, &DEF, "boss probing", form, shape)
     },
 };
 

@@ -47,7 +47,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (14, "double wall external corner probing"), form, shape)
+        ency::read(section, &DEF, "double wall external corner probing", form, shape)
     },
 };
 

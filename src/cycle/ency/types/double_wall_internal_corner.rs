@@ -46,7 +46,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (13, "double wall internal corner probing"), form, shape)
+        ency::read(section, &DEF, "double wall internal corner probing", form, shape)
     },
 };
 

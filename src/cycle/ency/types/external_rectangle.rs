@@ -32,7 +32,7 @@ pub static DEF: CycleDef = CycleDef {
     readings: &[words::HEIGHTS, words::NORMAL, words::FEEDS, words::COMPENSATION, words::RECTANGLE, words::COSINE_OUTSIDE],
     read: |section| {
         let form = RectangleProtected::read(section);
-        ency::read(section, (8, "external rectangle probing"), form, shape)
+        ency::read(section, &DEF, "external rectangle probing", form, shape)
     },
 };
 

@@ -39,7 +39,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (11, "groove probing"), form, shape)
+        ency::read(section, &DEF, "groove probing", form, shape)
     },
 };
 

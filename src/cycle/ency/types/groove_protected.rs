@@ -40,7 +40,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = PairProtected::read(section);
-        ency::read(section, (12, "groove probing protected"), form, shape)
+        ency::read(section, &DEF, "groove probing protected", form, shape)
     },
 };
 

@@ -41,7 +41,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (3, "hole probing"), form, shape)
+        ency::read(section, &DEF, "hole probing", form, shape)
     },
 };
 

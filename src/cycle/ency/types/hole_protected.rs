@@ -42,7 +42,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = RoundProtected::read(section);
-        ency::read(section, (4, "hole probing protected"), form, shape)
+        ency::read(section, &DEF, "hole probing protected", form, shape)
     },
 };
 

@@ -39,7 +39,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (6, "internal rectangle probing"), form, shape)
+        ency::read(section, &DEF, "internal rectangle probing", form, shape)
     },
 };
 

@@ -40,7 +40,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = RectangleProtected::read(section);
-        ency::read(section, (7, "internal rectangle probing protected"), form, shape)
+        ency::read(section, &DEF, "internal rectangle probing protected", form, shape)
     },
 };
 

@@ -22,7 +22,7 @@ pub static DEF: CycleDef = CycleDef {
     readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (1, "NC action"), form, |_| Box::new(Still))
+        ency::read(section, &DEF, "NC action", form, |_| Box::new(Still))
     },
 };
 

@@ -25,7 +25,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (0, "probe on/off"), form, |_| Box::new(Still))
+        ency::read(section, &DEF, "probe on/off", form, |_| Box::new(Still))
     },
 };
 

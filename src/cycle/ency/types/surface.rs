@@ -36,7 +36,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (2, "surface probing"), form, shape)
+        ency::read(section, &DEF, "surface probing", form, shape)
     },
 };
 

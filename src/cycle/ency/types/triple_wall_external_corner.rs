@@ -42,7 +42,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (16, "triple wall external corner probing"), form, shape)
+        ency::read(section, &DEF, "triple wall external corner probing", form, shape)
     },
 };
 

@@ -39,7 +39,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (15, "triple wall internal corner probing"), form, shape)
+        ency::read(section, &DEF, "triple wall internal corner probing", form, shape)
     },
 };
 

@@ -40,7 +40,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = PairProtected::read(section);
-        ency::read(section, (9, "web probing"), form, shape)
+        ency::read(section, &DEF, "web probing", form, shape)
     },
 };
 

@@ -45,7 +45,7 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |section| {
         let form = Form::read(section);
-        ency::read(section, (10, "web probing (three points)"), form, shape)
+        ency::read(section, &DEF, "web probing (three points)", form, shape)
     },
 };
 

@@ -60,14 +60,17 @@ impl TwoCircles {
     }
 }
 
-/// Settings as rows of the table.
+/// Settings as rows of the table. The code is that of the parameter, which a program writes as QS where the value is a text.
 pub(super) fn rows(settings: [Vec<(Setting, &'static str)>; 2]) -> Vec<Parameter> {
     let row = |(setting, field): (Setting, &'static str)| Parameter {
         code: setting.number,
         accessor: Accessor::Q,
         type_name: "",
+        meaning: match setting.value {
+            ParameterValue::Text(_) => text!("{dialog} (in Klartext QS{number})", setting.dialog, setting.number),
+            _ => text!("{dialog}", setting.dialog),
+        },
         value: setting.value,
-        meaning: text!("{dialog}", setting.dialog),
         field: Some(field.to_owned()),
         touch: None,
     };

@@ -1,17 +1,19 @@
 // React 19 sets properties of custom elements and listens to their events by itself: no wrapper is needed.
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
+import type { Job } from "touchpath";
 import "touchpath/element";
+import type {} from "touchpath/react"; // the types of <touch-path>
 
 function Probing() {
-  const [job, setJob] = useState({ format: 1, name: "FROM_REACT", cycle: { type: "hole", diameter: 30 } });
+  const [job, setJob] = useState<Job>({ format: 1, name: "FROM_REACT", cycle: { type: "hole", diameter: 30 } });
   const [lines, setLines] = useState(0);
   return (
     <>
       <p role="status">
-        {job.name}: diameter {job.cycle.diameter}, {lines} lines
+        {job.name}: diameter {job.cycle.type === "hole" && job.cycle.diameter}, {lines} lines
       </p>
-      <button type="button" onClick={() => setJob({ ...job, cycle: { ...job.cycle, diameter: 44 } })}>
+      <button type="button" onClick={() => setJob({ ...job, cycle: { type: "hole", diameter: 44 } })}>
         44 mm
       </button>
       <touch-path
@@ -25,4 +27,4 @@ function Probing() {
   );
 }
 
-createRoot(document.getElementById("root")).render(<Probing />);
+createRoot(document.getElementById("root") as HTMLElement).render(<Probing />);
