@@ -16,3 +16,8 @@ pub(crate) mod canvas;
 fn forwards(from: scene::Spot, to: scene::Spot) -> (scene::Spot, scene::Spot) {
     if (from[0], from[1]) <= (to[0], to[1]) { (from, to) } else { (to, from) }
 }
+
+/// What a dimension is called, and its value: drawn apart, so that "Width 2" and 50 are not read as one number.
+fn halves(name: &str) -> (&str, &str) {
+    name.rsplit_once(' ').unwrap_or(("", name))
+}

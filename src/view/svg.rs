@@ -256,11 +256,13 @@ fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
 /// What a dimension or an angle says.
 fn said(middle: Spot, upright: bool, name: &str, text: &mut String) {
     let [x, y] = middle.map(|v| decimal(v, 1));
+    let (label, value) = super::halves(name);
     let turned = if upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
     let _ = writeln!(
         text,
-        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}>{}</text>",
-        escaped(name)
+        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}><tspan font-weight=\"400\" fill=\"#46535f\">{} </tspan><tspan dx=\"3\">{}</tspan></text>",
+        escaped(label),
+        escaped(value)
     );
 }
 

@@ -86,7 +86,7 @@ fn an_angle_is_as_wide_as_its_field_says() {
     assert!(drawn(&slope, Projection::Top).is_empty());
     assert!((drawn(&slope, Projection::Front)[0].1[1].to_degrees() - 30.0).abs() < 1e-9);
     let svg = job::svg(&corner, Projection::Top).expect("the job has a plan");
-    assert!(svg.contains(">Corner angle 90°</text>"), "{svg}");
+    assert!(svg.contains(&said("Corner angle", "90°")), "{svg}");
 }
 
 /// The ends of a width are where its touches are: the picture measures what the probe measures.
@@ -247,6 +247,11 @@ fn a_ball_on_its_way_is_on_its_line() {
     }
 }
 
+/// What a dimension says in an SVG: "Width 2 50" was read as 250, so its value stands apart and is bold.
+fn said(label: &str, value: &str) -> String {
+    format!("<tspan font-weight=\"400\" fill=\"#46535f\">{label} </tspan><tspan dx=\"3\">{value}</tspan></text>")
+}
+
 /// The numbers of an attribute of the circles of a colour, in order.
 fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
     let of = |element: &str| element.split(&format!(" {name}=\"")).nth(1)?.split('"').next()?.parse().ok();
@@ -258,8 +263,8 @@ fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
 fn an_svg_is_to_scale_and_says_its_dimensions() {
     let job = of("internal-rectangle-protected");
     let svg = job::svg(&job, Projection::Top).expect("the job has a plan");
-    for label in ["Width 1 80", "Width 2 50"] {
-        assert!(svg.contains(&format!(">{label}</text>")), "{label}: {svg}");
+    for (label, value) in [("Width 1", "80"), ("Width 2", "50")] {
+        assert!(svg.contains(&said(label, value)), "{label}: {svg}");
     }
     let contacts = |name| attributes(&svg, "#cf2a20", name);
     let (x, y, radii) = (contacts("cx"), contacts("cy"), attributes(&svg, "#2563eb", "r"));
@@ -281,6 +286,7 @@ fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
         let svg = job::svg(&job, Projection::Front).unwrap_or_else(|error| panic!("{name}: {error}"));
         let opened = svg.matches("<svg").count()
             + svg.matches("<text").count()
+            + svg.matches("<tspan").count()
             + svg.matches("<title").count()
             + svg.matches("<pattern").count();
         assert_eq!(opened, svg.matches("</").count(), "{name}");

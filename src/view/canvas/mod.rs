@@ -7,10 +7,11 @@ mod theme;
 
 use std::cell::Cell;
 
+use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
+use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera, is_upright, middle_of_name};
 use crate::view::lengths::Arrow;
 use crate::view::material;
 use crate::view::scene::tops::{Face, Top};
@@ -36,6 +37,10 @@ pub struct Marks<'a> {
     /// Whether the scale has a decimal comma.
     pub comma: bool,
 }
+
+/// The fonts of a picture: of what is called something, and of everything else.
+const LABEL: &str = "12px system-ui, sans-serif";
+const BOLD: &str = "600 12px system-ui, sans-serif";
 
 /// Pixels between the strokes of a hatching.
 const HATCH: f64 = 9.0;
@@ -184,7 +189,7 @@ impl Painter {
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
-        self.begin(camera, "600 12px system-ui, sans-serif");
+        self.begin(camera, BOLD);
         c.set_line_cap("round");
         c.set_line_join("round");
         self.material(scene, camera);
@@ -196,9 +201,8 @@ impl Painter {
             }
         }
         // Beneath the moves, the touches and the dimensions.
-        let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
         for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
-            self.angle(&arc, name(arc.angle.field), marks.field == Some(arc.angle.field));
+            self.angle(&arc, marks.field == Some(arc.angle.field));
         }
         if is_long(scene) {
             self.long(scene, camera);
@@ -245,11 +249,32 @@ impl Painter {
         if scene.touches.is_empty() {
             self.dots(scene, camera);
         }
-        for (drawn, line) in camera.dimensions(scene, marks.field) {
-            self.dimension(drawn, line, name(drawn.field), marks.field == Some(drawn.field));
-        }
         if let Some(unit) = scene.unit {
             self.scale_bar(camera, unit, marks.comma);
+        }
+        self.sizes(scene, camera, marks);
+    }
+
+    /// The dimensions, and above them what they and the angles say.
+    fn sizes(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        let mut names = Vec::new();
+        let mut name = |own: &str, middle: Spot, upright: bool, lit: bool| {
+            let said = marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
+            names.push(Name { said, middle, upright, lit });
+        };
+        for arc in camera.angles(scene, marks.field) {
+            if let Some(middle) = arc.name {
+                name(arc.angle.field, middle, false, marks.field == Some(arc.angle.field));
+            }
+        }
+        for (drawn, line) in camera.dimensions(scene, marks.field) {
+            let lit = marks.field == Some(drawn.field);
+            self.dimension(line, lit);
+            let [.., start, end] = line;
+            name(drawn.field, middle_of_name(drawn, [start, end]), is_upright([start, end]), lit);
+        }
+        if !names.is_empty() {
+            self.names(&names);
         }
     }
 
