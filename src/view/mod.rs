@@ -2,8 +2,10 @@
 
 pub mod camera;
 pub mod dimension;
+pub mod layout;
 pub mod lengths;
 pub mod material;
+pub mod plate;
 pub mod scene;
 mod svg;
 

@@ -3,10 +3,12 @@
 use std::fmt::Write;
 
 use crate::num::decimal;
-use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN, is_upright, middle_of_name};
+use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
+use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top};
-use crate::view::scene::{Drawn, Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -34,7 +36,8 @@ pub struct Legend<'a> {
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);
     // A number that the library writes by itself would bring all of its printing into the module.
-    let [low, high] = drawing.extent(scene);
+    let layout = drawing.layout(scene, legend);
+    let [low, high] = drawing.extent(scene, &layout);
     let [x, y] = low.map(|pixels| decimal(pixels, 0));
     let [width, height] = [0, 1].map(|i| decimal(high[i] - low[i], 0));
     let mut text = format!(
@@ -50,20 +53,16 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
             Face::Top(top) => drawing.top(top, &mut text),
         }
     }
-    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
-    for arc in drawing.camera.angles(scene, None) {
-        if let Some(name) = name(arc.angle.field) {
-            Drawing::angle(&arc, name, &mut text);
-        }
-    }
+    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
+    layout.arcs.iter().for_each(|arc| Drawing::angle(arc, &mut text));
     scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
     let touches = scene.touches.iter().enumerate();
     touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
-    for (dimension, ends) in drawing.camera.dimensions(scene, None) {
-        if let Some(name) = name(dimension.field) {
-            drawing.dimension(dimension, ends, name, &mut text);
-        }
-    }
+    layout.dimensions.iter().for_each(|placed| Drawing::dimension(placed, &mut text));
+    // What they say is above them all.
+    let arcs = layout.arcs.iter().filter_map(|arc| Some((arc.angle.field, arc.name?)));
+    let dimensions = layout.dimensions.iter().map(|placed| (placed.drawn.field, placed.name));
+    arcs.chain(dimensions).for_each(|(field, plate)| said(&plate, name(field), &mut text));
     text.push_str("</svg>\n");
     text
 }
@@ -98,12 +97,21 @@ impl Drawing {
         Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
     }
 
+    /// What is named, and where it stands.
+    fn layout<'a>(&self, scene: &'a Scene, legend: &Legend<'_>) -> Layout<'a> {
+        let mut layout = self.camera.layout(scene, None);
+        let named = |own: &str| legend.names.iter().any(|(field, _)| *field == own);
+        layout.arcs.retain(|arc| named(arc.angle.field));
+        layout.dimensions.retain(|placed| named(placed.drawn.field));
+        layout
+    }
+
     /// From where to where the picture reaches: whatever is drawn lies within, with some room around.
-    fn extent(&self, scene: &Scene) -> [Spot; 2] {
+    fn extent(&self, scene: &Scene, layout: &Layout<'_>) -> [Spot; 2] {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
-        let dimensions = self.camera.dimensions(scene, None).into_iter().flat_map(|(_, ends)| ends);
+        let dimensions = layout.dimensions.iter().flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
         let mut extent = [[0.0; 2], self.camera.size];
-        let angles = self.camera.angles(scene, None).flat_map(|arc| arc.sides.into_iter().chain(arc.name));
+        let angles = layout.arcs.iter().flat_map(|arc| arc.sides.into_iter().chain(arc.name.iter().flat_map(Plate::bounds)));
         for at in lines.chain(dimensions).chain(angles) {
             for i in [0, 1] {
                 extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
@@ -212,25 +220,19 @@ impl Drawing {
         let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1);
     }
 
-    /// A dimension: extension lines, its line with arrow heads, and what it says.
-    fn dimension(&self, drawn: &Drawn, [from, to, start, end]: [Spot; 4], name: &str, text: &mut String) {
-        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-        let length = dx.hypot(dy).max(1e-9);
-        let (ux, uy) = (dx / length, dy / length);
+    /// A dimension: extension lines, and its line with arrow heads.
+    fn dimension(placed: &Placed<'_>, text: &mut String) {
+        let ([from, to], [start, end]) = (placed.ends, placed.line);
         let mut lines = String::new();
-        for [a, b] in [[from, start], [to, end], [start, end]] {
+        for [a, b] in [[from, start], [to, end], placed.reach] {
             let _ = write!(lines, "M{}L{}", pair(a), pair(b));
         }
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
-        if length > 22.0 {
-            head(start, [-ux, -uy], text);
-            head(end, [ux, uy], text);
-        }
-        said(middle_of_name(drawn, [start, end]), is_upright([start, end]), name, text);
+        placed.heads().into_iter().for_each(|(tip, way)| head(tip, way, text));
     }
 
-    /// An angle: its sides, its arc with arrow heads, and what it says.
-    fn angle(arc: &Arc<'_>, name: &str, text: &mut String) {
+    /// An angle: its sides, and its arc with arrow heads.
+    fn angle(arc: &Arc<'_>, text: &mut String) {
         let mut lines = String::new();
         for side in arc.sides {
             let _ = write!(lines, "M{}L{}", pair(arc.at), pair(side));
@@ -240,9 +242,6 @@ impl Drawing {
         let _ = write!(lines, "M{from}A{radius} {radius} 0 0 {sweep} {to}");
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
         arc.heads.into_iter().flatten().for_each(|(tip, direction)| head(tip, direction, text));
-        if let Some(middle) = arc.name {
-            said(middle, false, name, text);
-        }
     }
 }
 
@@ -254,10 +253,11 @@ fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
 }
 
 /// What a dimension or an angle says.
-fn said(middle: Spot, upright: bool, name: &str, text: &mut String) {
-    let [x, y] = middle.map(|v| decimal(v, 1));
+fn said(plate: &Plate, name: &str, text: &mut String) {
+    let [x, y] = plate.middle.map(|v| decimal(v, 1));
     let (label, value) = super::halves(name);
-    let turned = if upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+    let turn = decimal(plate.along[1].atan2(plate.along[0]).to_degrees(), 2);
+    let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
     let _ = writeln!(
         text,
         "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}><tspan font-weight=\"400\" fill=\"#46535f\">{} </tspan><tspan dx=\"3\">{}</tspan></text>",

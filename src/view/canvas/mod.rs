@@ -11,9 +11,11 @@ use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera, is_upright, middle_of_name};
+use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
+use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
+use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top};
 use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
@@ -201,8 +203,9 @@ impl Painter {
             }
         }
         // Beneath the moves, the touches and the dimensions.
-        for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
-            self.angle(&arc, marks.field == Some(arc.angle.field));
+        let layout = if self.small { None } else { Some(camera.layout(scene, marks.field)) };
+        for arc in layout.iter().flat_map(|layout| &layout.arcs) {
+            self.angle(arc, marks.field == Some(arc.angle.field));
         }
         if is_long(scene) {
             self.long(scene, camera);
@@ -236,9 +239,7 @@ impl Painter {
                 self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
             }
         }
-        if self.small {
-            return;
-        }
+        let Some(layout) = layout else { return };
         if !self.still {
             let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
             self.handles(scene, camera, held);
@@ -252,26 +253,22 @@ impl Painter {
         if let Some(unit) = scene.unit {
             self.scale_bar(camera, unit, marks.comma);
         }
-        self.sizes(scene, camera, marks);
+        self.sizes(&layout, marks);
     }
 
     /// The dimensions, and above them what they and the angles say.
-    fn sizes(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+    fn sizes(&self, layout: &Layout<'_>, marks: &Marks<'_>) {
         let mut names = Vec::new();
-        let mut name = |own: &str, middle: Spot, upright: bool, lit: bool| {
+        let mut name = |own: &str, plate: Plate| {
             let said = marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
-            names.push(Name { said, middle, upright, lit });
+            names.push(Name { said, plate, lit: marks.field == Some(own) });
         };
-        for arc in camera.angles(scene, marks.field) {
-            if let Some(middle) = arc.name {
-                name(arc.angle.field, middle, false, marks.field == Some(arc.angle.field));
-            }
+        for arc in &layout.arcs {
+            arc.name.into_iter().for_each(|plate| name(arc.angle.field, plate));
         }
-        for (drawn, line) in camera.dimensions(scene, marks.field) {
-            let lit = marks.field == Some(drawn.field);
-            self.dimension(line, lit);
-            let [.., start, end] = line;
-            name(drawn.field, middle_of_name(drawn, [start, end]), is_upright([start, end]), lit);
+        for placed in &layout.dimensions {
+            self.dimension(placed, marks.field == Some(placed.drawn.field));
+            name(placed.drawn.field, placed.name);
         }
         if !names.is_empty() {
             self.names(&names);

@@ -1,8 +1,9 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
 use super::{BOLD, LABEL, Painter};
-use crate::view::camera::Arc;
 use crate::view::halves;
+use crate::view::layout::{Arc, Placed};
+use crate::view::plate::Plate;
 use crate::view::scene::Spot;
 
 /// Pixels between what a dimension is called and its value.
@@ -12,8 +13,7 @@ const NAME_GAP: f64 = 7.0;
 #[derive(Clone, Copy)]
 pub(super) struct Name<'a> {
     pub said: &'a str,
-    pub middle: Spot,
-    pub upright: bool,
+    pub plate: Plate,
     pub lit: bool,
 }
 
@@ -33,21 +33,16 @@ impl Painter {
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
-    pub(super) fn dimension(&self, [from, to, start, end]: [Spot; 4], lit: bool) {
+    pub(super) fn dimension(&self, placed: &Placed<'_>, lit: bool) {
         let colour = &self.theme.ball;
-        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-        let far = dx.hypot(dy).max(1e-9);
-        let (ux, uy) = (dx / far, dy / far);
-        let (ox, oy) = (start[0] - from[0], start[1] - from[1]);
-        let off = ox.hypot(oy).max(1e-9);
-        for (near, line) in [(from, start), (to, end)] {
-            let past = [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0];
-            self.segment(near, past, colour, 0.75, &[]);
+        for (near, line) in placed.ends.into_iter().zip(placed.line) {
+            let (ox, oy) = (line[0] - near[0], line[1] - near[1]);
+            let off = ox.hypot(oy).max(1e-9);
+            self.segment(near, [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0], colour, 0.75, &[]);
         }
-        self.segment(start, end, colour, if lit { 2.0 } else { 1.0 }, &[]);
-        if far > 22.0 {
-            self.head(start, [-ux, -uy], 8.0, colour);
-            self.head(end, [ux, uy], 8.0, colour);
+        self.segment(placed.reach[0], placed.reach[1], colour, if lit { 2.0 } else { 1.0 }, &[]);
+        for (tip, way) in placed.heads() {
+            self.head(tip, way, 8.0, colour);
         }
     }
 
@@ -75,10 +70,8 @@ impl Painter {
         let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
         let placed = |name: &Name<'_>, draw: &dyn Fn()| {
             c.save();
-            let _ = c.translate(name.middle[0], name.middle[1]);
-            if name.upright {
-                let _ = c.rotate(-std::f64::consts::FRAC_PI_2);
-            }
+            let Plate { middle: [x, y], along: [ux, uy], .. } = name.plate;
+            let _ = c.transform(ux, uy, -uy, ux, x, y);
             draw();
             c.restore();
         };

@@ -8,6 +8,7 @@ use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 use crate::view::material::{Material, material};
+use crate::view::plate::width;
 use crate::view::scene::tops::{Top, topped, tops};
 
 /// A point on the picture plane, mm, y upwards.
@@ -129,12 +130,16 @@ pub struct Drawn {
     pub field: &'static str,
     /// Its ends on the part.
     pub ends: [Spot; 2],
-    /// The side on which its line stands, and how far the part extends there, mm.
-    pub aside: (Spot, f64),
+    /// The side on which its line stands.
+    pub aside: Spot,
+    /// Whether the other side is as good.
+    pub either: bool,
     /// Its length, mm.
     pub length: f64,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
+    /// About how wide what it says is, pixels.
+    pub wide: f64,
 }
 
 /// An angle in the picture plane, in its true size.
@@ -148,6 +153,8 @@ pub struct DrawnAngle {
     pub turns: [f64; 2],
     /// How far from its vertex the nearest touch is, mm.
     pub room: f64,
+    /// About how wide what it says is, pixels.
+    pub wide: f64,
 }
 
 /// Everything that is drawn.
@@ -340,8 +347,9 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         let side = view.spot(plane, d.aside);
         let size = side[0].hypot(side[1]);
         let square = [-along[1] / length, along[0] / length];
-        let aside = if size > 0.5 { ([side[0] / size, side[1] / size], d.beyond) } else { (square, 0.0) };
-        Some(Drawn { field: d.field, ends, aside, length, on_demand: d.on_demand })
+        let either = size <= 0.5;
+        let aside = if either { square } else { [side[0] / size, side[1] / size] };
+        Some(Drawn { field: d.field, ends, aside, either, length, on_demand: d.on_demand, wide: 0.0 })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
 }
@@ -359,6 +367,7 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
             at: view.spot(plane, angle.at),
             turns: [first[1].atan2(first[0]), turn],
             room: angle.room,
+            wide: 0.0,
         })
     };
     angles(path).into_iter().filter_map(seen).collect()
@@ -405,6 +414,13 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
 }
 
 impl Scene {
+    /// Makes room for what is said of its dimensions and angles, by their fields' paths.
+    pub fn name(&mut self, names: &[(&'static str, String)]) {
+        let wide = |own: &str| names.iter().find(|(field, _)| *field == own).map_or(0.0, |(_, name)| width(name));
+        self.dimensions.iter_mut().for_each(|drawn| drawn.wide = wide(drawn.field));
+        self.angles.iter_mut().for_each(|angle| angle.wide = wide(angle.field));
+    }
+
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
     pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
         let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();
