@@ -1,8 +1,9 @@
 //! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
 
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::numbers::Number;
 use crate::view::plate::{Crowd, Plate};
-use crate::view::scene::{Drawn, DrawnAngle, Scene, Spot};
+use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Spot, Stroke};
 
 /// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
 const STANDS_OFF: [f64; 2] = [46.0, 16.0];
@@ -57,6 +58,8 @@ pub struct Arc<'a> {
 /// What stands in a picture beside the part and its path.
 #[derive(Clone, Debug)]
 pub struct Layout<'a> {
+    /// The numbers of the touches.
+    pub numbers: Vec<Number>,
     /// The angles.
     pub arcs: Vec<Arc<'a>>,
     /// The dimensions.
@@ -86,15 +89,38 @@ fn readable([x, y]: Spot) -> Spot {
     if x < -1e-6 || (x < 1e-6 && y > 0.0) { [-x, -y] } else { [x, y] }
 }
 
+impl Layout<'_> {
+    /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
+    pub fn origin(&self, at: Spot, half: Spot) -> Plate {
+        let plate = |[x, y]: Spot| Plate { middle: [at[0] + x * (half[0] + 11.0), at[1] + y * 16.0], along: [1.0, 0.0], half };
+        let corners = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(plate);
+        let costs = corners.map(|corner| self.crowd.cost(&corner));
+        corners[(1..4).fold(0, |best, k| if costs[k] < costs[best] { k } else { best })]
+    }
+}
+
 impl Camera {
+    /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for
+    /// one there and one back. The way back along a touch has none.
+    pub fn head(&self, line: &Line) -> Option<(Spot, Spot, f64)> {
+        let (start, end) = (self.pixel(line.from), self.pixel(line.to));
+        let way = [end[0] - start[0], end[1] - start[1]];
+        let far = way[0].hypot(way[1]);
+        let (least, tip) = match line.stroke {
+            Stroke::Touch => (1.0, far),
+            Stroke::Position | Stroke::Link => (40.0, (0.62 * far).max(far / 2.0 + 14.0)),
+            Stroke::Overtravel => return None,
+        };
+        let way = way.map(|x| x / far);
+        (far >= least && !line.back).then(|| (from(start, way, tip), way, if far < 12.0 { 7.0 } else { 9.0 }))
+    }
+
     /// Lays out what is drawn while a field has the focus, or none. What comes with the focus moves nothing that is there.
     pub fn layout<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Layout<'a> {
-        let mut layout = Layout { arcs: Vec::new(), dimensions: Vec::new(), crowd: Crowd::default() };
-        if scene.dimensions.is_empty() && scene.angles.is_empty() {
-            return layout;
-        }
+        let (crowd, numbers) = (Crowd::of(scene, self), self.numbers(scene));
+        let mut layout = Layout { numbers, arcs: Vec::new(), dimensions: Vec::new(), crowd };
         let crowd = &mut layout.crowd;
-        *crowd = Crowd::of(scene, self);
+        crowd.plates.extend(layout.numbers.iter().map(|number| number.plate));
         for angle in &scene.angles {
             let arc = self.arc(angle, focus, crowd);
             crowd.plates.extend(arc.name);
@@ -129,7 +155,7 @@ impl Camera {
                     let cost = crowd.cost(&placed.name)
                         + 300.0 * struck as f64
                         + 4.0 * place as f64
-                        + (far - begin) / 50.0
+                        + (far - begin) / 20.0
                         + 0.1 * k as f64;
                     if best.as_ref().is_none_or(|(least, _)| cost < *least) {
                         best = Some((cost, placed));

@@ -5,6 +5,7 @@ pub mod dimension;
 pub mod layout;
 pub mod lengths;
 pub mod material;
+pub mod numbers;
 pub mod plate;
 pub mod scene;
 mod svg;

@@ -70,6 +70,9 @@ pub fn width(name: &str) -> f64 {
     name.chars().map(|c| if c > '\u{1100}' { 12.5 } else { 7.6 }).sum::<f64>() + 18.0
 }
 
+/// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.
+const MOST: usize = 2000;
+
 /// What else is in a picture, pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
@@ -103,7 +106,7 @@ impl Crowd {
         let corners = vec![corner(0.0, axes, axes), corner(width - bar, bar, BAR_REACH)];
         let mut crowd = Crowd { size: camera.size, corners, ..Crowd::default() };
         let radius = scene.radius * camera.scale;
-        for line in scene.lines.iter().filter(|line| line.stroke != Stroke::Overtravel) {
+        for line in scene.lines.iter().take(MOST).filter(|line| line.stroke != Stroke::Overtravel) {
             crowd.lines.push([camera.pixel(line.from), camera.pixel(line.to)]);
             crowd.reach.push(if line.stroke == Stroke::Position { 0.0 } else { radius });
         }
@@ -127,7 +130,7 @@ impl Crowd {
             + count(met(&self.plates), 1000.0)
             + count(met(&self.corners), 200.0)
             + count(self.discs.iter().filter(|(at, radius)| plate.covers(*at, *radius)).count(), 30.0)
-            + count(self.lines.iter().filter(|line| plate.crosses(**line, 1.0)).count(), 3.0)
+            + count(self.lines.iter().filter(|line| plate.crosses(**line, 1.0)).count(), 8.0)
     }
 
     /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.

@@ -6,6 +6,7 @@ use crate::num::decimal;
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
 use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
+use crate::view::numbers::Number;
 use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top};
 use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
@@ -56,8 +57,8 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
     layout.arcs.iter().for_each(|arc| Drawing::angle(arc, &mut text));
     scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
-    let touches = scene.touches.iter().enumerate();
-    touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
+    scene.touches.iter().for_each(|touch| drawing.touch(touch, scene.radius, legend.deviates, &mut text));
+    layout.numbers.iter().for_each(|number| Drawing::number(number, &mut text));
     layout.dimensions.iter().for_each(|placed| Drawing::dimension(placed, &mut text));
     // What they say is above them all.
     let arcs = layout.arcs.iter().filter_map(|arc| Some((arc.angle.field, arc.name?)));
@@ -202,8 +203,8 @@ impl Drawing {
         );
     }
 
-    /// The ball at its contact, the contact, and the number of the touch beside it.
-    fn touch(&self, k: usize, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
+    /// The ball at its contact, and the contact.
+    fn touch(&self, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
         let circle = |at: Spot, radius: f64, paint: &str, text: &mut String| {
             let [x, y] = self.camera.pixel(at).map(|v| decimal(v, 1));
             let _ = writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {paint}/>", decimal(radius, 1));
@@ -214,10 +215,19 @@ impl Drawing {
             circle(trigger, radius, "fill=\"none\" stroke=\"#b45309\"", text);
         }
         circle(touch.contact, 3.0, "fill=\"#cf2a20\"", text);
-        let off = 14.0 / self.camera.scale;
-        let spot = [touch.contact[0] - touch.inward[0] * off, touch.contact[1] - touch.inward[1] * off];
-        let [x, y] = self.camera.pixel(spot).map(|v| decimal(v, 1));
-        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1);
+    }
+
+    /// The number of a touch, or of several.
+    fn number(number: &Number, text: &mut String) {
+        let middle = number.plate.middle;
+        if number.led {
+            // Up to the text.
+            let part = 1.0 - number.radius() / (number.contact[0] - middle[0]).hypot(number.contact[1] - middle[1]);
+            let end = [0, 1].map(|i| number.contact[i] + (middle[i] - number.contact[i]) * part);
+            let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"#cf2a20\"/>", pair(number.contact), pair(end));
+        }
+        let [x, y] = middle.map(|v| decimal(v, 1));
+        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
     }
 
     /// A dimension: extension lines, and its line with arrow heads.

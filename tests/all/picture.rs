@@ -6,7 +6,7 @@ use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
 use touchpath::view::scene::tops::Face;
-use touchpath::view::scene::{Projection, Scene, WallShape};
+use touchpath::view::scene::{Line, Projection, Scene, Stroke, WallShape};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
@@ -519,6 +519,96 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
         }
     }
     assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// Every cycle from every side, as it is fitted into a large picture and into one on a phone.
+fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for size in [[758.0, 710.0], [390.0, 206.0]] {
+                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &fitted(&scene, size));
+            }
+        }
+    }
+}
+
+/// A number that met another one was pushed to the right, again and again: in front of two circles 5 to 8 stood in a row in the air.
+#[test]
+fn each_number_stands_beside_its_contact_and_none_on_another() {
+    let (mut seen, mut shared) = (0, 0);
+    seen_everywhere(|said, scene, camera| {
+        let numbers = camera.numbers(scene);
+        let mut touches: Vec<usize> = numbers.iter().flat_map(|number| number.touches.clone()).collect();
+        touches.sort_unstable();
+        assert!(touches.into_iter().eq(0..scene.touches.len()), "{said}: each touch once");
+        for (k, number) in numbers.iter().enumerate() {
+            let [dx, dy] = [0, 1].map(|i| number.plate.middle[i] - number.contact[i]);
+            let radius = number.radius();
+            assert!(dx.hypot(dy) < 4.0 * radius + 9.0, "{said}: {} is {dx} {dy} off", number.said);
+            assert!(
+                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0,
+                "{said}: a line leads to {}",
+                number.said
+            );
+            assert!(!number.plate.covers(number.contact, 3.0), "{said}: {} is on its contact", number.said);
+            let met = numbers[..k].iter().find(|other| other.plate.meets(&number.plate));
+            assert!(met.is_none(), "{said}: {} is on {}", number.said, met.map_or("", |other| &other.said));
+            let together: Vec<_> = number.touches.iter().map(|k| (k + 1).to_string()).collect();
+            assert_eq!(number.said, together.join("·"));
+            shared += usize::from(number.touches.len() > 1);
+            seen += 1;
+        }
+    });
+    assert!(seen > 200 && shared > 20, "{seen} {shared}");
+}
+
+/// On a phone three touches of four had no arrow head, and heads there and back lay on each other.
+#[test]
+fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
+    let mut seen = [0; 2];
+    seen_everywhere(|said, scene, camera| {
+        let long = |line: &Line| {
+            let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
+            (to[0] - from[0]).hypot(to[1] - from[1])
+        };
+        for line in &scene.lines {
+            let head = camera.head(line);
+            assert!(head.is_none() || !line.back, "{said}: on the way back");
+            if line.stroke == Stroke::Touch && long(line) > 1.0 {
+                let (tip, ..) = head.unwrap_or_else(|| panic!("{said}: touch without a head"));
+                assert!((0..2).all(|i| (tip[i] - camera.pixel(line.to)[i]).abs() < 1e-9), "{said}: at its contact");
+                seen[0] += 1;
+            }
+            let Some((tip, _, size)) = head.filter(|_| line.stroke != Stroke::Touch) else { continue };
+            for other in scene.lines.iter().filter(|other| other.from == line.to && other.to == line.from) {
+                if let Some((back, _, other)) = camera.head(other) {
+                    assert!((tip[0] - back[0]).hypot(tip[1] - back[1]) > size + other, "{said}: there and back");
+                    seen[1] += 1;
+                }
+            }
+        }
+    });
+    assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// The rapid of 1411 went through the origin's name, and discs lay on it.
+#[test]
+fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
+    let mut seen = 0;
+    seen_everywhere(|said, scene, camera| {
+        let layout = camera.layout(scene, None);
+        let name = layout.origin(camera.pixel(scene.origin), [25.0, 8.0]);
+        // On a phone everything may be crowded.
+        if camera.size[0] > 400.0 {
+            assert!(layout.crowd.cost(&name) < 200.0, "{said}");
+            seen += 1;
+            if said.starts_with("probing-two-circles Top") {
+                assert_eq!(layout.crowd.cost(&name), 0.0, "{said}");
+            }
+        }
+    });
+    assert!(seen > 40, "{seen}");
 }
 
 /// At 30° the names stood level, off their lines.

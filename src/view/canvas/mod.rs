@@ -6,6 +6,7 @@ mod strokes;
 mod theme;
 
 use std::cell::Cell;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use strokes::Name;
 pub use theme::Theme;
@@ -15,6 +16,7 @@ use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
+use crate::view::numbers::Number;
 use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top};
 use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
@@ -40,8 +42,9 @@ pub struct Marks<'a> {
     pub comma: bool,
 }
 
-/// The fonts of a picture: of what is called something, and of everything else.
+/// The fonts of a picture: of what dimensions are called, of numbers in a small picture, and of everything else.
 const LABEL: &str = "12px system-ui, sans-serif";
+const SMALL: &str = "600 10px system-ui, sans-serif";
 const BOLD: &str = "600 12px system-ui, sans-serif";
 
 /// Pixels between the strokes of a hatching.
@@ -51,9 +54,8 @@ const HATCH: f64 = 9.0;
 const BAND: f64 = 36.0;
 const SMALL_BAND: f64 = 8.0;
 
-/// Pixels of a touch's disc, and how far behind its contact that stands.
-const DISC: f64 = 9.0;
-const BEHIND: f64 = 16.0;
+/// How far behind a contact the disc of its number reaches, pixels.
+const NUMBER: f64 = 25.0;
 
 /// Half the size in pixels of the dot of a touch that is looked at along its way.
 const DOT: f64 = 3.5;
@@ -97,7 +99,7 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
         let far = radius * camera.scale + out;
         [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
     };
-    let first = BEHIND + DISC + HANDLE + 3.0;
+    let first = NUMBER + HANDLE + 3.0;
     Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
 
@@ -109,6 +111,11 @@ pub fn is_long(scene: &Scene) -> bool {
 /// Whether a run comes to a line: not behind a collision.
 fn reached(scene: &Scene, line: &Line) -> bool {
     scene.collision.is_none_or(|(index, _)| line.index <= index)
+}
+
+/// Whether a line is lit with its move: the search past a contact is no way that the ball goes.
+fn lit(line: &Line) -> bool {
+    line.stroke != Stroke::Overtravel
 }
 
 /// A canvas and what is drawn on it.
@@ -170,11 +177,24 @@ impl Painter {
 
     /// Draws a move of a picture, lit, on the canvas over it.
     pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
-        self.context.set_line_cap("round");
+        let c = &self.context;
+        c.set_line_cap("round");
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
         for line in scene.lines.iter().filter(|line| line.index == index) {
-            self.line(line, camera, true, reached(scene, line));
+            self.line(line, camera, lit(line), reached(scene, line));
         }
         self.ball(scene, camera, index, part);
+        // The number of a touch that is lit is not beneath it.
+        if !self.small
+            && let Some(touch) = scene.touches.iter().position(|touch| touch.index == Some(index))
+        {
+            camera
+                .numbers(scene)
+                .iter()
+                .filter(|number| number.touches.contains(&touch))
+                .for_each(|number| self.number(number));
+        }
     }
 
     /// The ball on its way.
@@ -216,7 +236,7 @@ impl Painter {
             // Touches lie on their ways back: drawn last, they are seen.
             for touches in [false, true] {
                 for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                    self.line(line, camera, highlight == Some(line.index), reached(scene, line));
+                    self.line(line, camera, highlight == Some(line.index) && lit(line), reached(scene, line));
                 }
             }
             if !self.small {
@@ -244,8 +264,10 @@ impl Painter {
             let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
             self.handles(scene, camera, held);
         }
-        self.axes(scene, camera, marks.origin);
-        self.numbers(scene, camera);
+        self.axes(scene, camera, marks.origin, &layout);
+        // Over everything that may lie at their contacts.
+        layout.numbers.iter().for_each(|number| self.number(number));
+        self.font(BOLD);
         // The touches of a job have their balls.
         if scene.touches.is_empty() {
             self.dots(scene, camera);
@@ -438,24 +460,23 @@ impl Painter {
         }
     }
 
-    /// The numbers of the touches, over everything that may lie at their contacts.
-    fn numbers(&self, scene: &Scene, camera: &Camera) {
-        let c = &self.context;
-        let mut written: Vec<Spot> = Vec::new();
-        for (k, touch) in scene.touches.iter().enumerate() {
-            // Behind the surface, where the path is not: beside it where that is looked at from before. Numbers on the same spot stand side by side.
-            let contact = camera.pixel(touch.contact);
-            let [x, y] = touch.inward;
-            let [x, y] = if x.hypot(y) < 0.1 { [-0.7, -0.7] } else { [x, y] };
-            let mut place = [contact[0] - x * BEHIND, contact[1] + y * BEHIND];
-            while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 2.0 * DISC) {
-                place[0] += 2.0 * DISC + 1.0;
-            }
-            written.push(place);
-            self.disc(place, DISC, &self.theme.touch);
-            c.set_fill_style_str(&self.theme.background);
-            let _ = c.fill_text(&(k + 1).to_string(), place[0], place[1]);
+    /// The number of a touch, or of several.
+    fn number(&self, number: &Number) {
+        let [x, y] = number.plate.middle;
+        if number.led {
+            self.segment(number.contact, [x, y], &self.theme.touch, 1.0, &[]);
         }
+        self.font(if number.radius() < 8.0 { SMALL } else { BOLD });
+        let [wide, high] = number.plate.half;
+        let c = &self.context;
+        c.begin_path();
+        for (side, start) in [(wide - high, -FRAC_PI_2), (high - wide, FRAC_PI_2)] {
+            let _ = c.arc(x + side, y, high, start, start + PI);
+        }
+        c.set_fill_style_str(&self.theme.touch);
+        c.fill();
+        c.set_fill_style_str(&self.theme.background);
+        let _ = c.fill_text(&number.said, x, y);
     }
 
     /// A measured ball centre: a square on its tip, which nothing else is.
@@ -482,24 +503,17 @@ impl Painter {
         }
     }
 
-    /// An arrow head on every move that is long enough for one: of a touch at its contact, of the others on their way.
+    /// The arrow heads of the moves.
     fn arrows(&self, scene: &Scene, camera: &Camera) {
-        for line in scene.lines.iter().filter(|line| reached(scene, line)).filter(|l| l.stroke != Stroke::Overtravel) {
-            let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
-            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-            let far = dx.hypot(dy);
-            let touch = line.stroke == Stroke::Touch;
-            if far < if touch { 10.0 } else { 36.0 } {
-                continue;
-            }
-            let (ux, uy) = (dx / far, dy / far);
-            let at = if touch { to } else { [from[0] + dx * 0.62, from[1] + dy * 0.62] };
+        for line in scene.lines.iter().filter(|line| reached(scene, line)) {
             let colour = match line.stroke {
                 Stroke::Position => &self.theme.position,
                 Stroke::Link => &self.theme.link,
                 Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
             };
-            self.head(at, [ux, uy], 9.0, colour);
+            if let Some((tip, way, size)) = camera.head(line) {
+                self.head(tip, way, size, colour);
+            }
         }
     }
 }

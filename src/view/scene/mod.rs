@@ -89,6 +89,8 @@ pub struct Line {
     pub stroke: Stroke,
     /// Whether it is a rapid.
     pub rapid: bool,
+    /// Whether it is the way back from a touch.
+    pub back: bool,
     /// The move it shows.
     pub index: usize,
 }
@@ -121,6 +123,8 @@ pub struct TouchShape {
     pub trigger: Option<Spot>,
     /// Where its number stands: a direction away from the material.
     pub inward: Spot,
+    /// The move that makes it.
+    pub index: Option<usize>,
 }
 
 /// A dimension in the picture plane.
@@ -278,12 +282,20 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         };
         let mut start = from;
         for end in step.pieces(from, path.frame.w, 3.0) {
-            lines.push(Line { from: spot(start), to: spot(end), stroke, rapid: feeds.is_rapid(step.feed), index });
+            let back = matches!(step.purpose, Purpose::Back(_));
+            lines.push(Line { from: spot(start), to: spot(end), stroke, rapid: feeds.is_rapid(step.feed), back, index });
             start = end;
         }
         if let Purpose::Touch(k) = step.purpose {
             let end = step.to - path.touches[k].vector * path.touches[k].search;
-            lines.push(Line { from: spot(step.to), to: spot(end), stroke: Stroke::Overtravel, rapid: false, index });
+            lines.push(Line {
+                from: spot(step.to),
+                to: spot(end),
+                stroke: Stroke::Overtravel,
+                rapid: false,
+                back: false,
+                index,
+            });
         }
         at = Some(step.to);
     }
@@ -292,6 +304,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         ball: spot(touch.contact(setup.radius)),
         trigger: actual.run.triggers[k].map(|p| stretch(spot(touch.contact(setup.radius)), spot(p))),
         inward: spot(touch.vector),
+        index: path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
     });
     let circles = path.feature.two_circles();
     let basis = setup.plane.basis();
