@@ -19,7 +19,7 @@ pub struct Number {
     pub touches: Vec<usize>,
     /// What it says: `3`, or `3·4`.
     pub said: String,
-    /// The contact.
+    /// The contact, or of a touch behind the part the ball.
     pub contact: Spot,
     /// Its disc, which is longer than high where it says more.
     pub plate: Plate,
@@ -39,7 +39,8 @@ impl Camera {
     pub fn numbers(&self, scene: &Scene) -> Vec<Number> {
         let mut numbers: Vec<Number> = Vec::new();
         for (k, touch) in scene.touches.iter().enumerate() {
-            let contact = self.pixel(touch.contact);
+            // What is behind the part has its number beside the ball.
+            let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
             if let Some(own) = numbers.iter_mut().find(|own| apart(own.contact, contact) < ONE) {
                 own.touches.push(k);
                 own.said.push('·');
@@ -57,8 +58,13 @@ impl Camera {
             let (placed, rest) = numbers.split_at_mut(k);
             let Some(number) = rest.first_mut() else { break };
             // Behind the surface, where the path is not: beside it where that is looked at from before.
-            let [x, y] = number.touches.first().map_or([0.0; 2], |k| scene.touches[*k].inward);
-            let way = if x.hypot(y) < 0.1 { [0.7, -0.7] } else { [-x, y] };
+            let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else { continue };
+            let [x, y] = touch.inward;
+            let (way, off) = match touch.behind {
+                Some(_) => ([x, -y], scene.radius * self.scale + 2.0),
+                None if x.hypot(y) < 0.1 => ([0.7, -0.7], OFF),
+                None => ([-x, y], OFF),
+            };
             let wide = number.said.chars().map(|c| if c == '·' { 4.0 } else { 7.6 }).sum::<f64>() / 2.0 + 4.0;
             let half = [(wide * radius / DISC[0]).max(radius), radius];
             let mut least = f64::INFINITY;
@@ -68,7 +74,7 @@ impl Camera {
                 let angle = (turn / 2.0).ceil() * std::f64::consts::FRAC_PI_4 * if step % 2 == 0 { 1.0 } else { -1.0 };
                 let (sin, cos) = angle.sin_cos();
                 let [dx, dy] = [way[0] * cos - way[1] * sin, way[0] * sin + way[1] * cos];
-                let far = radius + OFF + ring * (2.0 * radius + 2.0);
+                let far = radius + off + ring * (2.0 * radius + 2.0);
                 let middle = [number.contact[0] + dx * (far + half[0] - radius), number.contact[1] + dy * far];
                 let plate = Plate { middle, along: [1.0, 0.0], half };
                 let met = placed.iter().filter(|other| plate.meets(&other.plate)).count();

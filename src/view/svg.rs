@@ -8,7 +8,7 @@ use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
-use crate::view::scene::tops::{Face, Top};
+use crate::view::scene::tops::{Face, Top, together};
 use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
@@ -48,16 +48,16 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     );
     drawing.material(scene, &mut text);
     let solid = scene.material.is_empty();
-    for face in scene.faces(legend.deviates) {
-        match face {
-            Face::Wall(wall) => drawing.wall(wall, solid, &mut text),
+    for faces in scene.faces(legend.deviates).chunk_by(together) {
+        match faces[0] {
+            Face::Wall(wall) => drawing.wall(wall, faces, solid, &mut text),
             Face::Top(top) => drawing.top(top, &mut text),
+            Face::Behind(of) => drawing.path(scene, legend.deviates, Some(of), &mut text),
         }
     }
     let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
     layout.arcs.iter().for_each(|arc| Drawing::angle(arc, &mut text));
-    scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
-    scene.touches.iter().for_each(|touch| drawing.touch(touch, scene.radius, legend.deviates, &mut text));
+    drawing.path(scene, legend.deviates, None, &mut text);
     layout.numbers.iter().for_each(|number| Drawing::number(number, &mut text));
     layout.dimensions.iter().for_each(|placed| Drawing::dimension(placed, &mut text));
     // What they say is above them all.
@@ -154,27 +154,56 @@ impl Drawing {
         }
     }
 
-    /// A wall, its faces `solid`: else they let a section's hatching through.
-    fn wall(&self, wall: &WallShape, solid: bool, text: &mut String) {
+    /// The moves and the touches behind something, or those behind nothing.
+    fn path(&self, scene: &Scene, deviates: bool, behind: Option<usize>, text: &mut String) {
+        scene.lines.iter().filter(|line| line.behind == behind).for_each(|line| self.line(line, text));
+        for touch in &scene.touches {
+            // What is hidden is seen faintly through what hides it.
+            let hidden = behind.is_none() && touch.behind.is_some();
+            text.push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
+            if hidden || touch.behind == behind {
+                self.touch(touch, scene.radius, deviates, text);
+            }
+            text.push_str(if hidden { "</g>\n" } else { "" });
+        }
+    }
+
+    /// A wall, or the strips of a round one in one, its faces `solid`: else they let a section's hatching through.
+    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], solid: bool, text: &mut String) {
         let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
-        if let Some(ends) = wall.edge {
+        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
+        let mut line = String::new();
+        for ends in all().filter_map(|wall| wall.edge) {
             let [a, b] = ends.map(|spot| self.at(spot));
+            // From strip to strip it goes on.
+            if !line.ends_with(&format!("L{a}")) {
+                let _ = write!(line, "M{a}");
+            }
+            let _ = write!(line, "L{b}");
+        }
+        if !line.is_empty() {
             let width = if wall.actual { "1.5\" stroke-dasharray=\"7 4" } else { "2" };
-            let _ = writeln!(text, "<path d=\"M{a}L{b}\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
+            let _ = writeln!(text, "<path d=\"{line}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
+        }
+        let (mut outlines, mut edges) = (String::new(), String::new());
+        for wall in all().filter(|wall| wall.edge.is_none()) {
+            let [a, b, c, d] = wall.corners.map(|corner| self.at(corner));
+            let _ = write!(outlines, "M{a}L{b}L{c}L{d}Z");
+            let _ = write!(edges, "M{a}L{b}M{c}L{d}");
+        }
+        if outlines.is_empty() {
             return;
         }
-        let corners: Vec<String> = wall.corners.map(|corner| self.at(corner)).to_vec();
         let stroke = if wall.strip { "none" } else { colour };
-        let points = corners.join(" ");
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
         let fill = match (wall.faces && solid, wall.actual) {
             (true, false) => "#d9dde2",
             (true, true) => "#b45309\" fill-opacity=\".2",
             (false, _) => "#334\" fill-opacity=\".05",
         };
-        let _ = writeln!(text, "<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
-        for edge in corners.chunks(2).filter(|_| wall.strip) {
-            let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"{colour}\"/>", edge.join(" "));
+        let _ = writeln!(text, "<path d=\"{outlines}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
+        if wall.strip {
+            let _ = writeln!(text, "<path d=\"{edges}\" stroke=\"{colour}\"/>");
         }
     }
 

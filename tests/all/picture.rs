@@ -5,7 +5,7 @@ use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
-use touchpath::view::scene::tops::Face;
+use touchpath::view::scene::tops::{Face, together};
 use touchpath::view::scene::{Line, Projection, Scene, Stroke, WallShape};
 
 use crate::common::{jobs, number_at, planned, with};
@@ -153,6 +153,76 @@ fn a_hole_is_not_a_boss() {
     assert!((area(&tops[0].corners) - circle).abs() < 0.005 * circle, "{}", area(&tops[0].corners));
 }
 
+/// Touches on the far side of a boss were drawn on top of it. What stands hides of them what it hides; those before it, and all in a hole, are seen.
+#[test]
+fn what_is_behind_the_part_is_drawn_before_it() {
+    let behind = |cycle: &str| {
+        let (scene, _) = built(&of(cycle), Projection::Isometric);
+        let behind: Vec<usize> =
+            (0..scene.touches.len()).filter(|k| scene.touches[*k].behind.is_some()).map(|k| k + 1).collect();
+        for (k, touch) in scene.touches.iter().enumerate() {
+            let of = |line: &&Line| Some(line.index) == touch.index;
+            assert!(scene.lines.iter().filter(of).all(|line| line.behind == touch.behind), "{cycle}: touch {}", k + 1);
+        }
+        // Each once, before the faces that hide it.
+        let faces = scene.faces(false);
+        let begins = faces.iter().filter(|face| matches!(face, Face::Behind(_))).count();
+        assert_eq!(begins, scene.tops.len(), "{cycle}");
+        let first = faces.iter().position(|face| matches!(face, Face::Behind(_)));
+        let hides = |face: &Face<'_>| matches!(face, Face::Wall(WallShape { top: Some(_), .. }) | Face::Top(_));
+        assert!(faces[..first.unwrap_or(0)].iter().all(|face| !hides(face)), "{cycle}");
+        behind
+    };
+    for (cycle, expected) in [
+        ("boss", &[2, 3][..]),
+        ("external-rectangle", &[2, 3]),
+        ("web", &[2]),
+        ("web-three-points", &[1]),
+        ("double-wall-external-corner", &[1, 2]),
+        ("triple-wall-external-corner", &[1]),
+        ("hole", &[]),
+        ("internal-rectangle", &[]),
+        ("double-wall-internal-corner", &[]),
+        ("surface", &[]),
+    ] {
+        assert_eq!(behind(cycle), expected, "{cycle}");
+    }
+    // From elsewhere nothing hides anything: walls are seen edge-on, and the material is cut.
+    assert!(built(&of("boss"), Projection::Front).0.touches.iter().all(|touch| touch.behind.is_none()));
+}
+
+/// The strips of a round wall are drawn in one, without seams between them.
+#[test]
+fn a_round_wall_is_drawn_in_few_strokes() {
+    for (cycle, most) in [("boss", 3), ("hole", 2), ("probing-two-circles", 4)] {
+        let (scene, _) = built(&of(cycle), Projection::Isometric);
+        let faces = scene.faces(false);
+        assert!(faces.len() > 60 && faces.chunk_by(together).count() <= most, "{cycle}: {}", faces.chunk_by(together).count());
+    }
+}
+
+/// A corner from outside was hatched along its walls only: what was left white between them looked like air.
+#[test]
+fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_on_its_floor() {
+    let filled = |cycle: &str, view, at: [f64; 2]| {
+        let (scene, _) = built(&of(cycle), view);
+        let camera = Camera { scale: 10.0, middle: [0.0; 2], size: [800.0, 600.0] };
+        let [filled, _] = outlines(&scene.material, &camera, 36.0);
+        turns(&filled, camera.pixel(at)) != 0
+    };
+    for cycle in ["double-wall-external-corner", "triple-wall-external-corner"] {
+        assert!(filled(cycle, Projection::Top, [15.0, 15.0]), "{cycle}");
+        assert!(!filled(cycle, Projection::Top, [-1.0, 15.0]) && !filled(cycle, Projection::Top, [15.0, -1.0]), "{cycle}");
+    }
+    assert!(filled("triple-wall-external-corner", Projection::Front, [15.0, -8.0]));
+    assert!(!filled("double-wall-internal-corner", Projection::Top, [15.0, 15.0]));
+    assert!(filled("surface", Projection::Top, [5.0, 5.0]), "what is looked at is material, too");
+    // The walls of a corner of three went on below its floor, which looked like a shelf.
+    let (scene, path) = built(&of("triple-wall-internal-corner"), Projection::Front);
+    let floor = path.frame.origin.z;
+    assert!(scene.walls.iter().flat_map(|wall| wall.corners).all(|[_, y]| y > floor - 1e-6), "{:?}", scene.walls);
+}
+
 /// The nominal walls in the order in which they are drawn.
 fn walls(scene: &Scene) -> Vec<&WallShape> {
     let wall = |face| if let Face::Wall(wall) = face { Some(wall) } else { None };
@@ -173,7 +243,8 @@ fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
         ("web-three-points", 1),
         ("internal-rectangle", 0),
         ("groove", 0),
-        ("double-wall-external-corner", 0),
+        ("double-wall-external-corner", 1),
+        ("triple-wall-external-corner", 1),
         ("double-wall-internal-corner", 0),
         ("surface", 0),
     ] {
@@ -211,9 +282,10 @@ fn the_top_of_what_stands_behind_is_drawn_before_what_stands_in_front() {
         let order: Vec<usize> = scene
             .faces(false)
             .into_iter()
-            .map(|face| match face {
-                Face::Wall(wall) => wall.top.expect("of a stud"),
-                Face::Top(top) => 10 + top.of,
+            .filter_map(|face| match face {
+                Face::Wall(wall) => Some(wall.top.expect("of a stud")),
+                Face::Top(top) => Some(10 + top.of),
+                Face::Behind(_) => None,
             })
             .collect();
         let at = |what: usize| order.iter().position(|x| *x == what).unwrap();
@@ -286,6 +358,7 @@ fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
         let svg = job::svg(&job, Projection::Front).unwrap_or_else(|error| panic!("{name}: {error}"));
         let opened = svg.matches("<svg").count()
             + svg.matches("<text").count()
+            + svg.matches("<g ").count()
             + svg.matches("<tspan").count()
             + svg.matches("<title").count()
             + svg.matches("<pattern").count();
@@ -545,9 +618,10 @@ fn each_number_stands_beside_its_contact_and_none_on_another() {
         for (k, number) in numbers.iter().enumerate() {
             let [dx, dy] = [0, 1].map(|i| number.plate.middle[i] - number.contact[i]);
             let radius = number.radius();
-            assert!(dx.hypot(dy) < 4.0 * radius + 9.0, "{said}: {} is {dx} {dy} off", number.said);
+            let ball = if scene.touches[number.touches[0]].behind.is_some() { scene.radius * camera.scale } else { 0.0 };
+            assert!(dx.hypot(dy) < 4.0 * radius + 9.0 + ball, "{said}: {} is {dx} {dy} off", number.said);
             assert!(
-                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0,
+                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
                 "{said}: a line leads to {}",
                 number.said
             );

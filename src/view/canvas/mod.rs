@@ -18,7 +18,7 @@ use crate::view::lengths::Arrow;
 use crate::view::material;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
-use crate::view::scene::tops::{Face, Top};
+use crate::view::scene::tops::{Face, Top, together};
 use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
@@ -216,10 +216,11 @@ impl Painter {
         c.set_line_join("round");
         self.material(scene, camera);
         let solid = scene.material.is_empty();
-        for face in scene.faces(deviates) {
-            match face {
-                Face::Wall(wall) => self.wall(wall, camera, solid),
+        for faces in scene.faces(deviates).chunk_by(together) {
+            match faces[0] {
+                Face::Wall(wall) => self.wall(wall, faces, camera, solid),
                 Face::Top(top) => self.top(top, camera),
+                Face::Behind(of) => self.path(scene, camera, marks, Some(of)),
             }
         }
         // Beneath the moves, the touches and the dimensions.
@@ -233,17 +234,8 @@ impl Painter {
                 self.line(line, camera, true, true);
             }
         } else {
-            // Touches lie on their ways back: drawn last, they are seen.
-            for touches in [false, true] {
-                for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                    self.line(line, camera, highlight == Some(line.index) && lit(line), reached(scene, line));
-                }
-            }
-            if !self.small {
-                self.arrows(scene, camera);
-            }
+            self.path(scene, camera, marks, None);
         }
-        self.touches(scene, camera, deviates);
         for spot in marks.measured {
             self.square(camera.pixel(*spot));
         }
@@ -369,18 +361,35 @@ impl Painter {
         c.close_path();
     }
 
-    /// A wall, its faces `solid`: else they let a section's hatching through, and are no darker than it.
-    fn wall(&self, wall: &WallShape, camera: &Camera, solid: bool) {
+    /// A wall, or the strips of a round one, its faces `solid`: else they let a section's hatching through, and are no darker than it. What is drawn in
+    /// one has no seams.
+    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], camera: &Camera, solid: bool) {
         let c = &self.context;
         let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
-        if let Some(ends) = wall.edge {
+        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
+        c.begin_path();
+        let mut before = [f64::NAN; 2];
+        for ends in all().filter_map(|wall| wall.edge) {
             let [from, to] = ends.map(|spot| camera.pixel(spot));
-            let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
-            self.segment(from, to, colour, width, dash);
+            // From strip to strip it goes on, and so do its dashes.
+            let goes_on = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
+            if !goes_on {
+                c.move_to(from[0], from[1]);
+            }
+            c.line_to(to[0], to[1]);
+            before = to;
+        }
+        let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(dash);
+        c.stroke();
+        let all = || all().filter(|wall| wall.edge.is_none());
+        if all().next().is_none() {
             return;
         }
         c.begin_path();
-        self.outline(&wall.corners.map(|corner| camera.pixel(corner)));
+        all().for_each(|wall| self.outline(&wall.corners.map(|corner| camera.pixel(corner))));
         // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
         if wall.faces && !wall.actual && solid {
             c.set_fill_style_str(&self.theme.background);
@@ -396,7 +405,7 @@ impl Painter {
         self.dash(&[]);
         if wall.strip {
             c.begin_path();
-            for pair in wall.corners.chunks(2) {
+            for pair in all().flat_map(|wall| wall.corners.chunks(2)) {
                 let [from, to] = [0, 1].map(|i| camera.pixel(pair[i]));
                 c.move_to(from[0], from[1]);
                 c.line_to(to[0], to[1]);
@@ -442,9 +451,28 @@ impl Painter {
         self.context.set_global_alpha(1.0);
     }
 
-    fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool) {
+    /// The moves and the touches behind something, or those behind nothing.
+    fn path(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
+        let lines = || scene.lines.iter().filter(move |line| line.behind == behind);
+        // Touches lie on their ways back: drawn last, they are seen.
+        for touches in [false, true] {
+            for line in lines().filter(|line| (line.stroke == Stroke::Touch) == touches) {
+                self.line(line, camera, marks.highlight == Some(line.index) && lit(line), reached(scene, line));
+            }
+        }
+        if !self.small {
+            lines().filter(|line| reached(scene, line)).for_each(|line| self.arrow(line, camera));
+        }
         let radius = scene.radius * camera.scale;
-        for touch in &scene.touches {
+        let deviates = marks.deviates;
+        // What is hidden is seen faintly through what hides it.
+        for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
+            self.context.set_global_alpha(0.35);
+            self.circle(camera.pixel(touch.ball), radius, &self.theme.ball, 1.0);
+            self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
+            self.context.set_global_alpha(1.0);
+        }
+        for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {
             let ball = camera.pixel(touch.ball);
             self.context.set_global_alpha(0.1);
             self.disc(ball, radius, &self.theme.ball);
@@ -503,17 +531,15 @@ impl Painter {
         }
     }
 
-    /// The arrow heads of the moves.
-    fn arrows(&self, scene: &Scene, camera: &Camera) {
-        for line in scene.lines.iter().filter(|line| reached(scene, line)) {
-            let colour = match line.stroke {
-                Stroke::Position => &self.theme.position,
-                Stroke::Link => &self.theme.link,
-                Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
-            };
-            if let Some((tip, way, size)) = camera.head(line) {
-                self.head(tip, way, size, colour);
-            }
+    /// The arrow head of a move.
+    fn arrow(&self, line: &Line, camera: &Camera) {
+        let colour = match line.stroke {
+            Stroke::Position => &self.theme.position,
+            Stroke::Link => &self.theme.link,
+            Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
+        };
+        if let Some((tip, way, size)) = camera.head(line) {
+            self.head(tip, way, size, colour);
         }
     }
 }
