@@ -38,8 +38,10 @@ impl Planned {
         let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
         scene.dimensions.retain(|dimension| has(dimension.field));
         scene.angles.retain(|angle| has(angle.field));
+        let names = self.names(&scene, |_| None);
+        scene.name(&names);
         Picture {
-            names: self.names(&scene, |_| None),
+            names,
             offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
             deviates: !job.lie.nominal,
             scene,

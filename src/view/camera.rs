@@ -1,8 +1,6 @@
 //! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
-use std::iter::successors;
-
-use crate::view::scene::{Drawn, DrawnAngle, Scene, Spot};
+use crate::view::scene::{Scene, Spot};
 
 /// A window on the picture plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,66 +20,14 @@ pub const DIMENSION_MARGIN: f64 = 84.0;
 /// The same in a small picture.
 pub const SMALL_MARGIN: f64 = 8.0;
 
-/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
-const STANDS_OFF: [f64; 2] = [46.0, 16.0];
-
-/// Where the work axes are drawn, pixels from the lower left corner, and how far their names reach from there.
+/// Where the work axes are drawn, pixels from the lower left corner.
 pub const AXES_CORNER: f64 = 34.0;
-const AXES_REACH: f64 = 36.0;
-/// How far the scale bar stands from the lower right corner, pixels, and how high it reaches with its length above it.
+/// How far the names of the work axes reach from their corner, pixels.
+pub const AXES_REACH: f64 = 36.0;
+/// How far the scale bar stands from the lower right corner, pixels.
 pub const BAR_CORNER: f64 = 16.0;
-const BAR_REACH: f64 = 34.0;
-/// Half the room that the name of a dimension takes, pixels.
-const NAME: [f64; 2] = [58.0, 12.0];
-
-/// The radius of an angle's arc, pixels, where there is room for it.
-const ANGLE_RADIUS: f64 = 54.0;
-/// How far from its vertex an angle's name stands, pixels: to the side farther than up or down, since a name is wider than it is high.
-const ANGLE_NAME: [f64; 2] = [112.0, 76.0];
-/// A name has room where the nearest touch is farther than this from the vertex, pixels.
-const ROOM_FOR_NAME: f64 = 90.0;
-
-/// An angle as it is drawn, pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Arc<'a> {
-    /// The angle.
-    pub angle: &'a DrawnAngle,
-    /// Its vertex.
-    pub at: Spot,
-    /// The radius of its arc.
-    pub radius: f64,
-    /// The far ends of its two sides, a little beyond the arc.
-    pub sides: [Spot; 2],
-    /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
-    pub heads: Option<[(Spot, Spot); 2]>,
-    /// The ends of the arc.
-    pub ends: [Spot; 2],
-    /// The middle of its name; none where a name would cover touches.
-    pub name: Option<Spot>,
-}
-
-/// The name of a dimension that comes with the focus stands beyond the end of a line that is shorter than this, pixels: on the line it would cover it
-/// and what it measures. Those that are always drawn stand outside the part.
-const SHORT: f64 = 70.0;
-
-/// Whether the name of a dimension's line is written upright, as on a drawing.
-pub fn is_upright([start, end]: [Spot; 2]) -> bool {
-    (end[1] - start[1]).abs() > (end[0] - start[0]).abs()
-}
-
-/// The middle of a dimension's name: on its line, or beyond it.
-pub fn middle_of_name(drawn: &Drawn, [start, end]: [Spot; 2]) -> Spot {
-    let along = [end[0] - start[0], end[1] - start[1]];
-    let length = along[0].hypot(along[1]);
-    let beyond = if drawn.on_demand && length < SHORT { (length / 2.0 + NAME[0] + 8.0) / length.max(1e-9) } else { 0.0 };
-    [0, 1].map(|i| (start[i] + end[i]) / 2.0 + along[i] * beyond)
-}
-
-/// The middle of a dimension's name, and half the room that it takes.
-fn room_of_name(drawn: &Drawn, line: [Spot; 2]) -> [Spot; 2] {
-    [middle_of_name(drawn, line), if is_upright(line) { [NAME[1], NAME[0]] } else { NAME }]
-}
-
+/// How high the scale bar reaches with its length above it, pixels.
+pub const BAR_REACH: f64 = 34.0;
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
     pub fn fit(size: Spot, [low, high]: [Spot; 2], margin: f64) -> Self {
@@ -104,14 +50,14 @@ impl Camera {
         let unit = scene.unit.unwrap_or(1.0);
         let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
         let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
-        for (drawn, [.., start, end]) in self.dimensions(scene, None) {
-            let [[x, y], half] = room_of_name(drawn, [start, end]);
-            top = top.min(y - half[1]).min(start[1]).min(end[1]);
-            if x - half[0] < axes[0] {
-                under = under.max(y + half[1] - axes[1]);
+        for placed in self.layout(scene, None).dimensions {
+            let [low, high] = placed.name.bounds();
+            top = placed.line.iter().fold(top.min(low[1]), |top, end| top.min(end[1]));
+            if low[0] < axes[0] {
+                under = under.max(high[1] - axes[1]);
             }
-            if x + half[0] > bar[0] {
-                under = under.max(y + half[1] - bar[1]);
+            if high[0] > bar[0] {
+                under = under.max(high[1] - bar[1]);
             }
         }
         self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
@@ -131,62 +77,6 @@ impl Camera {
             self.middle[0] + (pixel[0] - self.size[0] / 2.0) / self.scale,
             self.middle[1] - (pixel[1] - self.size[1] / 2.0) / self.scale,
         ]
-    }
-
-    /// The dimensions that are drawn while a field has the focus, or none: each with its ends on the part and the ends of its line, pixels.
-    pub fn dimensions<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Vec<(&'a Drawn, [Spot; 4])> {
-        let mut shown: Vec<(&Drawn, [Spot; 4])> = Vec::new();
-        let mut names: Vec<[Spot; 2]> = Vec::new();
-        let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
-        // One that comes with the focus moves none of those that are there.
-        for d in all(false).chain(all(true).filter(|d| focus == Some(d.field))) {
-            let [from, to] = d.ends.map(|spot| self.pixel(spot));
-            let far = d.aside.1 * self.scale + STANDS_OFF[usize::from(d.on_demand)];
-            let line_at = |far: f64| [from, to].map(|p| [p[0] + d.aside.0[0] * far, p[1] - d.aside.0[1] * far]);
-            let clear = |far: &f64| {
-                let name = room_of_name(d, line_at(*far));
-                names.iter().all(|other| (0..2).any(|i| (name[0][i] - other[0][i]).abs() >= name[1][i] + other[1][i]))
-            };
-            let seen = |far: f64| {
-                let [middle, half] = room_of_name(d, line_at(far));
-                (0..2).all(|i| middle[i] >= half[i] && middle[i] + half[i] <= self.size[i])
-            };
-            // A name that would lie on another one stands further out, but not out of the picture.
-            let mut places = successors(Some(far), |far| Some(far + 2.0 * NAME[1] + 4.0)).take(1 + 2 * names.len());
-            let line = line_at(places.find(|place| clear(place) && (seen(*place) || !seen(far))).unwrap_or(far));
-            names.push(room_of_name(d, line));
-            shown.push((d, [from, to, line[0], line[1]]));
-        }
-        shown
-    }
-
-    /// The angles that are drawn; one whose field has the focus has its name in any case.
-    pub fn angles<'a>(&self, scene: &'a Scene, focus: Option<&'a str>) -> impl Iterator<Item = Arc<'a>> {
-        let camera = *self;
-        scene.angles.iter().map(move |angle| {
-            let at = camera.pixel(angle.at);
-            let room = angle.room * camera.scale;
-            let radius = ANGLE_RADIUS.min(room * 0.6);
-            let [first, turn] = angle.turns;
-            let along = |radians: f64, [wide, high]: [f64; 2]| {
-                let (sin, cos) = radians.sin_cos();
-                [at[0] + wide * cos, at[1] - high * sin]
-            };
-            let sides = [first, first + turn];
-            let ends = sides.map(|side| along(side, [radius; 2]));
-            // Along the arc, away from its middle.
-            let head = |end: usize, sense: f64| (ends[end], [-sense * sides[end].sin(), -sense * sides[end].cos()]);
-            let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
-            Arc {
-                angle,
-                at,
-                radius,
-                sides: sides.map(|side| along(side, [radius + 8.0; 2])),
-                heads: (turn.abs() * radius > 22.0).then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
-                ends,
-                name: named.then(|| along(first + turn / 2.0, ANGLE_NAME)),
-            }
-        })
     }
 
     /// Closer by `factor`; the spot at `pixel` stays there.

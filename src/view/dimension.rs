@@ -14,8 +14,6 @@ pub struct Dimension {
     pub to: Vec3,
     /// The side on which its line stands, a unit vector square to it.
     pub aside: Vec3,
-    /// How far the part extends on that side, mm.
-    pub beyond: f64,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
 }
@@ -68,33 +66,26 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
     let (u, v, w) = (frame.u, frame.v, frame.w);
     let top = path.top.unwrap_or(frame.origin.dot(w));
     let center = frame.origin + w * (top - frame.origin.dot(w));
-    let across = |field, along: Vec3, width: f64, edge: Vec3, aside: Vec3, beyond: f64| {
+    let across = |field, along: Vec3, width: f64, edge: Vec3, aside: Vec3| {
         let half = along * (width / 2.0);
-        Dimension { field, from: center - half + edge, to: center + half + edge, aside, beyond, on_demand: false }
+        Dimension { field, from: center - half + edge, to: center + half + edge, aside, on_demand: false }
     };
     let deep = |depth: f64, out: Vec3| {
         let edge = center + out;
-        Dimension {
-            field: "cycle.depth",
-            from: edge,
-            to: edge - w * depth,
-            aside: out.normalize_or(u),
-            beyond: 0.0,
-            on_demand: false,
-        }
+        Dimension { field: "cycle.depth", from: edge, to: edge - w * depth, aside: out.normalize_or(u), on_demand: false }
     };
     let mut all = Vec::new();
     match &path.feature {
         Feature::Hole(bore) | Feature::Boss(bore) => {
             let Bore { diameter, depth, protected, .. } = *bore;
-            all.push(across("cycle.diameter", u, diameter, Vec3::ZERO, -v, diameter / 2.0));
+            all.push(across("cycle.diameter", u, diameter, Vec3::ZERO, -v));
             all.push(deep(depth, u * (diameter / 2.0)));
             clearances(path, protected, &["cycle.sideClearance"], &mut all);
         }
         Feature::Pocket(rectangle) | Feature::Block(rectangle) => {
             let Rectangle { widths: [first, second], depth, protected, .. } = *rectangle;
-            all.push(across("cycle.width1", u, first, v * (-second / 2.0), -v, 0.0));
-            all.push(across("cycle.width2", v, second, u * (-first / 2.0), -u, 0.0));
+            all.push(across("cycle.width1", u, first, v * (-second / 2.0), -v));
+            all.push(across("cycle.width2", v, second, u * (-first / 2.0), -u));
             all.push(deep(depth, u * (first / 2.0)));
             clearances(path, protected, &["cycle.sideClearance1", "cycle.sideClearance2"], &mut all);
         }
@@ -105,7 +96,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
                 _ => None,
             });
             let far = far.fold(0.0, f64::max);
-            all.push(across("cycle.width", u, width, v * -far, -v, 0.0));
+            all.push(across("cycle.width", u, width, v * -far, -v));
             all.push(deep(depth, u * (width / 2.0)));
             clearances(path, protected, &["cycle.sideClearance"], &mut all);
         }
@@ -120,21 +111,14 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
                 if let Surface::Round(round) = surface {
                     let half = u * round.radius;
                     let (from, to) = (round.center - half, round.center + half);
-                    all.push(Dimension { field, from, to, aside: -v, beyond: round.radius, on_demand: false });
+                    all.push(Dimension { field, from, to, aside: -v, on_demand: false });
                 }
             }
         }
         Feature::Surface { .. } => {
             if let (Some(touch), Some(start)) = (path.touches.first(), begin_of(path, 0)) {
                 let aside = (w - touch.vector * w.dot(touch.vector)).try_normalize().unwrap_or(v);
-                all.push(Dimension {
-                    field: "cycle.clearance",
-                    from: touch.point,
-                    to: start,
-                    aside,
-                    beyond: 0.0,
-                    on_demand: false,
-                });
+                all.push(Dimension { field: "cycle.clearance", from: touch.point, to: start, aside, on_demand: false });
             }
         }
         Feature::Still => {}
@@ -146,7 +130,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         let lifts = last.feed == Feed::Return && (last.to - before.to).cross(w).length() < 1e-9;
         if lifts {
             let (from, to) = (before.to, last.to);
-            all.push(Dimension { field: "cycle.feedDistance", from, to, aside: u, beyond: 0.0, on_demand: true });
+            all.push(Dimension { field: "cycle.feedDistance", from, to, aside: u, on_demand: true });
         }
     }
     all
@@ -166,15 +150,15 @@ fn on_top(path: &Path, all: &mut Vec<Dimension>) {
     // Away from both walls, so that it stands free from the front and from the side.
     let aside = (first.vector + second.vector).try_normalize().unwrap_or(first.vector);
     let (from, to) = (first.point + level, first.point);
-    all.push(Dimension { field: "cycle.depth", from, to, aside, beyond: 0.0, on_demand: false });
+    all.push(Dimension { field: "cycle.depth", from, to, aside, on_demand: false });
     for (wall, field) in [(first, "cycle.topDistance1"), (second, "cycle.topDistance2")] {
         let from = third.point + wall.vector * (wall.point - third.point).dot(wall.vector);
         let aside = w.cross(wall.vector);
-        all.push(Dimension { field, from, to: third.point, aside, beyond: 0.0, on_demand: true });
+        all.push(Dimension { field, from, to: third.point, aside, on_demand: true });
     }
     if let Some(to) = begin_of(path, 2) {
         let from = third.point;
-        all.push(Dimension { field: "cycle.topClearance", from, to, aside: first.vector, beyond: 0.0, on_demand: true });
+        all.push(Dimension { field: "cycle.topClearance", from, to, aside: first.vector, on_demand: true });
     }
 }
 
@@ -194,7 +178,7 @@ fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<
         let begin = begin_of(path, k);
         if let Some(to) = begin {
             let from = first.point;
-            all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
+            all.push(Dimension { field, from, to, aside, on_demand: true });
         }
         // Behind the wall; of a corner from outside in front of the touches, since behind one wall stands the other.
         let (aside, off) = if outside {
@@ -202,14 +186,8 @@ fn walls(path: &Path, clearances: &[&'static str], outside: bool, all: &mut Vec<
         } else {
             (-first.vector, Vec3::ZERO)
         };
-        let beside = |field, from: Vec3, to: Vec3, on_demand| Dimension {
-            field,
-            from: from + off,
-            to: to + off,
-            aside,
-            beyond: 0.0,
-            on_demand,
-        };
+        let beside =
+            |field, from: Vec3, to: Vec3, on_demand| Dimension { field, from: from + off, to: to + off, aside, on_demand };
         if let (Some((_, next)), Some(field)) = (touches.next(), STEPS.get(wall)) {
             all.push(beside(field, first.point, next.point, false));
         }
@@ -229,12 +207,12 @@ fn clearances(path: &Path, protection: Option<Protection>, sides: &[&'static str
         if let Some(touch) = path.touches.get(2 * i) {
             let (from, to) = (touch.point, touch.point + touch.vector * clear[i]);
             let aside = w.cross(touch.vector);
-            all.push(Dimension { field, from, to, aside, beyond: 0.0, on_demand: true });
+            all.push(Dimension { field, from, to, aside, on_demand: true });
         }
     }
     if let (Some(touch), Some(height)) = (path.touches.first(), path.top) {
         let from = touch.point + w * (height - touch.point.dot(w));
         let aside = -touch.vector;
-        all.push(Dimension { field: "cycle.topClearance", from, to: from + w * top, aside, beyond: 0.0, on_demand: true });
+        all.push(Dimension { field: "cycle.topClearance", from, to: from + w * top, aside, on_demand: true });
     }
 }

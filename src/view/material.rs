@@ -2,7 +2,7 @@
 
 use crate::path::{Round, Surface, Wall};
 use crate::view::camera::Camera;
-use crate::view::scene::Spot;
+use crate::view::scene::{Spot, WallShape};
 
 /// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,13 @@ pub enum Material {
         bounds: Vec<(Spot, Spot)>,
         /// How far behind the line the material reaches.
         reach: f64,
+        /// How far behind it other walls go on: it is filled as far as these.
+        least: f64,
+    },
+    /// A surface that is looked at, with nothing beside it.
+    Face {
+        /// Its corners.
+        corners: [Spot; 4],
     },
     /// Around a hole, as far as its plate reaches.
     Around {
@@ -42,7 +49,7 @@ pub enum Material {
 const FAR: f64 = 1e6;
 
 /// Corners of a drawn circle.
-const CORNERS: usize = 96;
+const CORNERS: usize = 120;
 
 /// A wall that is seen edge-on.
 #[derive(Clone, Copy)]
@@ -55,19 +62,19 @@ struct Edge {
     reach: f64,
 }
 
-/// The material of the surfaces. `edge` gives the line of a wall that is seen edge-on; `strips` the flat strips of a round one; `circles` says whether
+/// The material of the surfaces. `shape` gives a wall as it is seen; `strips` the flat strips of a round one; `circles` says whether
 /// round walls are seen as circles.
 pub fn material(
     surfaces: &[Surface],
     spot: impl Fn(crate::geom::Vec3) -> Spot,
-    edge: impl Fn(&Wall) -> Option<[Spot; 2]>,
+    shape: impl Fn(&Wall) -> WallShape,
     strips: impl Fn(&Round) -> Vec<Wall>,
     circles: bool,
 ) -> Vec<Material> {
     let mut all = Vec::new();
     let mut edges: Vec<Edge> = Vec::new();
     let mut add = |wall: &Wall, body, reach| {
-        if let Some(ends) = edge(wall) {
+        if let Some(ends) = shape(wall).edge {
             edges.push(Edge { ends, into: spot(-wall.normal), body, reach });
         }
     };
@@ -92,6 +99,12 @@ pub fn material(
             Surface::Unknown => {}
         }
     }
+    let flat =
+        surfaces.iter().filter_map(|surface| if let Surface::Flat(wall) = surface { Some(shape(wall).corners) } else { None });
+    let corners: Vec<[Spot; 4]> = flat.collect();
+    if edges.is_empty() && all.is_empty() {
+        return corners.into_iter().map(|corners| Material::Face { corners }).collect();
+    }
     let behind = edges.iter().enumerate().map(|(k, own)| {
         let others = || edges.iter().enumerate().filter(move |(j, _)| *j != k).map(|(_, other)| other);
         // A line that lies on the same one is no corner.
@@ -103,6 +116,7 @@ pub fn material(
             meets: own.ends.map(meets),
             bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
             reach: own.reach,
+            least: corners.iter().flatten().map(|at| depth(*at, own.ends[0], own.into)).fold(0.0, f64::max),
         }
     });
     all.extend(behind);
@@ -130,14 +144,15 @@ impl Material {
                 out.push(within);
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
-            Material::Behind { ends, into, meets, bounds, reach } => {
+            Material::Face { corners } => out.push(corners.to_vec()),
+            Material::Behind { ends, into, meets, bounds, reach, least } => {
                 let whole = bounds.iter().any(|(_, other)| dot(*into, *other) < -0.999);
                 let [a, b] = *ends;
                 let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
                 let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
                 let at = |from: Spot, by: f64, depth: f64| [0, 1].map(|i| from[i] + along[i] * by + into[i] * depth);
                 let [before, past] = meets.map(|meets| if meets { deep } else { 0.0 });
-                let deep = if whole { FAR } else { deep.min(*reach) };
+                let deep = if whole { FAR } else { deep.max(*least).min(*reach) };
                 let mut outline = vec![at(a, -before, 0.0), at(b, past, 0.0), at(b, past, deep), at(a, -before, deep)];
                 for (point, way) in bounds {
                     outline = behind(&outline, *point, *way);
@@ -166,9 +181,14 @@ pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Spot>>
     [filled, air]
 }
 
+/// How far a place lies behind a line, which is a point and the way into the material.
+fn depth(at: Spot, point: Spot, way: Spot) -> f64 {
+    dot([at[0] - point[0], at[1] - point[1]], way)
+}
+
 /// What of an outline lies behind a line, which is a point and the way into the material.
 fn behind(outline: &[Spot], point: Spot, way: Spot) -> Vec<Spot> {
-    let depth = |at: Spot| dot([at[0] - point[0], at[1] - point[1]], way);
+    let depth = |at: Spot| depth(at, point, way);
     let mut kept = Vec::with_capacity(outline.len() + 1);
     for (k, from) in outline.iter().enumerate() {
         let to = outline[(k + 1) % outline.len()];

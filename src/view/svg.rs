@@ -3,10 +3,13 @@
 use std::fmt::Write;
 
 use crate::num::decimal;
-use crate::view::camera::{Arc, Camera, DIMENSION_MARGIN, is_upright, middle_of_name};
+use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
-use crate::view::scene::tops::{Face, Top};
-use crate::view::scene::{Drawn, Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::numbers::Number;
+use crate::view::plate::Plate;
+use crate::view::scene::tops::{Face, Top, together};
+use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -34,7 +37,8 @@ pub struct Legend<'a> {
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let drawing = Drawing::of(scene, legend);
     // A number that the library writes by itself would bring all of its printing into the module.
-    let [low, high] = drawing.extent(scene);
+    let layout = drawing.layout(scene, legend);
+    let [low, high] = drawing.extent(scene, &layout);
     let [x, y] = low.map(|pixels| decimal(pixels, 0));
     let [width, height] = [0, 1].map(|i| decimal(high[i] - low[i], 0));
     let mut text = format!(
@@ -44,26 +48,22 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     );
     drawing.material(scene, &mut text);
     let solid = scene.material.is_empty();
-    for face in scene.faces(legend.deviates) {
-        match face {
-            Face::Wall(wall) => drawing.wall(wall, solid, &mut text),
+    for faces in scene.faces(legend.deviates).chunk_by(together) {
+        match faces[0] {
+            Face::Wall(wall) => drawing.wall(wall, faces, solid, &mut text),
             Face::Top(top) => drawing.top(top, &mut text),
+            Face::Behind(of) => drawing.path(scene, legend.deviates, Some(of), &mut text),
         }
     }
-    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map(|(_, name)| name.as_str());
-    for arc in drawing.camera.angles(scene, None) {
-        if let Some(name) = name(arc.angle.field) {
-            Drawing::angle(&arc, name, &mut text);
-        }
-    }
-    scene.lines.iter().for_each(|line| drawing.line(line, &mut text));
-    let touches = scene.touches.iter().enumerate();
-    touches.for_each(|(k, touch)| drawing.touch(k, touch, scene.radius, legend.deviates, &mut text));
-    for (dimension, ends) in drawing.camera.dimensions(scene, None) {
-        if let Some(name) = name(dimension.field) {
-            drawing.dimension(dimension, ends, name, &mut text);
-        }
-    }
+    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
+    layout.arcs.iter().for_each(|arc| Drawing::angle(arc, &mut text));
+    drawing.path(scene, legend.deviates, None, &mut text);
+    layout.numbers.iter().for_each(|number| Drawing::number(number, &mut text));
+    layout.dimensions.iter().for_each(|placed| Drawing::dimension(placed, &mut text));
+    // What they say is above them all.
+    let arcs = layout.arcs.iter().filter_map(|arc| Some((arc.angle.field, arc.name?)));
+    let dimensions = layout.dimensions.iter().map(|placed| (placed.drawn.field, placed.name));
+    arcs.chain(dimensions).for_each(|(field, plate)| said(&plate, name(field), &mut text));
     text.push_str("</svg>\n");
     text
 }
@@ -98,12 +98,21 @@ impl Drawing {
         Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
     }
 
+    /// What is named, and where it stands.
+    fn layout<'a>(&self, scene: &'a Scene, legend: &Legend<'_>) -> Layout<'a> {
+        let mut layout = self.camera.layout(scene, None);
+        let named = |own: &str| legend.names.iter().any(|(field, _)| *field == own);
+        layout.arcs.retain(|arc| named(arc.angle.field));
+        layout.dimensions.retain(|placed| named(placed.drawn.field));
+        layout
+    }
+
     /// From where to where the picture reaches: whatever is drawn lies within, with some room around.
-    fn extent(&self, scene: &Scene) -> [Spot; 2] {
+    fn extent(&self, scene: &Scene, layout: &Layout<'_>) -> [Spot; 2] {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
-        let dimensions = self.camera.dimensions(scene, None).into_iter().flat_map(|(_, ends)| ends);
+        let dimensions = layout.dimensions.iter().flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
         let mut extent = [[0.0; 2], self.camera.size];
-        let angles = self.camera.angles(scene, None).flat_map(|arc| arc.sides.into_iter().chain(arc.name));
+        let angles = layout.arcs.iter().flat_map(|arc| arc.sides.into_iter().chain(arc.name.iter().flat_map(Plate::bounds)));
         for at in lines.chain(dimensions).chain(angles) {
             for i in [0, 1] {
                 extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
@@ -145,27 +154,56 @@ impl Drawing {
         }
     }
 
-    /// A wall, its faces `solid`: else they let a section's hatching through.
-    fn wall(&self, wall: &WallShape, solid: bool, text: &mut String) {
+    /// The moves and the touches behind something, or those behind nothing.
+    fn path(&self, scene: &Scene, deviates: bool, behind: Option<usize>, text: &mut String) {
+        scene.lines.iter().filter(|line| line.behind == behind).for_each(|line| self.line(line, text));
+        for touch in &scene.touches {
+            // What is hidden is seen faintly through what hides it.
+            let hidden = behind.is_none() && touch.behind.is_some();
+            text.push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
+            if hidden || touch.behind == behind {
+                self.touch(touch, scene.radius, deviates, text);
+            }
+            text.push_str(if hidden { "</g>\n" } else { "" });
+        }
+    }
+
+    /// A wall, or the strips of a round one in one, its faces `solid`: else they let a section's hatching through.
+    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], solid: bool, text: &mut String) {
         let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
-        if let Some(ends) = wall.edge {
+        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
+        let mut line = String::new();
+        for ends in all().filter_map(|wall| wall.edge) {
             let [a, b] = ends.map(|spot| self.at(spot));
+            // From strip to strip it goes on.
+            if !line.ends_with(&format!("L{a}")) {
+                let _ = write!(line, "M{a}");
+            }
+            let _ = write!(line, "L{b}");
+        }
+        if !line.is_empty() {
             let width = if wall.actual { "1.5\" stroke-dasharray=\"7 4" } else { "2" };
-            let _ = writeln!(text, "<path d=\"M{a}L{b}\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
+            let _ = writeln!(text, "<path d=\"{line}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
+        }
+        let (mut outlines, mut edges) = (String::new(), String::new());
+        for wall in all().filter(|wall| wall.edge.is_none()) {
+            let [a, b, c, d] = wall.corners.map(|corner| self.at(corner));
+            let _ = write!(outlines, "M{a}L{b}L{c}L{d}Z");
+            let _ = write!(edges, "M{a}L{b}M{c}L{d}");
+        }
+        if outlines.is_empty() {
             return;
         }
-        let corners: Vec<String> = wall.corners.map(|corner| self.at(corner)).to_vec();
         let stroke = if wall.strip { "none" } else { colour };
-        let points = corners.join(" ");
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
         let fill = match (wall.faces && solid, wall.actual) {
             (true, false) => "#d9dde2",
             (true, true) => "#b45309\" fill-opacity=\".2",
             (false, _) => "#334\" fill-opacity=\".05",
         };
-        let _ = writeln!(text, "<polygon points=\"{points}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
-        for edge in corners.chunks(2).filter(|_| wall.strip) {
-            let _ = writeln!(text, "<polyline points=\"{}\" stroke=\"{colour}\"/>", edge.join(" "));
+        let _ = writeln!(text, "<path d=\"{outlines}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
+        if wall.strip {
+            let _ = writeln!(text, "<path d=\"{edges}\" stroke=\"{colour}\"/>");
         }
     }
 
@@ -194,8 +232,8 @@ impl Drawing {
         );
     }
 
-    /// The ball at its contact, the contact, and the number of the touch beside it.
-    fn touch(&self, k: usize, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
+    /// The ball at its contact, and the contact.
+    fn touch(&self, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
         let circle = |at: Spot, radius: f64, paint: &str, text: &mut String| {
             let [x, y] = self.camera.pixel(at).map(|v| decimal(v, 1));
             let _ = writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {paint}/>", decimal(radius, 1));
@@ -206,31 +244,34 @@ impl Drawing {
             circle(trigger, radius, "fill=\"none\" stroke=\"#b45309\"", text);
         }
         circle(touch.contact, 3.0, "fill=\"#cf2a20\"", text);
-        let off = 14.0 / self.camera.scale;
-        let spot = [touch.contact[0] - touch.inward[0] * off, touch.contact[1] - touch.inward[1] * off];
-        let [x, y] = self.camera.pixel(spot).map(|v| decimal(v, 1));
-        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", k + 1);
     }
 
-    /// A dimension: extension lines, its line with arrow heads, and what it says.
-    fn dimension(&self, drawn: &Drawn, [from, to, start, end]: [Spot; 4], name: &str, text: &mut String) {
-        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-        let length = dx.hypot(dy).max(1e-9);
-        let (ux, uy) = (dx / length, dy / length);
+    /// The number of a touch, or of several.
+    fn number(number: &Number, text: &mut String) {
+        let middle = number.plate.middle;
+        if number.led {
+            // Up to the text.
+            let part = 1.0 - number.radius() / (number.contact[0] - middle[0]).hypot(number.contact[1] - middle[1]);
+            let end = [0, 1].map(|i| number.contact[i] + (middle[i] - number.contact[i]) * part);
+            let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"#cf2a20\"/>", pair(number.contact), pair(end));
+        }
+        let [x, y] = middle.map(|v| decimal(v, 1));
+        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
+    }
+
+    /// A dimension: extension lines, and its line with arrow heads.
+    fn dimension(placed: &Placed<'_>, text: &mut String) {
+        let ([from, to], [start, end]) = (placed.ends, placed.line);
         let mut lines = String::new();
-        for [a, b] in [[from, start], [to, end], [start, end]] {
+        for [a, b] in [[from, start], [to, end], placed.reach] {
             let _ = write!(lines, "M{}L{}", pair(a), pair(b));
         }
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
-        if length > 22.0 {
-            head(start, [-ux, -uy], text);
-            head(end, [ux, uy], text);
-        }
-        said(middle_of_name(drawn, [start, end]), is_upright([start, end]), name, text);
+        placed.heads().into_iter().for_each(|(tip, way)| head(tip, way, text));
     }
 
-    /// An angle: its sides, its arc with arrow heads, and what it says.
-    fn angle(arc: &Arc<'_>, name: &str, text: &mut String) {
+    /// An angle: its sides, and its arc with arrow heads.
+    fn angle(arc: &Arc<'_>, text: &mut String) {
         let mut lines = String::new();
         for side in arc.sides {
             let _ = write!(lines, "M{}L{}", pair(arc.at), pair(side));
@@ -240,9 +281,6 @@ impl Drawing {
         let _ = write!(lines, "M{from}A{radius} {radius} 0 0 {sweep} {to}");
         let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
         arc.heads.into_iter().flatten().for_each(|(tip, direction)| head(tip, direction, text));
-        if let Some(middle) = arc.name {
-            said(middle, false, name, text);
-        }
     }
 }
 
@@ -254,13 +292,16 @@ fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
 }
 
 /// What a dimension or an angle says.
-fn said(middle: Spot, upright: bool, name: &str, text: &mut String) {
-    let [x, y] = middle.map(|v| decimal(v, 1));
-    let turned = if upright { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+fn said(plate: &Plate, name: &str, text: &mut String) {
+    let [x, y] = plate.middle.map(|v| decimal(v, 1));
+    let (label, value) = super::halves(name);
+    let turn = decimal(plate.along[1].atan2(plate.along[0]).to_degrees(), 2);
+    let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
     let _ = writeln!(
         text,
-        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}>{}</text>",
-        escaped(name)
+        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}><tspan font-weight=\"400\" fill=\"#46535f\">{} </tspan><tspan dx=\"3\">{}</tspan></text>",
+        escaped(label),
+        escaped(value)
     );
 }
 

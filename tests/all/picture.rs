@@ -2,11 +2,11 @@
 
 use touchpath::job;
 use touchpath::path::{Path, Surface};
-use touchpath::view::camera::{Camera, middle_of_name};
+use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
-use touchpath::view::scene::tops::Face;
-use touchpath::view::scene::{Projection, Scene, WallShape};
+use touchpath::view::scene::tops::{Face, together};
+use touchpath::view::scene::{Line, Projection, Scene, Stroke, WallShape};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
@@ -86,7 +86,7 @@ fn an_angle_is_as_wide_as_its_field_says() {
     assert!(drawn(&slope, Projection::Top).is_empty());
     assert!((drawn(&slope, Projection::Front)[0].1[1].to_degrees() - 30.0).abs() < 1e-9);
     let svg = job::svg(&corner, Projection::Top).expect("the job has a plan");
-    assert!(svg.contains(">Corner angle 90°</text>"), "{svg}");
+    assert!(svg.contains(&said("Corner angle", "90°")), "{svg}");
 }
 
 /// The ends of a width are where its touches are: the picture measures what the probe measures.
@@ -153,6 +153,76 @@ fn a_hole_is_not_a_boss() {
     assert!((area(&tops[0].corners) - circle).abs() < 0.005 * circle, "{}", area(&tops[0].corners));
 }
 
+/// Touches on the far side of a boss were drawn on top of it. What stands hides of them what it hides; those before it, and all in a hole, are seen.
+#[test]
+fn what_is_behind_the_part_is_drawn_before_it() {
+    let behind = |cycle: &str| {
+        let (scene, _) = built(&of(cycle), Projection::Isometric);
+        let behind: Vec<usize> =
+            (0..scene.touches.len()).filter(|k| scene.touches[*k].behind.is_some()).map(|k| k + 1).collect();
+        for (k, touch) in scene.touches.iter().enumerate() {
+            let of = |line: &&Line| Some(line.index) == touch.index;
+            assert!(scene.lines.iter().filter(of).all(|line| line.behind == touch.behind), "{cycle}: touch {}", k + 1);
+        }
+        // Each once, before the faces that hide it.
+        let faces = scene.faces(false);
+        let begins = faces.iter().filter(|face| matches!(face, Face::Behind(_))).count();
+        assert_eq!(begins, scene.tops.len(), "{cycle}");
+        let first = faces.iter().position(|face| matches!(face, Face::Behind(_)));
+        let hides = |face: &Face<'_>| matches!(face, Face::Wall(WallShape { top: Some(_), .. }) | Face::Top(_));
+        assert!(faces[..first.unwrap_or(0)].iter().all(|face| !hides(face)), "{cycle}");
+        behind
+    };
+    for (cycle, expected) in [
+        ("boss", &[2, 3][..]),
+        ("external-rectangle", &[2, 3]),
+        ("web", &[2]),
+        ("web-three-points", &[1]),
+        ("double-wall-external-corner", &[1, 2]),
+        ("triple-wall-external-corner", &[1]),
+        ("hole", &[]),
+        ("internal-rectangle", &[]),
+        ("double-wall-internal-corner", &[]),
+        ("surface", &[]),
+    ] {
+        assert_eq!(behind(cycle), expected, "{cycle}");
+    }
+    // From elsewhere nothing hides anything: walls are seen edge-on, and the material is cut.
+    assert!(built(&of("boss"), Projection::Front).0.touches.iter().all(|touch| touch.behind.is_none()));
+}
+
+/// The strips of a round wall are drawn in one, without seams between them.
+#[test]
+fn a_round_wall_is_drawn_in_few_strokes() {
+    for (cycle, most) in [("boss", 3), ("hole", 2), ("probing-two-circles", 4)] {
+        let (scene, _) = built(&of(cycle), Projection::Isometric);
+        let faces = scene.faces(false);
+        assert!(faces.len() > 60 && faces.chunk_by(together).count() <= most, "{cycle}: {}", faces.chunk_by(together).count());
+    }
+}
+
+/// A corner from outside was hatched along its walls only: what was left white between them looked like air.
+#[test]
+fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_on_its_floor() {
+    let filled = |cycle: &str, view, at: [f64; 2]| {
+        let (scene, _) = built(&of(cycle), view);
+        let camera = Camera { scale: 10.0, middle: [0.0; 2], size: [800.0, 600.0] };
+        let [filled, _] = outlines(&scene.material, &camera, 36.0);
+        turns(&filled, camera.pixel(at)) != 0
+    };
+    for cycle in ["double-wall-external-corner", "triple-wall-external-corner"] {
+        assert!(filled(cycle, Projection::Top, [15.0, 15.0]), "{cycle}");
+        assert!(!filled(cycle, Projection::Top, [-1.0, 15.0]) && !filled(cycle, Projection::Top, [15.0, -1.0]), "{cycle}");
+    }
+    assert!(filled("triple-wall-external-corner", Projection::Front, [15.0, -8.0]));
+    assert!(!filled("double-wall-internal-corner", Projection::Top, [15.0, 15.0]));
+    assert!(filled("surface", Projection::Top, [5.0, 5.0]), "what is looked at is material, too");
+    // The walls of a corner of three went on below its floor, which looked like a shelf.
+    let (scene, path) = built(&of("triple-wall-internal-corner"), Projection::Front);
+    let floor = path.frame.origin.z;
+    assert!(scene.walls.iter().flat_map(|wall| wall.corners).all(|[_, y]| y > floor - 1e-6), "{:?}", scene.walls);
+}
+
 /// The nominal walls in the order in which they are drawn.
 fn walls(scene: &Scene) -> Vec<&WallShape> {
     let wall = |face| if let Face::Wall(wall) = face { Some(wall) } else { None };
@@ -173,7 +243,8 @@ fn what_stands_between_two_walls_has_a_top_and_what_lies_around_has_none() {
         ("web-three-points", 1),
         ("internal-rectangle", 0),
         ("groove", 0),
-        ("double-wall-external-corner", 0),
+        ("double-wall-external-corner", 1),
+        ("triple-wall-external-corner", 1),
         ("double-wall-internal-corner", 0),
         ("surface", 0),
     ] {
@@ -211,9 +282,10 @@ fn the_top_of_what_stands_behind_is_drawn_before_what_stands_in_front() {
         let order: Vec<usize> = scene
             .faces(false)
             .into_iter()
-            .map(|face| match face {
-                Face::Wall(wall) => wall.top.expect("of a stud"),
-                Face::Top(top) => 10 + top.of,
+            .filter_map(|face| match face {
+                Face::Wall(wall) => Some(wall.top.expect("of a stud")),
+                Face::Top(top) => Some(10 + top.of),
+                Face::Behind(_) => None,
             })
             .collect();
         let at = |what: usize| order.iter().position(|x| *x == what).unwrap();
@@ -247,6 +319,11 @@ fn a_ball_on_its_way_is_on_its_line() {
     }
 }
 
+/// What a dimension says in an SVG: "Width 2 50" was read as 250, so its value stands apart and is bold.
+fn said(label: &str, value: &str) -> String {
+    format!("<tspan font-weight=\"400\" fill=\"#46535f\">{label} </tspan><tspan dx=\"3\">{value}</tspan></text>")
+}
+
 /// The numbers of an attribute of the circles of a colour, in order.
 fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
     let of = |element: &str| element.split(&format!(" {name}=\"")).nth(1)?.split('"').next()?.parse().ok();
@@ -258,8 +335,8 @@ fn attributes(svg: &str, colour: &str, name: &str) -> Vec<f64> {
 fn an_svg_is_to_scale_and_says_its_dimensions() {
     let job = of("internal-rectangle-protected");
     let svg = job::svg(&job, Projection::Top).expect("the job has a plan");
-    for label in ["Width 1 80", "Width 2 50"] {
-        assert!(svg.contains(&format!(">{label}</text>")), "{label}: {svg}");
+    for (label, value) in [("Width 1", "80"), ("Width 2", "50")] {
+        assert!(svg.contains(&said(label, value)), "{label}: {svg}");
     }
     let contacts = |name| attributes(&svg, "#cf2a20", name);
     let (x, y, radii) = (contacts("cx"), contacts("cy"), attributes(&svg, "#2563eb", "r"));
@@ -281,6 +358,8 @@ fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
         let svg = job::svg(&job, Projection::Front).unwrap_or_else(|error| panic!("{name}: {error}"));
         let opened = svg.matches("<svg").count()
             + svg.matches("<text").count()
+            + svg.matches("<g ").count()
+            + svg.matches("<tspan").count()
             + svg.matches("<title").count()
             + svg.matches("<pattern").count();
         assert_eq!(opened, svg.matches("</").count(), "{name}");
@@ -406,11 +485,11 @@ fn the_line_of_a_dimension_stood_outside_a_small_picture() {
         // As a small canvas is fitted.
         let mut camera = Camera::fit(size, scene.bounds(), 0.7 * touchpath::view::camera::DIMENSION_MARGIN);
         camera.clear_corners(&scene);
-        let drawn = camera.dimensions(&scene, None);
-        assert!(["cycle.step1", "cycle.step2"].iter().all(|field| drawn.iter().any(|(d, _)| d.field == *field)), "{size:?}");
-        for (dimension, [_, _, from, to]) in drawn {
-            let inside = |at: [f64; 2]| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
-            assert!(inside(from) && inside(to), "{} in {size:?}: {from:?} {to:?}", dimension.field);
+        let drawn = camera.layout(&scene, None).dimensions;
+        assert!(["cycle.step1", "cycle.step2"].iter().all(|field| drawn.iter().any(|p| p.drawn.field == *field)), "{size:?}");
+        for placed in drawn {
+            let inside = |at: &[f64; 2]| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
+            assert!(placed.line.iter().all(inside), "{} in {size:?}: {:?}", placed.drawn.field, placed.line);
         }
     }
 }
@@ -467,37 +546,162 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
     assert!(seen.iter().all(|seen| *seen > 60), "{seen:?}");
 }
 
-/// A dimension that comes with the focus is often shorter than its name: that stands beyond it then, and in the picture on the line's own direction.
+/// A scene as the page fits it into a canvas.
+fn fitted(scene: &Scene, size: [f64; 2]) -> Camera {
+    let margin = (0.2 * size[0].min(size[1])).clamp(0.7, 1.0) * touchpath::view::camera::DIMENSION_MARGIN;
+    let mut camera = Camera::fit(size, scene.bounds(), margin);
+    camera.clear_corners(scene);
+    camera
+}
+
+/// "Depth 10" lay on the ball that it measures, "Width 30" on the one that touches the top, "Elevation 90°" on its own arc.
 #[test]
-fn the_name_of_a_short_dimension_in_focus_does_not_cover_its_line() {
-    let (mut short, mut long) = (0, 0);
-    for (name, job) in metric() {
-        for view in [Projection::Top, Projection::Front] {
-            let (scene, _) = built(&job, view);
-            for field in scene.dimensions.iter().filter(|d| d.on_demand).map(|d| d.field) {
-                for scale in [2.0, 30.0] {
-                    let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
-                    let shown = camera.dimensions(&scene, Some(field));
-                    let (drawn, [_, _, from, to]) =
-                        *shown.iter().find(|(drawn, _)| drawn.field == field).expect("it is drawn in focus");
-                    let [x, y] = middle_of_name(drawn, [from, to]);
-                    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-                    let along = ((x - from[0]) * (to[0] - from[0]) + (y - from[1]) * (to[1] - from[1])) / length;
-                    let aside = ((x - from[0]) * (to[1] - from[1]) - (y - from[1]) * (to[0] - from[0])) / length;
-                    assert!(aside.abs() < 1e-6, "{name}: {field}");
-                    if length < 70.0 {
-                        // Half a name is 58 pixels wide.
-                        assert!(along > length + 58.0, "{name}: {field} at {along} of {length}");
-                        short += 1;
-                    } else {
-                        assert!((along - length / 2.0).abs() < 1e-6, "{name}: {field} at {along} of {length}");
-                        long += 1;
+fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
+    let mut seen = [0; 3];
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for (size, large) in [([758.0, 710.0], true), ([390.0, 206.0], false)] {
+                let camera = fitted(&scene, size);
+                let demanded = scene.dimensions.iter().filter(|d| d.on_demand).map(|d| Some(d.field));
+                for focus in demanded.chain([None]) {
+                    let said = || format!("{} {view:?} {size:?} {focus:?}", cycle.key);
+                    let layout = camera.layout(&scene, focus);
+                    let names: Vec<_> =
+                        layout.arcs.iter().filter_map(|arc| arc.name).chain(layout.dimensions.iter().map(|d| d.name)).collect();
+                    for (k, name) in names.iter().enumerate() {
+                        assert!(names[..k].iter().all(|other| !name.meets(other)), "{}: two names", said());
+                        let radius = scene.radius * camera.scale;
+                        let covered = scene.touches.iter().any(|touch| name.covers(camera.pixel(touch.ball), radius));
+                        // On a phone there is not always room, and what comes with the focus stands near what it measures.
+                        assert!(!covered || !large || focus.is_some(), "{}: name {k} of {} on a ball", said(), names.len());
+                        seen[0] += 1;
+                    }
+                    for placed in &layout.dimensions {
+                        let [start, end] = placed.line;
+                        let long = (end[0] - start[0]).hypot(end[1] - start[1]);
+                        let on = placed.name.crosses(placed.line, 0.0);
+                        assert!(!on || 2.0 * placed.name.half[0] + 16.0 < long, "{}: {}", said(), placed.drawn.field);
+                        seen[usize::from(on) + 1] += 1;
+                    }
+                    for arc in &layout.arcs {
+                        assert!(arc.name.is_none_or(|name| !name.covers(arc.at, arc.radius)), "{}: on its arc", said());
                     }
                 }
             }
         }
     }
-    assert!(short > 40 && long > 40, "{short} {long}");
+    assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// Every cycle from every side, as it is fitted into a large picture and into one on a phone.
+fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for size in [[758.0, 710.0], [390.0, 206.0]] {
+                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &fitted(&scene, size));
+            }
+        }
+    }
+}
+
+/// A number that met another one was pushed to the right, again and again: in front of two circles 5 to 8 stood in a row in the air.
+#[test]
+fn each_number_stands_beside_its_contact_and_none_on_another() {
+    let (mut seen, mut shared) = (0, 0);
+    seen_everywhere(|said, scene, camera| {
+        let numbers = camera.numbers(scene);
+        let mut touches: Vec<usize> = numbers.iter().flat_map(|number| number.touches.clone()).collect();
+        touches.sort_unstable();
+        assert!(touches.into_iter().eq(0..scene.touches.len()), "{said}: each touch once");
+        for (k, number) in numbers.iter().enumerate() {
+            let [dx, dy] = [0, 1].map(|i| number.plate.middle[i] - number.contact[i]);
+            let radius = number.radius();
+            let ball = if scene.touches[number.touches[0]].behind.is_some() { scene.radius * camera.scale } else { 0.0 };
+            assert!(dx.hypot(dy) < 4.0 * radius + 9.0 + ball, "{said}: {} is {dx} {dy} off", number.said);
+            assert!(
+                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
+                "{said}: a line leads to {}",
+                number.said
+            );
+            assert!(!number.plate.covers(number.contact, 3.0), "{said}: {} is on its contact", number.said);
+            let met = numbers[..k].iter().find(|other| other.plate.meets(&number.plate));
+            assert!(met.is_none(), "{said}: {} is on {}", number.said, met.map_or("", |other| &other.said));
+            let together: Vec<_> = number.touches.iter().map(|k| (k + 1).to_string()).collect();
+            assert_eq!(number.said, together.join("·"));
+            shared += usize::from(number.touches.len() > 1);
+            seen += 1;
+        }
+    });
+    assert!(seen > 200 && shared > 20, "{seen} {shared}");
+}
+
+/// On a phone three touches of four had no arrow head, and heads there and back lay on each other.
+#[test]
+fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
+    let mut seen = [0; 2];
+    seen_everywhere(|said, scene, camera| {
+        let long = |line: &Line| {
+            let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
+            (to[0] - from[0]).hypot(to[1] - from[1])
+        };
+        for line in &scene.lines {
+            let head = camera.head(line);
+            assert!(head.is_none() || !line.back, "{said}: on the way back");
+            if line.stroke == Stroke::Touch && long(line) > 1.0 {
+                let (tip, ..) = head.unwrap_or_else(|| panic!("{said}: touch without a head"));
+                assert!((0..2).all(|i| (tip[i] - camera.pixel(line.to)[i]).abs() < 1e-9), "{said}: at its contact");
+                seen[0] += 1;
+            }
+            let Some((tip, _, size)) = head.filter(|_| line.stroke != Stroke::Touch) else { continue };
+            for other in scene.lines.iter().filter(|other| other.from == line.to && other.to == line.from) {
+                if let Some((back, _, other)) = camera.head(other) {
+                    assert!((tip[0] - back[0]).hypot(tip[1] - back[1]) > size + other, "{said}: there and back");
+                    seen[1] += 1;
+                }
+            }
+        }
+    });
+    assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// The rapid of 1411 went through the origin's name, and discs lay on it.
+#[test]
+fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
+    let mut seen = 0;
+    seen_everywhere(|said, scene, camera| {
+        let layout = camera.layout(scene, None);
+        let name = layout.origin(camera.pixel(scene.origin), [25.0, 8.0]);
+        // On a phone everything may be crowded.
+        if camera.size[0] > 400.0 {
+            assert!(layout.crowd.cost(&name) < 200.0, "{said}");
+            seen += 1;
+            if said.starts_with("probing-two-circles Top") {
+                assert_eq!(layout.crowd.cost(&name), 0.0, "{said}");
+            }
+        }
+    });
+    assert!(seen > 40, "{seen}");
+}
+
+/// At 30° the names stood level, off their lines.
+#[test]
+fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
+    for turn in 0..36 {
+        let turned = with(&of("internal-rectangle-protected"), "cycle.rotation", crate::common::number(10.0 * f64::from(turn)));
+        let (scene, _) = built(&turned, Projection::Top);
+        let layout = fitted(&scene, [758.0, 710.0]).layout(&scene, None).dimensions;
+        assert_eq!(layout.len(), 2);
+        for placed in layout {
+            let ([[ax, ay], [bx, by]], [x, y], [ux, uy]) = (placed.line, placed.name.middle, placed.name.along);
+            let (dx, dy) = (bx - ax, by - ay);
+            assert!((dx * uy - dy * ux).abs() < 1e-6 * dx.hypot(dy), "{turn}: along the line");
+            assert!(((x - ax) * dy - (y - ay) * dx).abs() < 1e-6 * dx.hypot(dy), "{turn}: on it");
+            // Pixels grow downwards: upright text is read upwards.
+            assert!(ux > 1e-6 || (ux > -1e-6 && uy < 0.0), "{turn}: {ux} {uy}");
+        }
+    }
 }
 
 /// Seen from the side, a hole is hatched beside itself, not above its mouth or below its floor, and not within another one.

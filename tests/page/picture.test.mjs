@@ -520,3 +520,30 @@ test("what the browser sends last before the button is let go counts, in the sam
   near(/** @type {number[]} */ (await held("part.offset"))[0] ?? 0, 18 / scale, "X");
   await page.mouse.up();
 });
+
+test("the lit touch struck out its own number: the search past the contact is not lit, and the number lies above", async () => {
+  await open({});
+  await page.getByRole("button", { name: "Next touch" }).click();
+  await framed();
+  const { width1, width2 } = Object.fromEntries(
+    Object.entries(await lines()).map(([path, ends]) => [path.replace("cycle.", ""), ends]),
+  );
+  // Touch 1 is in the middle of the right wall; its number begins 7 pixels behind that and ends 25 behind it, and the search goes on for 5 mm.
+  const [left, right] = width1;
+  const y = (width2[0].y + width2[1].y) / 2;
+  const beyond = ((right.x - left.x) / 80) * 5;
+  assert.ok(beyond > 27, `${beyond}`);
+  const box = await boxOf(page.locator("tp-picture canvas.over"));
+  const [number, past] = await page.locator("tp-picture canvas.over").evaluate(
+    (node, spots) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (node);
+      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const ratio = canvas.width / canvas.clientWidth;
+      return spots.map(([x, y]) => [...context.getImageData(Number(x) * ratio, Number(y) * ratio, 1, 1).data]);
+    },
+    [9, 26.5].map((off) => [right.x + off - box.x, y - box.y]),
+  );
+  const [red, green, , solid] = /** @type {number[]} */ (number);
+  assert.ok(solid === 255 && Number(red) > 200 && Number(green) < 80, `${number}`);
+  assert.equal(past?.[3], 0, "nothing is lit past the contact");
+});

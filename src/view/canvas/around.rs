@@ -2,6 +2,7 @@
 
 use super::{ARM, AXIS_NAME, HANDLE, Painter, axes_corner, spread_handles};
 use crate::view::camera::{BAR_CORNER, Camera};
+use crate::view::layout::Layout;
 use crate::view::scene::{Scene, Spot};
 
 impl Painter {
@@ -42,7 +43,7 @@ impl Painter {
     }
 
     /// The work origin as a quartered disc with the name of its offset, or at the edge of the picture an arrow to it.
-    fn origin(&self, scene: &Scene, camera: &Camera, name: &str) {
+    fn origin(&self, scene: &Scene, camera: &Camera, name: &str, layout: &Layout<'_>) {
         let c = &self.context;
         let [width, height] = camera.size;
         let o = camera.pixel(scene.origin);
@@ -66,12 +67,21 @@ impl Painter {
             c.fill();
         }
         self.circle(o, 6.0, &self.theme.text, 1.5);
-        self.label(name, [o[0] + 10.0, o[1] + 16.0]);
         c.set_text_align("center");
+        if name.is_empty() {
+            return;
+        }
+        // On its own ground.
+        let half = [c.measure_text(name).map_or(20.0, |m| m.width() / 2.0) + 3.0, 8.0];
+        let [x, y] = layout.origin(o, half).middle;
+        c.set_fill_style_str(&self.theme.background);
+        c.fill_rect(x - half[0], y - half[1], 2.0 * half[0], 2.0 * half[1]);
+        c.set_fill_style_str(&self.theme.text);
+        let _ = c.fill_text(name, x, y);
     }
 
     /// The work axes as arrows in the corner, and the work origin.
-    pub(super) fn axes(&self, scene: &Scene, camera: &Camera, name: &str) {
+    pub(super) fn axes(&self, scene: &Scene, camera: &Camera, name: &str, layout: &Layout<'_>) {
         // `G54 X0 Y0`: of the axes that are seen.
         let mut place = name.to_owned();
         for (axis, direction) in scene.axes {
@@ -83,7 +93,7 @@ impl Painter {
                 place.push('0');
             }
         }
-        self.origin(scene, camera, &place);
+        self.origin(scene, camera, &place, layout);
         let corner = axes_corner(camera);
         for (name, direction) in scene.axes {
             if direction[0].hypot(direction[1]) < 0.1 {

@@ -6,14 +6,19 @@ mod strokes;
 mod theme;
 
 use std::cell::Cell;
+use std::f64::consts::{FRAC_PI_2, PI};
 
+use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
+use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
-use crate::view::scene::tops::{Face, Top};
+use crate::view::numbers::Number;
+use crate::view::plate::Plate;
+use crate::view::scene::tops::{Face, Top, together};
 use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
 
 /// What is pointed at and said beside the scene itself.
@@ -37,6 +42,11 @@ pub struct Marks<'a> {
     pub comma: bool,
 }
 
+/// The fonts of a picture: of what dimensions are called, of numbers in a small picture, and of everything else.
+const LABEL: &str = "12px system-ui, sans-serif";
+const SMALL: &str = "600 10px system-ui, sans-serif";
+const BOLD: &str = "600 12px system-ui, sans-serif";
+
 /// Pixels between the strokes of a hatching.
 const HATCH: f64 = 9.0;
 
@@ -44,9 +54,8 @@ const HATCH: f64 = 9.0;
 const BAND: f64 = 36.0;
 const SMALL_BAND: f64 = 8.0;
 
-/// Pixels of a touch's disc, and how far behind its contact that stands.
-const DISC: f64 = 9.0;
-const BEHIND: f64 = 16.0;
+/// How far behind a contact the disc of its number reaches, pixels.
+const NUMBER: f64 = 25.0;
 
 /// Half the size in pixels of the dot of a touch that is looked at along its way.
 const DOT: f64 = 3.5;
@@ -90,7 +99,7 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
         let far = radius * camera.scale + out;
         [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
     };
-    let first = BEHIND + DISC + HANDLE + 3.0;
+    let first = NUMBER + HANDLE + 3.0;
     Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
 
@@ -102,6 +111,11 @@ pub fn is_long(scene: &Scene) -> bool {
 /// Whether a run comes to a line: not behind a collision.
 fn reached(scene: &Scene, line: &Line) -> bool {
     scene.collision.is_none_or(|(index, _)| line.index <= index)
+}
+
+/// Whether a line is lit with its move: the search past a contact is no way that the ball goes.
+fn lit(line: &Line) -> bool {
+    line.stroke != Stroke::Overtravel
 }
 
 /// A canvas and what is drawn on it.
@@ -163,11 +177,24 @@ impl Painter {
 
     /// Draws a move of a picture, lit, on the canvas over it.
     pub fn draw_lit(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
-        self.context.set_line_cap("round");
+        let c = &self.context;
+        c.set_line_cap("round");
+        c.set_text_align("center");
+        c.set_text_baseline("middle");
         for line in scene.lines.iter().filter(|line| line.index == index) {
-            self.line(line, camera, true, reached(scene, line));
+            self.line(line, camera, lit(line), reached(scene, line));
         }
         self.ball(scene, camera, index, part);
+        // The number of a touch that is lit is not beneath it.
+        if !self.small
+            && let Some(touch) = scene.touches.iter().position(|touch| touch.index == Some(index))
+        {
+            camera
+                .numbers(scene)
+                .iter()
+                .filter(|number| number.touches.contains(&touch))
+                .for_each(|number| self.number(number));
+        }
     }
 
     /// The ball on its way.
@@ -184,21 +211,22 @@ impl Painter {
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
-        self.begin(camera, "600 12px system-ui, sans-serif");
+        self.begin(camera, BOLD);
         c.set_line_cap("round");
         c.set_line_join("round");
         self.material(scene, camera);
         let solid = scene.material.is_empty();
-        for face in scene.faces(deviates) {
-            match face {
-                Face::Wall(wall) => self.wall(wall, camera, solid),
+        for faces in scene.faces(deviates).chunk_by(together) {
+            match faces[0] {
+                Face::Wall(wall) => self.wall(wall, faces, camera, solid),
                 Face::Top(top) => self.top(top, camera),
+                Face::Behind(of) => self.path(scene, camera, marks, Some(of)),
             }
         }
         // Beneath the moves, the touches and the dimensions.
-        let name = |own: &str| marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
-        for arc in camera.angles(scene, marks.field).filter(|_| !self.small) {
-            self.angle(&arc, name(arc.angle.field), marks.field == Some(arc.angle.field));
+        let layout = if self.small { None } else { Some(camera.layout(scene, marks.field)) };
+        for arc in layout.iter().flat_map(|layout| &layout.arcs) {
+            self.angle(arc, marks.field == Some(arc.angle.field));
         }
         if is_long(scene) {
             self.long(scene, camera);
@@ -206,17 +234,8 @@ impl Painter {
                 self.line(line, camera, true, true);
             }
         } else {
-            // Touches lie on their ways back: drawn last, they are seen.
-            for touches in [false, true] {
-                for line in scene.lines.iter().filter(|l| (l.stroke == Stroke::Touch) == touches) {
-                    self.line(line, camera, highlight == Some(line.index), reached(scene, line));
-                }
-            }
-            if !self.small {
-                self.arrows(scene, camera);
-            }
+            self.path(scene, camera, marks, None);
         }
-        self.touches(scene, camera, deviates);
         for spot in marks.measured {
             self.square(camera.pixel(*spot));
         }
@@ -232,24 +251,41 @@ impl Painter {
                 self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
             }
         }
-        if self.small {
-            return;
-        }
+        let Some(layout) = layout else { return };
         if !self.still {
             let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
             self.handles(scene, camera, held);
         }
-        self.axes(scene, camera, marks.origin);
-        self.numbers(scene, camera);
+        self.axes(scene, camera, marks.origin, &layout);
+        // Over everything that may lie at their contacts.
+        layout.numbers.iter().for_each(|number| self.number(number));
+        self.font(BOLD);
         // The touches of a job have their balls.
         if scene.touches.is_empty() {
             self.dots(scene, camera);
         }
-        for (drawn, line) in camera.dimensions(scene, marks.field) {
-            self.dimension(drawn, line, name(drawn.field), marks.field == Some(drawn.field));
-        }
         if let Some(unit) = scene.unit {
             self.scale_bar(camera, unit, marks.comma);
+        }
+        self.sizes(&layout, marks);
+    }
+
+    /// The dimensions, and above them what they and the angles say.
+    fn sizes(&self, layout: &Layout<'_>, marks: &Marks<'_>) {
+        let mut names = Vec::new();
+        let mut name = |own: &str, plate: Plate| {
+            let said = marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
+            names.push(Name { said, plate, lit: marks.field == Some(own) });
+        };
+        for arc in &layout.arcs {
+            arc.name.into_iter().for_each(|plate| name(arc.angle.field, plate));
+        }
+        for placed in &layout.dimensions {
+            self.dimension(placed, marks.field == Some(placed.drawn.field));
+            name(placed.drawn.field, placed.name);
+        }
+        if !names.is_empty() {
+            self.names(&names);
         }
     }
 
@@ -325,18 +361,35 @@ impl Painter {
         c.close_path();
     }
 
-    /// A wall, its faces `solid`: else they let a section's hatching through, and are no darker than it.
-    fn wall(&self, wall: &WallShape, camera: &Camera, solid: bool) {
+    /// A wall, or the strips of a round one, its faces `solid`: else they let a section's hatching through, and are no darker than it. What is drawn in
+    /// one has no seams.
+    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], camera: &Camera, solid: bool) {
         let c = &self.context;
         let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
-        if let Some(ends) = wall.edge {
+        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
+        c.begin_path();
+        let mut before = [f64::NAN; 2];
+        for ends in all().filter_map(|wall| wall.edge) {
             let [from, to] = ends.map(|spot| camera.pixel(spot));
-            let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
-            self.segment(from, to, colour, width, dash);
+            // From strip to strip it goes on, and so do its dashes.
+            let goes_on = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
+            if !goes_on {
+                c.move_to(from[0], from[1]);
+            }
+            c.line_to(to[0], to[1]);
+            before = to;
+        }
+        let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
+        c.set_stroke_style_str(colour);
+        c.set_line_width(width);
+        self.dash(dash);
+        c.stroke();
+        let all = || all().filter(|wall| wall.edge.is_none());
+        if all().next().is_none() {
             return;
         }
         c.begin_path();
-        self.outline(&wall.corners.map(|corner| camera.pixel(corner)));
+        all().for_each(|wall| self.outline(&wall.corners.map(|corner| camera.pixel(corner))));
         // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
         if wall.faces && !wall.actual && solid {
             c.set_fill_style_str(&self.theme.background);
@@ -352,7 +405,7 @@ impl Painter {
         self.dash(&[]);
         if wall.strip {
             c.begin_path();
-            for pair in wall.corners.chunks(2) {
+            for pair in all().flat_map(|wall| wall.corners.chunks(2)) {
                 let [from, to] = [0, 1].map(|i| camera.pixel(pair[i]));
                 c.move_to(from[0], from[1]);
                 c.line_to(to[0], to[1]);
@@ -398,9 +451,28 @@ impl Painter {
         self.context.set_global_alpha(1.0);
     }
 
-    fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool) {
+    /// The moves and the touches behind something, or those behind nothing.
+    fn path(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
+        let lines = || scene.lines.iter().filter(move |line| line.behind == behind);
+        // Touches lie on their ways back: drawn last, they are seen.
+        for touches in [false, true] {
+            for line in lines().filter(|line| (line.stroke == Stroke::Touch) == touches) {
+                self.line(line, camera, marks.highlight == Some(line.index) && lit(line), reached(scene, line));
+            }
+        }
+        if !self.small {
+            lines().filter(|line| reached(scene, line)).for_each(|line| self.arrow(line, camera));
+        }
         let radius = scene.radius * camera.scale;
-        for touch in &scene.touches {
+        let deviates = marks.deviates;
+        // What is hidden is seen faintly through what hides it.
+        for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
+            self.context.set_global_alpha(0.35);
+            self.circle(camera.pixel(touch.ball), radius, &self.theme.ball, 1.0);
+            self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
+            self.context.set_global_alpha(1.0);
+        }
+        for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {
             let ball = camera.pixel(touch.ball);
             self.context.set_global_alpha(0.1);
             self.disc(ball, radius, &self.theme.ball);
@@ -416,24 +488,23 @@ impl Painter {
         }
     }
 
-    /// The numbers of the touches, over everything that may lie at their contacts.
-    fn numbers(&self, scene: &Scene, camera: &Camera) {
-        let c = &self.context;
-        let mut written: Vec<Spot> = Vec::new();
-        for (k, touch) in scene.touches.iter().enumerate() {
-            // Behind the surface, where the path is not: beside it where that is looked at from before. Numbers on the same spot stand side by side.
-            let contact = camera.pixel(touch.contact);
-            let [x, y] = touch.inward;
-            let [x, y] = if x.hypot(y) < 0.1 { [-0.7, -0.7] } else { [x, y] };
-            let mut place = [contact[0] - x * BEHIND, contact[1] + y * BEHIND];
-            while written.iter().any(|w| (w[0] - place[0]).hypot(w[1] - place[1]) < 2.0 * DISC) {
-                place[0] += 2.0 * DISC + 1.0;
-            }
-            written.push(place);
-            self.disc(place, DISC, &self.theme.touch);
-            c.set_fill_style_str(&self.theme.background);
-            let _ = c.fill_text(&(k + 1).to_string(), place[0], place[1]);
+    /// The number of a touch, or of several.
+    fn number(&self, number: &Number) {
+        let [x, y] = number.plate.middle;
+        if number.led {
+            self.segment(number.contact, [x, y], &self.theme.touch, 1.0, &[]);
         }
+        self.font(if number.radius() < 8.0 { SMALL } else { BOLD });
+        let [wide, high] = number.plate.half;
+        let c = &self.context;
+        c.begin_path();
+        for (side, start) in [(wide - high, -FRAC_PI_2), (high - wide, FRAC_PI_2)] {
+            let _ = c.arc(x + side, y, high, start, start + PI);
+        }
+        c.set_fill_style_str(&self.theme.touch);
+        c.fill();
+        c.set_fill_style_str(&self.theme.background);
+        let _ = c.fill_text(&number.said, x, y);
     }
 
     /// A measured ball centre: a square on its tip, which nothing else is.
@@ -460,24 +531,15 @@ impl Painter {
         }
     }
 
-    /// An arrow head on every move that is long enough for one: of a touch at its contact, of the others on their way.
-    fn arrows(&self, scene: &Scene, camera: &Camera) {
-        for line in scene.lines.iter().filter(|line| reached(scene, line)).filter(|l| l.stroke != Stroke::Overtravel) {
-            let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
-            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-            let far = dx.hypot(dy);
-            let touch = line.stroke == Stroke::Touch;
-            if far < if touch { 10.0 } else { 36.0 } {
-                continue;
-            }
-            let (ux, uy) = (dx / far, dy / far);
-            let at = if touch { to } else { [from[0] + dx * 0.62, from[1] + dy * 0.62] };
-            let colour = match line.stroke {
-                Stroke::Position => &self.theme.position,
-                Stroke::Link => &self.theme.link,
-                Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
-            };
-            self.head(at, [ux, uy], 9.0, colour);
+    /// The arrow head of a move.
+    fn arrow(&self, line: &Line, camera: &Camera) {
+        let colour = match line.stroke {
+            Stroke::Position => &self.theme.position,
+            Stroke::Link => &self.theme.link,
+            Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
+        };
+        if let Some((tip, way, size)) = camera.head(line) {
+            self.head(tip, way, size, colour);
         }
     }
 }

@@ -1,8 +1,21 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
-use super::Painter;
-use crate::view::camera::{Arc, is_upright, middle_of_name};
-use crate::view::scene::{Drawn, Spot};
+use super::{BOLD, LABEL, Painter};
+use crate::view::halves;
+use crate::view::layout::{Arc, Placed};
+use crate::view::plate::Plate;
+use crate::view::scene::Spot;
+
+/// Pixels between what a dimension is called and its value.
+const NAME_GAP: f64 = 7.0;
+
+/// What a dimension or an angle says, and where.
+#[derive(Clone, Copy)]
+pub(super) struct Name<'a> {
+    pub said: &'a str,
+    pub plate: Plate,
+    pub lit: bool,
+}
 
 impl Painter {
     /// A filled arrow head with its tip at a place.
@@ -19,28 +32,22 @@ impl Painter {
         c.fill();
     }
 
-    /// A dimension: extension lines, its line with arrow heads, and its name and value on it.
-    pub(super) fn dimension(&self, drawn: &Drawn, [from, to, start, end]: [Spot; 4], name: &str, lit: bool) {
+    /// A dimension: extension lines, and its line with arrow heads.
+    pub(super) fn dimension(&self, placed: &Placed<'_>, lit: bool) {
         let colour = &self.theme.ball;
-        let (dx, dy) = (end[0] - start[0], end[1] - start[1]);
-        let far = dx.hypot(dy).max(1e-9);
-        let (ux, uy) = (dx / far, dy / far);
-        let (ox, oy) = (start[0] - from[0], start[1] - from[1]);
-        let off = ox.hypot(oy).max(1e-9);
-        for (near, line) in [(from, start), (to, end)] {
-            let past = [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0];
-            self.segment(near, past, colour, 0.75, &[]);
+        for (near, line) in placed.ends.into_iter().zip(placed.line) {
+            let (ox, oy) = (line[0] - near[0], line[1] - near[1]);
+            let off = ox.hypot(oy).max(1e-9);
+            self.segment(near, [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0], colour, 0.75, &[]);
         }
-        self.segment(start, end, colour, if lit { 2.0 } else { 1.0 }, &[]);
-        if far > 22.0 {
-            self.head(start, [-ux, -uy], 8.0, colour);
-            self.head(end, [ux, uy], 8.0, colour);
+        self.segment(placed.reach[0], placed.reach[1], colour, if lit { 2.0 } else { 1.0 }, &[]);
+        for (tip, way) in placed.heads() {
+            self.head(tip, way, 8.0, colour);
         }
-        self.name(middle_of_name(drawn, [start, end]), is_upright([start, end]), name, lit);
     }
 
-    /// An angle: its sides, its arc with arrow heads, and its name and value behind it.
-    pub(super) fn angle(&self, arc: &Arc<'_>, name: &str, lit: bool) {
+    /// An angle: its sides, and its arc with arrow heads.
+    pub(super) fn angle(&self, arc: &Arc<'_>, lit: bool) {
         let c = &self.context;
         let colour = &self.theme.ball;
         let [first, turn] = arc.angle.turns;
@@ -54,30 +61,44 @@ impl Painter {
         for (tip, direction) in arc.heads.into_iter().flatten() {
             self.head(tip, direction, 8.0, colour);
         }
-        if let Some(middle) = arc.name {
-            self.name(middle, false, name, lit);
-        }
     }
 
-    /// What a dimension or an angle says, in its box.
-    pub(super) fn name(&self, middle: Spot, upright: bool, name: &str, lit: bool) {
+    /// What dimensions and angles say, each in its box. All values, then all labels: the font is set three times, however many there are.
+    pub(super) fn names(&self, names: &[Name<'_>]) {
         let c = &self.context;
         let colour = &self.theme.ball;
-        let width = c.measure_text(name).map_or(60.0, |m| m.width()) + 12.0;
-        c.save();
-        let _ = c.translate(middle[0], middle[1]);
-        if upright {
-            let _ = c.rotate(-std::f64::consts::FRAC_PI_2);
+        let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
+        let placed = |name: &Name<'_>, draw: &dyn Fn()| {
+            c.save();
+            let Plate { middle: [x, y], along: [ux, uy], .. } = name.plate;
+            let _ = c.transform(ux, uy, -uy, ux, x, y);
+            draw();
+            c.restore();
+        };
+        self.font(LABEL);
+        let labels: Vec<f64> = names.iter().map(|name| wide(halves(name.said).0) + NAME_GAP).collect();
+        self.font(BOLD);
+        let values: Vec<f64> = names.iter().map(|name| wide(halves(name.said).1)).collect();
+        for ((name, label), value) in names.iter().zip(&labels).zip(&values) {
+            placed(name, &|| {
+                let width = label + value + 12.0;
+                c.set_fill_style_str(if name.lit { colour } else { &self.theme.background });
+                c.fill_rect(-width / 2.0, -10.0, width, 20.0);
+                c.set_stroke_style_str(colour);
+                c.set_line_width(1.0);
+                self.dash(&[]);
+                c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
+                c.set_fill_style_str(if name.lit { &self.theme.background } else { &self.theme.text });
+                let _ = c.fill_text(halves(name.said).1, label / 2.0, 0.0);
+            });
         }
-        c.set_fill_style_str(if lit { colour } else { &self.theme.background });
-        c.fill_rect(-width / 2.0, -10.0, width, 20.0);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(1.0);
-        self.dash(&[]);
-        c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
-        c.set_fill_style_str(if lit { &self.theme.background } else { &self.theme.text });
-        let _ = c.fill_text(name, 0.0, 0.0);
-        c.restore();
+        self.font(LABEL);
+        for (name, value) in names.iter().zip(&values) {
+            placed(name, &|| {
+                c.set_fill_style_str(if name.lit { &self.theme.background } else { &self.theme.wall });
+                let _ = c.fill_text(halves(name.said).0, -(value + NAME_GAP) / 2.0, 0.0);
+            });
+        }
     }
 
     pub(super) fn label(&self, text: &str, at: Spot) {

@@ -8,7 +8,8 @@ use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 use crate::view::material::{Material, material};
-use crate::view::scene::tops::{Top, topped, tops};
+use crate::view::plate::width;
+use crate::view::scene::tops::{Backs, Top, breaks, topped, tops};
 
 /// A point on the picture plane, mm, y upwards.
 pub type Spot = [f64; 2];
@@ -88,6 +89,10 @@ pub struct Line {
     pub stroke: Stroke,
     /// Whether it is a rapid.
     pub rapid: bool,
+    /// Whether it is the way back from a touch.
+    pub back: bool,
+    /// What stands before it: that with this top side.
+    pub behind: Option<usize>,
     /// The move it shows.
     pub index: usize,
 }
@@ -120,6 +125,10 @@ pub struct TouchShape {
     pub trigger: Option<Spot>,
     /// Where its number stands: a direction away from the material.
     pub inward: Spot,
+    /// The move that makes it.
+    pub index: Option<usize>,
+    /// What stands before its ball: that with this top side.
+    pub behind: Option<usize>,
 }
 
 /// A dimension in the picture plane.
@@ -129,12 +138,16 @@ pub struct Drawn {
     pub field: &'static str,
     /// Its ends on the part.
     pub ends: [Spot; 2],
-    /// The side on which its line stands, and how far the part extends there, mm.
-    pub aside: (Spot, f64),
+    /// The side on which its line stands.
+    pub aside: Spot,
+    /// Whether the other side is as good.
+    pub either: bool,
     /// Its length, mm.
     pub length: f64,
     /// Whether it is drawn only while its field has the focus.
     pub on_demand: bool,
+    /// About how wide what it says is, pixels.
+    pub wide: f64,
 }
 
 /// An angle in the picture plane, in its true size.
@@ -148,6 +161,8 @@ pub struct DrawnAngle {
     pub turns: [f64; 2],
     /// How far from its vertex the nearest touch is, mm.
     pub room: f64,
+    /// About how wide what it says is, pixels.
+    pub wide: f64,
 }
 
 /// Everything that is drawn.
@@ -216,15 +231,18 @@ pub fn stretched(nominal: Spot, real: Spot, times: f64) -> Spot {
 pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.spot(setup.plane, p);
     let towards = view.towards(setup.plane);
-    let far = |wall: &Wall| wall.point.dot(towards);
     let one = |wall: &Wall, actual: bool, strip: bool| {
         let shape = wall_shape(wall, path.frame.w, &spot, actual);
-        (far(wall), WallShape { strip, faces: wall.normal.dot(towards) > 0.0, ..shape })
+        (wall.point.dot(towards), WallShape { strip, faces: wall.normal.dot(towards) > 0.0, ..shape })
     };
     let shape = |surface: &Surface, actual: bool| match surface {
         Surface::Flat(wall) => vec![one(wall, actual, false)],
         Surface::Unknown => Vec::new(),
-        Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().map(|w| one(w, actual, true)).collect(),
+        // The strips of one stand together, to be drawn in one.
+        Surface::Round(round) => {
+            let far = round.center.dot(towards);
+            strips(round, path.frame.w, path.frame.u).iter().map(|wall| (far, one(wall, actual, true).1)).collect()
+        }
     };
     let stretch = |nominal: Spot, real: Spot| stretched(nominal, real, actual.magnify);
     // A surface of the actual part is that of the nominal one elsewhere: corner for corner.
@@ -245,7 +263,11 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         let top = if view == Projection::Isometric { topped(&path.surfaces, k, path.frame.w) } else { None };
         // The far side of what has a top is behind it.
         let seen = move |(_, shape): &(f64, WallShape)| top.is_none() || shape.faces;
-        shape(&path.surfaces[k], false).into_iter().filter(seen).map(move |(far, shape)| (far, WallShape { top, ..shape }))
+        let mut walls = shape(&path.surfaces[k], false);
+        if top == Some(k) {
+            walls.extend(breaks(&path.surfaces, k, path.frame.w, path.frame.u).iter().map(|wall| one(wall, false, false)));
+        }
+        walls.into_iter().filter(seen).map(move |(far, shape)| (far, WallShape { top, ..shape }))
     });
     let all = real.chain(nominal);
     let mut walls: Vec<(f64, WallShape)> = Vec::new();
@@ -258,6 +280,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     }
     let walls = walls.into_iter().map(|(_, shape)| shape);
     let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u, spot) } else { Vec::new() };
+    let backs = if view == Projection::Isometric { Backs::of(path, towards) } else { Backs::default() };
     let mut lines = Vec::new();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
@@ -271,12 +294,24 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         };
         let mut start = from;
         for end in step.pieces(from, path.frame.w, 3.0) {
-            lines.push(Line { from: spot(start), to: spot(end), stroke, rapid: feeds.is_rapid(step.feed), index });
+            let back = matches!(step.purpose, Purpose::Back(_));
+            let behind = backs.before([start, end]);
+            lines.push(Line {
+                from: spot(start),
+                to: spot(end),
+                stroke,
+                rapid: feeds.is_rapid(step.feed),
+                back,
+                behind,
+                index,
+            });
             start = end;
         }
         if let Purpose::Touch(k) = step.purpose {
             let end = step.to - path.touches[k].vector * path.touches[k].search;
-            lines.push(Line { from: spot(step.to), to: spot(end), stroke: Stroke::Overtravel, rapid: false, index });
+            let behind = backs.before([step.to; 2]);
+            let (from, to, stroke) = (spot(step.to), spot(end), Stroke::Overtravel);
+            lines.push(Line { from, to, stroke, rapid: false, back: false, behind, index });
         }
         at = Some(step.to);
     }
@@ -285,6 +320,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         ball: spot(touch.contact(setup.radius)),
         trigger: actual.run.triggers[k].map(|p| stretch(spot(touch.contact(setup.radius)), spot(p))),
         inward: spot(touch.vector),
+        index: path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
+        behind: backs.before([touch.contact(setup.radius); 2]),
     });
     let circles = path.feature.two_circles();
     let basis = setup.plane.basis();
@@ -294,7 +331,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     let material = material(
         seen,
         spot,
-        |wall| wall_shape(wall, path.frame.w, &spot, false).edge,
+        |wall| wall_shape(wall, path.frame.w, &spot, false),
         |round| strips(round, path.frame.w, path.frame.u),
         view == Projection::Top,
     );
@@ -340,8 +377,9 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         let side = view.spot(plane, d.aside);
         let size = side[0].hypot(side[1]);
         let square = [-along[1] / length, along[0] / length];
-        let aside = if size > 0.5 { ([side[0] / size, side[1] / size], d.beyond) } else { (square, 0.0) };
-        Some(Drawn { field: d.field, ends, aside, length, on_demand: d.on_demand })
+        let either = size <= 0.5;
+        let aside = if either { square } else { [side[0] / size, side[1] / size] };
+        Some(Drawn { field: d.field, ends, aside, either, length, on_demand: d.on_demand, wide: 0.0 })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
 }
@@ -359,6 +397,7 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
             at: view.spot(plane, angle.at),
             turns: [first[1].atan2(first[0]), turn],
             room: angle.room,
+            wide: 0.0,
         })
     };
     angles(path).into_iter().filter_map(seen).collect()
@@ -366,7 +405,7 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
 
 /// A round wall as flat strips.
 fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
-    const COUNT: usize = 60;
+    const COUNT: usize = 120;
     let v = up.cross(u);
     let half = round.radius * (std::f64::consts::PI / COUNT as f64).tan();
     (0..COUNT)
@@ -405,6 +444,13 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
 }
 
 impl Scene {
+    /// Makes room for what is said of its dimensions and angles, by their fields' paths.
+    pub fn name(&mut self, names: &[(&'static str, String)]) {
+        let wide = |own: &str| names.iter().find(|(field, _)| *field == own).map_or(0.0, |(_, name)| width(name));
+        self.dimensions.iter_mut().for_each(|drawn| drawn.wide = wide(drawn.field));
+        self.angles.iter_mut().for_each(|angle| angle.wide = wide(angle.field));
+    }
+
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
     pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
         let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();

@@ -48,7 +48,15 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             let pieces = helix(from, end, arc, most);
             beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
             for piece in pieces {
-                lines.push(Line { from: spot(start), to: spot(piece), stroke, rapid: *kind == 0, index });
+                lines.push(Line {
+                    from: spot(start),
+                    to: spot(piece),
+                    stroke,
+                    rapid: *kind == 0,
+                    back: false,
+                    behind: None,
+                    index,
+                });
                 start = piece;
             }
         }

@@ -1,7 +1,7 @@
 //! Top sides: isometric, what stands is seen whole, with its top and without its far walls.
 
 use crate::geom::Vec3;
-use crate::path::{Surface, Wall};
+use crate::path::{Path, Surface, Wall};
 use crate::view::scene::{Scene, Spot, WallShape, strips};
 
 /// A top side, isometric.
@@ -16,53 +16,101 @@ pub struct Top {
 /// A wall or a top side.
 #[derive(Clone, Copy, Debug)]
 pub enum Face<'a> {
+    /// Here belong the lines and the touches behind what has this top side: it hides of them what it hides.
+    Behind(usize),
     /// A wall.
     Wall(&'a WallShape),
     /// A top side.
     Top(&'a Top),
 }
 
-/// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two which face
-/// away from each other, and a top side between them.
+/// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two or more, and
+/// a top side between them.
 pub(super) fn topped(surfaces: &[Surface], k: usize, up: Vec3) -> Option<usize> {
-    let wall = match &surfaces[k] {
-        Surface::Round(round) => return (!round.hole).then_some(k),
-        Surface::Flat(wall) => wall,
-        Surface::Unknown => return None,
-    };
-    let upright = |wall: &Wall| wall.normal.dot(up).abs() < 1e-6;
-    let walls = || {
-        surfaces.iter().enumerate().filter_map(|(k, surface)| match surface {
-            Surface::Flat(other) if other.body == wall.body && upright(other) => Some((k, other)),
-            _ => None,
-        })
-    };
-    let whole = walls().all(|(_, wall)| wall.has_top)
-        && walls().any(|(_, one)| walls().any(|(_, other)| one.normal.dot(other.normal) < -0.999));
-    if whole && upright(wall) { walls().map(|(k, _)| k).next() } else { None }
+    match &surfaces[k] {
+        Surface::Round(round) => (!round.hole).then_some(k),
+        Surface::Flat(wall) => {
+            let mut walls = upright(surfaces, wall.body, up).map(|(k, _)| k);
+            walls.next().filter(|_| walls.next().is_some() && is_upright(wall, up))
+        }
+        Surface::Unknown => None,
+    }
+}
+
+fn is_upright(wall: &Wall, up: Vec3) -> bool {
+    wall.normal.dot(up).abs() < 1e-6
+}
+
+/// The upright walls of a body.
+fn upright(surfaces: &[Surface], body: usize, up: Vec3) -> impl Iterator<Item = (usize, &Wall)> {
+    surfaces.iter().enumerate().filter_map(move |(k, surface)| match surface {
+        Surface::Flat(wall) if wall.body == body && is_upright(wall, up) => Some((k, wall)),
+        _ => None,
+    })
+}
+
+/// The corners of the top side between the walls of a body, in order: of two walls that meet, the parallelogram that they span.
+fn top_of(surfaces: &[Surface], body: usize, up: Vec3, u: Vec3) -> Vec<Vec3> {
+    let mut corners: Vec<Vec3> = Vec::new();
+    for (_, wall) in upright(surfaces, body, up) {
+        // One without a top goes on as far above its point as below.
+        let raised = if wall.has_top { Vec3::ZERO } else { up * wall.drawn_depth };
+        for at in [wall.extent.0, wall.extent.1] {
+            let end = wall.point + wall.along * at + raised;
+            match corners.iter().position(|other| other.distance(end) < 1e-6) {
+                None => corners.push(end),
+                // Where two walls alone meet, the fourth corner is across.
+                Some(meet) => corners.rotate_left(meet),
+            }
+        }
+    }
+    if let [meet, one, other] = corners[..] {
+        corners.push(one + other - meet);
+    }
+    in_order(corners, up.cross(u), u)
 }
 
 /// The top sides of what is seen whole. `spot` is where a place is seen.
 pub(super) fn tops(surfaces: &[Surface], up: Vec3, u: Vec3, spot: impl Fn(Vec3) -> Spot) -> Vec<Top> {
-    let ends = |wall: &Wall| [wall.extent.0, wall.extent.1].map(|at| wall.point + wall.along * at);
     let whole = |of: usize| {
         let around: Vec<Vec3> = match &surfaces[of] {
-            Surface::Round(round) => strips(round, up, u).iter().map(|strip| ends(strip)[0]).collect(),
-            _ => {
-                let walls = surfaces.iter().enumerate().filter(|(k, _)| topped(surfaces, *k, up) == Some(of));
-                let corners =
-                    walls.filter_map(|(_, surface)| if let Surface::Flat(wall) = surface { Some(ends(wall)) } else { None });
-                in_order(corners.flatten(), up.cross(u), u)
+            Surface::Round(round) => {
+                strips(round, up, u).iter().map(|strip| strip.point + strip.along * strip.extent.0).collect()
             }
+            Surface::Flat(wall) => top_of(surfaces, wall.body, up, u),
+            Surface::Unknown => Vec::new(),
         };
         Top { of, corners: around.into_iter().map(&spot).collect() }
     };
     (0..surfaces.len()).filter(|k| topped(surfaces, *k, up) == Some(*k)).map(whole).collect()
 }
 
+/// Where a body is broken off: from the end of one of its walls to the end of another, as walls of it.
+pub(super) fn breaks(surfaces: &[Surface], of: usize, up: Vec3, u: Vec3) -> Vec<Wall> {
+    let Surface::Flat(first) = &surfaces[of] else { return Vec::new() };
+    let corners = top_of(surfaces, first.body, up, u);
+    let depth = if first.has_top { first.drawn_depth } else { 2.0 * first.drawn_depth };
+    let side = |k: usize| {
+        let (from, way) = (corners[k], corners[(k + 1) % corners.len()] - corners[k]);
+        let (along, long) = (way.normalize_or(u), way.length());
+        let normal = along.cross(up);
+        let own = |wall: &Wall| wall.normal.dot(normal) > 0.999 && (wall.point - from).dot(normal).abs() < 1e-6;
+        let broken = !upright(surfaces, first.body, up).any(|(_, wall)| own(wall));
+        broken.then_some(Wall {
+            point: from,
+            normal,
+            along,
+            extent: (0.0, long),
+            drawn_depth: depth,
+            has_top: true,
+            body: first.body,
+        })
+    };
+    (0..corners.len()).filter_map(side).collect()
+}
+
 /// The corners of a convex polygon, in order about its middle.
-fn in_order(corners: impl Iterator<Item = Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
-    let corners: Vec<Vec3> = corners.collect();
+fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
     let middle = corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
     let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
     let mut around: Vec<Vec3> = Vec::with_capacity(corners.len());
@@ -72,6 +120,44 @@ fn in_order(corners: impl Iterator<Item = Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> 
     around
 }
 
+/// The far sides of what is seen whole, each as a place on it, the way out, and the first surface of what it belongs to.
+#[derive(Default)]
+pub(super) struct Backs(Vec<(Vec3, Vec3, usize)>);
+
+impl Backs {
+    pub(super) fn of(path: &Path, towards: Vec3) -> Self {
+        let mut backs = Vec::new();
+        for (k, surface) in path.surfaces.iter().enumerate() {
+            let Some(of) = topped(&path.surfaces, k, path.frame.w) else { continue };
+            let mut add = |wall: &Wall| {
+                if wall.normal.dot(towards) < -1e-6 {
+                    backs.push((wall.point, wall.normal, of));
+                }
+            };
+            match surface {
+                Surface::Flat(wall) => add(wall),
+                Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().for_each(add),
+                Surface::Unknown => {}
+            }
+        }
+        Backs(backs)
+    }
+
+    /// What stands before a line: where all of it is beyond one of its far sides, it hides nothing of it.
+    pub(super) fn before(&self, ends: [Vec3; 2]) -> Option<usize> {
+        let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6);
+        self.0.iter().find(beyond).map(|(_, _, of)| *of)
+    }
+}
+
+/// Whether two faces are strips of one round wall, and drawn in one.
+pub fn together(one: &Face<'_>, other: &Face<'_>) -> bool {
+    match (one, other) {
+        (Face::Wall(a), Face::Wall(b)) => a.strip && b.strip && (a.actual, a.faces, a.top) == (b.actual, b.faces, b.top),
+        (Face::Wall(_) | Face::Top(_) | Face::Behind(_), _) => false,
+    }
+}
+
 impl Scene {
     /// What is drawn of walls and top sides, in this order: each top side after the walls below it, and the virtual part above all of them.
     pub fn faces(&self, deviates: bool) -> Vec<Face<'_>> {
@@ -79,7 +165,12 @@ impl Scene {
         let after = |top: &Top| self.walls.iter().rposition(|wall| wall.top == Some(top.of));
         let tops: Vec<(Option<usize>, &Top)> = self.tops.iter().map(|top| (after(top), top)).collect();
         let mut faces = Vec::new();
+        let mut begun = Vec::new();
         for (k, wall) in self.walls.iter().enumerate().filter(|(_, wall)| !above(wall)) {
+            if let Some(of) = wall.top.filter(|of| !begun.contains(of)) {
+                begun.push(of);
+                faces.push(Face::Behind(of));
+            }
             if deviates || !wall.actual {
                 faces.push(Face::Wall(wall));
             }

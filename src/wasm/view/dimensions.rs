@@ -4,8 +4,9 @@ use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 use super::View;
-use crate::view::camera::{is_upright, middle_of_name};
-use crate::view::scene::{self, Projection, Scene, Spot};
+use crate::view::layout::Placed;
+use crate::view::plate::Plate;
+use crate::view::scene::{self, Projection, Scene};
 
 /// The paths of a feature's place.
 const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2]"];
@@ -40,18 +41,11 @@ impl View {
     #[wasm_bindgen(js_name = dimensionAt)]
     pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        let near = |middle: Spot, upright: bool| {
-            let [wide, high] = if upright { [14.0, 44.0] } else { [44.0, 14.0] };
-            (middle[0] - x).abs() <= wide && (middle[1] - y).abs() <= high
-        };
-        let on_line = |drawn: &scene::Drawn, [_, _, a, b]: [Spot; 4]| near(middle_of_name(drawn, [a, b]), is_upright([a, b]));
-        let dimensions = self.camera.dimensions(scene, self.field.as_deref());
-        let found = dimensions.into_iter().find(|(drawn, line)| on_line(drawn, *line)).map(|(drawn, _)| drawn.field);
-        let angle = || {
-            let mut angles = self.camera.angles(scene, self.field.as_deref());
-            angles.find(|arc| arc.name.is_some_and(|name| near(name, false))).map(|arc| arc.angle.field)
-        };
-        found.or_else(angle).map(str::to_owned)
+        let layout = self.camera.layout(scene, self.field.as_deref());
+        let near = |plate: &Plate| plate.covers([x, y], 2.0);
+        let dimension = layout.dimensions.iter().find(|placed| near(&placed.name)).map(|placed| placed.drawn.field);
+        let angle = || layout.arcs.iter().find(|arc| arc.name.as_ref().is_some_and(near)).map(|arc| arc.angle.field);
+        dimension.or_else(angle).map(str::to_owned)
     }
 
     /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
@@ -70,14 +64,13 @@ impl View {
 
 impl View {
     fn lines_of(&self, scene: &Scene) -> Array {
-        let lines = self.camera.dimensions(scene, self.field.as_deref()).into_iter();
-        let list = |(drawn, [_, _, a, b]): (&scene::Drawn, [Spot; 4])| {
-            let list = Array::of1(&JsValue::from_str(drawn.field));
-            for x in [a[0], a[1], b[0], b[1]] {
-                list.push(&JsValue::from_f64(x));
+        let list = |placed: Placed<'_>| {
+            let list = Array::of1(&JsValue::from_str(placed.drawn.field));
+            for x in placed.line.as_flattened() {
+                list.push(&JsValue::from_f64(*x));
             }
             list
         };
-        lines.map(list).collect()
+        self.camera.layout(scene, self.field.as_deref()).dimensions.into_iter().map(list).collect()
     }
 }

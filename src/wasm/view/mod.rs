@@ -13,7 +13,7 @@ use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::Legend;
-use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN, is_upright, middle_of_name};
+use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
@@ -399,7 +399,7 @@ impl View {
     }
 
     fn build(&self, last: Rc<Last>) -> Shown {
-        let job::Picture { scene, mut names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
+        let job::Picture { mut scene, mut names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
         if !self.labels.is_empty() {
             let label = |field: &str| self.labels.iter().find(|(known, _)| known == field).map(|(_, label)| label.as_str());
             names = last.planned.names(&scene, label);
@@ -407,6 +407,7 @@ impl View {
         if self.comma {
             names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));
         }
+        scene.name(&names);
         let Planned { job, path, .. } = &last.planned;
         let held = Held {
             deviates,

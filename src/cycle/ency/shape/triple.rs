@@ -225,31 +225,34 @@ impl Shape for Triple {
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface> {
         let margin = 3.0 * on.setup.radius.max(2.0);
         let (sides, _) = self.walls();
+        // All as long: they meet at their ends.
+        let length = on.touches.iter().map(|touch| touch.point.distance(on.frame.origin)).fold(0.0, f64::max) + margin;
         on.touches
             .iter()
             .enumerate()
             .map(|(k, touch)| {
-                let length = touch.point.distance(on.frame.origin) + margin;
                 let level = k == 2;
                 let [one, two] = sides.map(|s| on.frame.direction(s.along.0, s.along.1));
                 let along = if k == 0 { one } else { two };
                 // Drawn through the corner, but met where the touch says.
                 let origin = on.frame.origin;
                 let mut point = origin + touch.vector * (touch.point - origin).dot(touch.vector);
+                let mut drawn_depth = self.outside.map_or(self.clearances[2], |o| o.depth) + margin;
                 if level {
                     // From the corner along both walls: a level surface is drawn to both sides of its point.
-                    point += (one - touch.vector * one.dot(touch.vector)) * (length / 2.0);
+                    drawn_depth = length / 2.0;
+                    point += (one - touch.vector * one.dot(touch.vector)) * drawn_depth;
+                } else if self.internal() {
+                    // So is a wall without a top: it ends where it meets the floor.
+                    let across = touch.vector.cross(along).normalize_or(on.frame.w);
+                    point += across * (drawn_depth * if across.dot(on.frame.w) < 0.0 { -1.0 } else { 1.0 });
                 }
                 Surface::Flat(Wall {
                     point,
                     normal: touch.vector,
                     along,
                     extent: (0.0, length),
-                    drawn_depth: if level {
-                        length / 2.0
-                    } else {
-                        self.outside.map_or(self.clearances[2], |o| o.depth) + margin
-                    },
+                    drawn_depth,
                     has_top: !self.internal() && !level,
                     body: if self.internal() { k } else { 0 },
                 })

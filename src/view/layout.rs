@@ -1,0 +1,234 @@
+//! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
+
+use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::numbers::Number;
+use crate::view::plate::{Crowd, Plate};
+use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Spot, Stroke};
+
+/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
+const STANDS_OFF: [f64; 2] = [46.0, 16.0];
+/// How far it stands from whatever else reaches beyond the part.
+const CLEAR: f64 = 18.0;
+/// Half the height of a name with the room around it.
+const HIGH: f64 = 12.0;
+/// A line is drawn with its arrow heads between its ends where it is as long as this, else they point at them from outside.
+const HEADS: f64 = 28.0;
+
+/// The radius of an angle's arc, pixels, where there is room for it.
+const ANGLE_RADIUS: f64 = 54.0;
+/// A name has room where the nearest touch is farther than this from the vertex, pixels.
+const ROOM_FOR_NAME: f64 = 90.0;
+
+/// A dimension as it is drawn, pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a> {
+    /// The dimension.
+    pub drawn: &'a Drawn,
+    /// Where its extension lines begin.
+    pub ends: [Spot; 2],
+    /// The ends of its line.
+    pub line: [Spot; 2],
+    /// From where to where the line is drawn: beyond its ends to arrow heads outside and to its name.
+    pub reach: [Spot; 2],
+    /// Whether its arrow heads lie between its ends.
+    pub within: bool,
+    /// What it says.
+    pub name: Plate,
+}
+
+/// An angle as it is drawn, pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Arc<'a> {
+    /// The angle.
+    pub angle: &'a DrawnAngle,
+    /// Its vertex.
+    pub at: Spot,
+    /// The radius of its arc.
+    pub radius: f64,
+    /// The far ends of its two sides, a little beyond the arc.
+    pub sides: [Spot; 2],
+    /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
+    pub heads: Option<[(Spot, Spot); 2]>,
+    /// The ends of the arc.
+    pub ends: [Spot; 2],
+    /// Its name; none where that would cover touches.
+    pub name: Option<Plate>,
+}
+
+/// What stands in a picture beside the part and its path.
+#[derive(Clone, Debug)]
+pub struct Layout<'a> {
+    /// The numbers of the touches.
+    pub numbers: Vec<Number>,
+    /// The angles.
+    pub arcs: Vec<Arc<'a>>,
+    /// The dimensions.
+    pub dimensions: Vec<Placed<'a>>,
+    /// All that is in the picture.
+    pub crowd: Crowd,
+}
+
+impl Placed<'_> {
+    /// The tips of its arrow heads, and where they point.
+    pub fn heads(&self) -> [(Spot, Spot); 2] {
+        let [start, end] = self.line;
+        let long = (end[0] - start[0]).hypot(end[1] - start[1]).max(1e-9);
+        let sense = if self.within { 1.0 } else { -1.0 };
+        let out = [0, 1].map(|i| sense * (end[i] - start[i]) / long);
+        [(start, out.map(|x| -x)), (end, out)]
+    }
+}
+
+/// Some steps from a place along a way.
+fn from(at: Spot, way: Spot, far: f64) -> Spot {
+    [at[0] + way[0] * far, at[1] + way[1] * far]
+}
+
+/// The way along a line from which a name on it is read: from below, or from the right.
+fn readable([x, y]: Spot) -> Spot {
+    if x < -1e-6 || (x < 1e-6 && y > 0.0) { [-x, -y] } else { [x, y] }
+}
+
+impl Layout<'_> {
+    /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
+    pub fn origin(&self, at: Spot, half: Spot) -> Plate {
+        let plate = |[x, y]: Spot| Plate { middle: [at[0] + x * (half[0] + 11.0), at[1] + y * 16.0], along: [1.0, 0.0], half };
+        let corners = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(plate);
+        let costs = corners.map(|corner| self.crowd.cost(&corner));
+        corners[(1..4).fold(0, |best, k| if costs[k] < costs[best] { k } else { best })]
+    }
+}
+
+impl Camera {
+    /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for
+    /// one there and one back. The way back along a touch has none.
+    pub fn head(&self, line: &Line) -> Option<(Spot, Spot, f64)> {
+        let (start, end) = (self.pixel(line.from), self.pixel(line.to));
+        let way = [end[0] - start[0], end[1] - start[1]];
+        let far = way[0].hypot(way[1]);
+        let (least, tip) = match line.stroke {
+            Stroke::Touch => (1.0, far),
+            Stroke::Position | Stroke::Link => (40.0, (0.62 * far).max(far / 2.0 + 14.0)),
+            Stroke::Overtravel => return None,
+        };
+        let way = way.map(|x| x / far);
+        (far >= least && !line.back).then(|| (from(start, way, tip), way, if far < 12.0 { 7.0 } else { 9.0 }))
+    }
+
+    /// Lays out what is drawn while a field has the focus, or none. What comes with the focus moves nothing that is there.
+    pub fn layout<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Layout<'a> {
+        let (crowd, numbers) = (Crowd::of(scene, self), self.numbers(scene));
+        let mut layout = Layout { numbers, arcs: Vec::new(), dimensions: Vec::new(), crowd };
+        let crowd = &mut layout.crowd;
+        crowd.plates.extend(layout.numbers.iter().map(|number| number.plate));
+        for angle in &scene.angles {
+            let arc = self.arc(angle, focus, crowd);
+            crowd.plates.extend(arc.name);
+            layout.arcs.push(arc);
+        }
+        let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
+        for drawn in all(false).chain(all(true).filter(|d| focus == Some(d.field))) {
+            let placed = self.dimension(drawn, crowd);
+            crowd.plates.push(placed.name);
+            layout.dimensions.push(placed);
+        }
+        layout
+    }
+
+    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is.
+    fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
+        let ends = drawn.ends.map(|spot| self.pixel(spot));
+        let mut best: Option<(f64, Placed<'a>)> = None;
+        let own = [drawn.aside[0], -drawn.aside[1]];
+        for (k, side) in [own, [-own[0], -own[1]]].into_iter().enumerate().take(if drawn.either { 2 } else { 1 }) {
+            let [begins, walls, all] = crowd.beside(ends, side);
+            let near = if drawn.on_demand { STANDS_OFF[1] } else { (walls + STANDS_OFF[0]).max(all + CLEAR + HIGH) };
+            for step in 0..6 {
+                let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
+                // Extension lines begin where the part ends.
+                let begin = if drawn.on_demand { 0.0 } else { begins };
+                for (place, placed) in names(drawn, ends.map(|end| from(end, side, far))).into_iter().enumerate() {
+                    let placed = Placed { ends: ends.map(|end| from(end, side, begin)), ..placed };
+                    // A name on the line, and a line that is not seen.
+                    let struck = crowd.plates.iter().filter(|other| other.crosses(placed.line, 2.0)).count()
+                        + 2 * placed.line.iter().filter(|end| !crowd.sees(end)).count();
+                    let cost = crowd.cost(&placed.name)
+                        + 300.0 * struck as f64
+                        + 4.0 * place as f64
+                        + (far - begin) / 20.0
+                        + 0.1 * k as f64;
+                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                        best = Some((cost, placed));
+                    }
+                }
+            }
+        }
+        best.map_or_else(|| names(drawn, ends)[0], |(_, placed)| placed)
+    }
+
+    /// An angle that is drawn; one whose field has the focus has its name in any case.
+    fn arc<'a>(&self, angle: &'a DrawnAngle, focus: Option<&str>, crowd: &Crowd) -> Arc<'a> {
+        let at = self.pixel(angle.at);
+        let room = angle.room * self.scale;
+        let radius = ANGLE_RADIUS.min(room * 0.6);
+        let [first, turn] = angle.turns;
+        let way = |radians: f64| [radians.cos(), -radians.sin()];
+        let sides = [first, first + turn];
+        let ends = sides.map(|side| from(at, way(side), radius));
+        // Along the arc, away from its middle.
+        let head = |end: usize, sense: f64| (ends[end], [-sense * sides[end].sin(), -sense * sides[end].cos()]);
+        let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
+        // Beyond the arc, as near as it covers the least.
+        let plate = |far: f64| Plate {
+            middle: from(at, way(first + turn / 2.0), far),
+            along: [1.0, 0.0],
+            half: [angle.wide / 2.0, HIGH],
+        };
+        let places = (0..24).map(|k| radius + 8.0 * f64::from(k)).filter(|far| !plate(*far).covers(at, radius + 6.0));
+        let cost = |far: f64| crowd.cost(&plate(far)) + far / 10.0;
+        let best = places
+            .fold(DIMENSION_MARGIN, |best, far| if best == DIMENSION_MARGIN || cost(far) < cost(best) { far } else { best });
+        Arc {
+            angle,
+            at,
+            radius,
+            sides: sides.map(|side| from(at, way(side), radius + 8.0)),
+            heads: (turn.abs() * radius > 22.0).then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
+            ends,
+            name: named.then(|| plate(best)),
+        }
+    }
+}
+
+/// A dimension's line with its name on it where there is room between the arrow heads; else beyond one end or the other, or beside it.
+fn names(drawn: &Drawn, line: [Spot; 2]) -> Vec<Placed<'_>> {
+    let way = [0, 1].map(|i| line[1][i] - line[0][i]);
+    let long = way[0].hypot(way[1]).max(1e-9);
+    let way = way.map(|x| x / long);
+    let along = readable(way);
+    let within = long > HEADS;
+    let half = [drawn.wide / 2.0, HIGH];
+    let middle = from(line[0], way, long / 2.0);
+    let tail: f64 = if within { 0.0 } else { 16.0 };
+    let at = |place: Spot, reach: [f64; 2]| Placed {
+        drawn,
+        ends: line,
+        line,
+        reach: [from(line[0], way, -tail.max(reach[0])), from(line[1], way, tail.max(reach[1]))],
+        within,
+        name: Plate { middle: place, along, half },
+    };
+    // Between its arrow heads, with a little of the line seen.
+    if drawn.wide + 24.0 <= long {
+        return vec![at(middle, [0.0; 2])];
+    }
+    let off = half[0] + tail.max(10.0);
+    let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
+    let across = [-way[1], way[0]];
+    vec![
+        at(from(middle, way, beyond), [0.0, off]),
+        at(from(middle, way, -beyond), [off, 0.0]),
+        at(from(middle, across, beside), [0.0; 2]),
+        at(from(middle, across, -beside), [0.0; 2]),
+    ]
+}

@@ -1,0 +1,173 @@
+//! Room in a picture: what a name takes, and what is there already.
+
+use crate::num::within;
+use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera};
+use crate::view::scene::{Scene, Spot, Stroke};
+
+/// A box that something is written in, pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plate {
+    /// Its middle.
+    pub middle: Spot,
+    /// The way that is read along, of length one.
+    pub along: Spot,
+    /// Half its length along, and half its height.
+    pub half: Spot,
+}
+
+impl Plate {
+    /// A place, seen from the middle of the plate along it and across.
+    fn own(&self, at: Spot) -> Spot {
+        let [x, y] = [at[0] - self.middle[0], at[1] - self.middle[1]];
+        let [ux, uy] = self.along;
+        [x * ux + y * uy, y * ux - x * uy]
+    }
+
+    /// Whether a disc reaches into it; of radius 0, whether a place lies in it.
+    pub fn covers(&self, disc: Spot, radius: f64) -> bool {
+        let [x, y] = self.own(disc);
+        let out = [x.abs() - self.half[0], y.abs() - self.half[1]].map(|out| out.max(0.0));
+        out[0].hypot(out[1]) <= radius
+    }
+
+    /// Whether a straight line comes nearer to it than so many pixels.
+    pub fn crosses(&self, [from, to]: [Spot; 2], near: f64) -> bool {
+        let (from, to) = (self.own(from), self.own(to));
+        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+        for i in [0, 1] {
+            let (way, half) = (to[i] - from[i], self.half[i] + near);
+            if way.abs() < 1e-9 {
+                if from[i].abs() > half {
+                    return false;
+                }
+                continue;
+            }
+            let ends = [-half, half].map(|side| (side - from[i]) / way);
+            enters = enters.max(ends[0].min(ends[1]));
+            leaves = leaves.min(ends[0].max(ends[1]));
+        }
+        enters <= leaves
+    }
+
+    /// Whether two plates share room: the middle line of the other, as thick as that is high.
+    pub fn meets(&self, other: &Plate) -> bool {
+        let far = (other.half[0] - other.half[1]).max(0.0);
+        let end = |far: f64| [0, 1].map(|i| other.middle[i] + other.along[i] * far);
+        self.crosses([end(-far), end(far)], other.half[1])
+    }
+
+    /// The smallest and largest pixel of it.
+    pub fn bounds(&self) -> [Spot; 2] {
+        let [ux, uy] = self.along.map(f64::abs);
+        let reach = [self.half[0] * ux + self.half[1] * uy, self.half[0] * uy + self.half[1] * ux];
+        [-1.0, 1.0].map(|sense| [0, 1].map(|i| self.middle[i] + sense * reach[i]))
+    }
+}
+
+/// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
+pub fn width(name: &str) -> f64 {
+    // Signs of Chinese are as wide as they are high.
+    name.chars().map(|c| if c > '\u{1100}' { 12.5 } else { 7.6 }).sum::<f64>() + 18.0
+}
+
+/// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.
+const MOST: usize = 2000;
+
+/// What else is in a picture, pixels.
+#[derive(Clone, Debug, Default)]
+pub struct Crowd {
+    /// The moves, but for the search past a contact.
+    lines: Vec<[Spot; 2]>,
+    /// How far the ball reaches to both sides of each.
+    reach: Vec<f64>,
+    /// Balls and other round things.
+    discs: Vec<(Spot, f64)>,
+    /// The outlines of the nominal walls.
+    walls: Vec<[Spot; 4]>,
+    /// The work axes and the scale bar.
+    corners: Vec<Plate>,
+    /// What is written already.
+    pub plates: Vec<Plate>,
+    size: Spot,
+}
+
+impl Crowd {
+    /// The moves, the balls at their contacts, the origin, and in their corners the work axes and the scale bar.
+    pub fn of(scene: &Scene, camera: &Camera) -> Self {
+        let [width, height] = camera.size;
+        let unit = scene.unit.unwrap_or(1.0);
+        let corner = |x: f64, wide: f64, high: f64| Plate {
+            middle: [x + wide / 2.0, height - high / 2.0],
+            along: [1.0, 0.0],
+            half: [wide / 2.0, high / 2.0],
+        };
+        let axes = AXES_CORNER + AXES_REACH;
+        let bar = camera.bar(unit) * unit * camera.scale + 2.0 * BAR_CORNER;
+        let corners = vec![corner(0.0, axes, axes), corner(width - bar, bar, BAR_REACH)];
+        let mut crowd = Crowd { size: camera.size, corners, ..Crowd::default() };
+        let radius = scene.radius * camera.scale;
+        for line in scene.lines.iter().take(MOST).filter(|line| line.stroke != Stroke::Overtravel) {
+            crowd.lines.push([camera.pixel(line.from), camera.pixel(line.to)]);
+            crowd.reach.push(if line.stroke == Stroke::Position { 0.0 } else { radius });
+        }
+        crowd.discs.extend(scene.touches.iter().map(|touch| (camera.pixel(touch.ball), radius)));
+        crowd.discs.push((camera.pixel(scene.origin), 7.0));
+        let walls = scene.walls.iter().filter(|wall| !wall.actual);
+        crowd.walls.extend(walls.map(|wall| wall.corners.map(|corner| camera.pixel(corner))));
+        crowd
+    }
+
+    /// Whether a place is in the picture.
+    pub fn sees(&self, at: &Spot) -> bool {
+        (0..2).all(|i| at[i] >= 0.0 && at[i] <= self.size[i])
+    }
+
+    /// How much a plate would cover: another one, or the picture's edge, is worst, a move the least.
+    pub fn cost(&self, plate: &Plate) -> f64 {
+        let count = |many: usize, each: f64| many as f64 * each;
+        let met = |others: &[Plate]| others.iter().filter(|other| plate.meets(other)).count();
+        count(usize::from(!plate.bounds().iter().all(|at| self.sees(at))), 600.0)
+            + count(met(&self.plates), 1000.0)
+            + count(met(&self.corners), 200.0)
+            + count(self.discs.iter().filter(|(at, radius)| plate.covers(*at, *radius)).count(), 30.0)
+            + count(self.lines.iter().filter(|line| plate.crosses(**line, 1.0)).count(), 8.0)
+    }
+
+    /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.
+    pub fn beside(&self, [from, to]: [Spot; 2], aside: Spot) -> [f64; 3] {
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let long = way[0].hypot(way[1]).max(1e-9);
+        // Along the line, and away from it.
+        let own = |at: Spot| {
+            let [x, y] = [at[0] - from[0], at[1] - from[1]];
+            [(x * way[0] + y * way[1]) / long, x * aside[0] + y * aside[1]]
+        };
+        let (mut ends, all) = (0.0_f64, std::cell::Cell::new(0.0_f64));
+        // What of a line, so thick, is between the ends.
+        let between = |a: Spot, b: Spot, thick: f64| {
+            for side in [-thick, long + thick] {
+                let part = if (b[0] - a[0]).abs() < 1e-9 { 0.0 } else { within((side - a[0]) / (b[0] - a[0]), 0.0, 1.0) };
+                let [along, away] = [0, 1].map(|i| a[i] + (b[i] - a[i]) * part);
+                if along > -thick - 1e-6 && along < long + thick + 1e-6 {
+                    all.set(all.get().max(away + thick));
+                }
+            }
+        };
+        for wall in &self.walls {
+            let corners = wall.map(own);
+            for k in 0..4 {
+                between(corners[k], corners[(k + 1) % 4], 0.0);
+                let [along, away] = corners[k];
+                if along.abs() < 1.0 || (along - long).abs() < 1.0 {
+                    ends = ends.max(away);
+                }
+            }
+        }
+        let walls = all.get();
+        self.discs.iter().for_each(|(at, radius)| between(own(*at), own(*at), *radius));
+        for ([from, to], reach) in self.lines.iter().zip(&self.reach) {
+            between(own(*from), own(*to), *reach);
+        }
+        [ends, walls, all.get()]
+    }
+}
