@@ -326,3 +326,25 @@ test("what is pasted and cannot be read says why beside it, and Escape closes it
   await page.keyboard.press("Escape");
   await box.waitFor({ state: "hidden" });
 });
+
+test("a height turns the picture to where it is seen, an angle about the tool axis, too", async () => {
+  const view = () => page.locator(".picture .tools [aria-pressed=true]").textContent();
+  for (const type of ["hole", "internal-rectangle", "groove", "web-three-points", "probing-two-circles"]) {
+    await field("cycle.type").selectOption(type);
+    await unfold();
+    for (const key of ["topClearance", "middleClearance", "feedDistance", "clearanceHeight"]) {
+      if ((await field(`cycle.${key}`).count()) === 0) continue;
+      await page.getByRole("button", { name: "top", exact: true }).click();
+      await field(`cycle.${key}`).focus();
+      await page.waitForTimeout(50);
+      assert.match((await view()) ?? "", /front|side/, `${type} ${key}`);
+    }
+    for (const key of ["rotation", "startAngle", "startingAngle", "angularLength"]) {
+      if ((await field(`cycle.${key}`).count()) === 0) continue;
+      await page.getByRole("button", { name: "front", exact: true }).click();
+      await field(`cycle.${key}`).focus();
+      await page.waitForTimeout(50);
+      assert.equal(await view(), "top", `${type} ${key}`);
+    }
+  }
+});

@@ -11,9 +11,21 @@ use crate::view::scene::{self, Projection, Scene};
 /// The paths of a feature's place.
 const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2]"];
 
+/// Fields of heights along the tool axis, and of places and turns about it, that have no dimension of their own in every cycle.
+const HEIGHTS: [&str; 5] =
+    ["cycle.topClearance", "cycle.middleClearance", "cycle.feedDistance", "cycle.depth", "cycle.clearanceHeight"];
+const TURNS: [&str; 6] = [
+    "cycle.rotation",
+    "cycle.startAngle",
+    "cycle.angularStep",
+    "cycle.startingAngle",
+    "cycle.angularLength",
+    "cycle.setUpClearance",
+];
+
 #[wasm_bindgen]
 impl View {
-    /// The view that shows a field's dimension in true length, or the position or rotation that it gives: the present view where that does;
+    /// The view that shows a field's dimension in true length, or the position, height or turn that it gives: the present view where that does;
     /// nothing for any other field.
     #[wasm_bindgen(js_name = lookFor)]
     pub fn look_for(&self, field: &str) -> Option<String> {
@@ -28,7 +40,8 @@ impl View {
         let sees = |view| {
             scene::drawn(path, plane, view).iter().any(|d| d.field == field)
                 || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
-                || (field == "cycle.rotation" && view == Projection::Top)
+                || (TURNS.contains(&field) && view == Projection::Top)
+                || (HEIGHTS.contains(&field) && flat(view, path.frame.w))
                 || (0..3).any(|i| field == ORIGIN[i] && flat(view, basis[i]))
         };
         let names = ["top", "front", "side"];
