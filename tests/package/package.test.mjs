@@ -265,13 +265,12 @@ const columns: MoveColumns = moveColumns(job);
 const all: Catalog = catalog();
 const circles: Job = { format: 1, cycle: { type: "probing-two-circles", point1: ["10@10.02", 0, "?"], diameter1: "10H7", extrusion: null } };
 const whole = defaultJob("hole");
-const sure: number = whole.cycle.diameter + (whole.feeds.work ?? 0) + whole.stylus.diameter + whole.part.rotation;
-const offset: number | null = whole.control.workOffset;
+whole.feeds = { approach: null };
+whole.part = { rotation: 1 };
 whole.cycle.properties = { wcsMode: 1 };
 whole.cycle.touches = [{ point: [0, 0, 0], vector: [1, 0, 0] }];
-const circle: number = defaultJob("probing-two-circles").cycle.probe.dist;
 const posts: PostId[] = catalog().posts.map((post) => post.id);
-console.log(sure, offset, circle, posts, PROTOCOL satisfies 1);
+console.log(whole, posts, PROTOCOL satisfies 1);
 const read: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
 console.log(circles, read, found, to, rows, results, columns, all, version());

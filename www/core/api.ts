@@ -16,7 +16,6 @@ import type {
   ProgramText,
   ResultRow,
   Said,
-  WholeJob,
 } from "./types.js";
 
 /** Thrown where no plan can be made; `findings` says everything that was found. */
@@ -69,7 +68,7 @@ export interface Api {
   /** Everything a form needs: cycles, their fields, the controls. */
   catalog(): Catalog;
   /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
-  defaultJob<T extends Cycle["type"]>(type: T): WholeJob<Extract<Cycle, { type: T }>>;
+  defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> };
   /** Everything that is wrong, unusual or worth knowing. Never throws. */
   check(job: unknown): Finding[];
   /** The whole plan. Throws `JobError` if any finding is an error. */

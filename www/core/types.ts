@@ -1,27 +1,11 @@
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 
-import type { Cycle, FrameStep, Job, Vec3 } from "./job-types.js";
+import type { FrameStep, Job, Vec3 } from "./job-types.js";
 import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
 export type { Said, Words } from "./said.js";
-
-/** What is optional only because a default stands in for it; what may be `null` stays as it is. */
-type Whole<T> = null extends T ? T : T extends unknown[] ? T : Required<T>;
-
-/** What a cycle may have besides its form. */
-type Besides = "touches" | "custom";
-
-/** A cycle with every value of its form. */
-export type WholeCycle<C extends Cycle = Cycle> = C extends Cycle
-  ? { [K in Exclude<keyof C, Besides>]-?: Whole<Exclude<C[K], undefined>> } & Pick<C, keyof C & Besides>
-  : never;
-
-/** A job with every section and every value, as `defaultJob` gives it. */
-export type WholeJob<C extends Cycle = Cycle> = {
-  [S in Exclude<keyof Job, "cycle">]-?: Whole<Exclude<Job[S], undefined>>;
-} & { cycle: WholeCycle<C> };
 
 /** The moves as typed arrays: three numbers of `to` a move; `feed` and `kind` index into `feeds` and `kinds`; no touch is −1. */
 export interface MoveColumns {
