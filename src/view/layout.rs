@@ -135,35 +135,60 @@ impl Camera {
         layout
     }
 
-    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is.
+    /// The first place of a dimension and its name where nothing is covered; where there is none, that where the least is. The name stands on the line
+    /// where there is room between the arrow heads; else beyond one end or the other, or beside it.
     fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
-        let mut best: Option<(f64, Placed<'a>)> = None;
+        let way = [0, 1].map(|i| ends[1][i] - ends[0][i]);
+        let long = way[0].hypot(way[1]).max(1e-9);
+        let way = way.map(|x| x / long);
+        let within = long > HEADS;
+        let tail = if within { 0.0 } else { 16.0 };
+        let half = [drawn.wide / 2.0, HIGH];
+        let along = readable(way);
+        // The name from the middle of the line, along it and across, and how far the line goes to it beyond each end.
+        let off = half[0] + f64::max(tail, 10.0);
+        let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
+        let beside_it = [[beyond, 0.0, 0.0, off], [-beyond, 0.0, off, 0.0], [0.0, beside, 0.0, 0.0], [0.0, -beside, 0.0, 0.0]];
+        // Between its arrow heads, with a little of the line seen.
+        let on_it = [[0.0; 4]];
+        let places = if drawn.wide + 24.0 <= long { &on_it[..] } else { &beside_it[..] };
+        let placed = |side: Spot, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
+            let line = ends.map(|end| from(end, side, far));
+            let middle = from(from(line[0], way, long / 2.0 + over), [-way[1], way[0]], across);
+            Placed {
+                drawn,
+                ends: ends.map(|end| from(end, side, begin)),
+                line,
+                reach: [from(line[0], way, -f64::max(tail, before)), from(line[1], way, f64::max(tail, past))],
+                within,
+                name: Plate { middle, along, half },
+            }
+        };
         let own = [drawn.aside[0], -drawn.aside[1]];
-        for (k, side) in [own, [-own[0], -own[1]]].into_iter().enumerate().take(if drawn.either { 2 } else { 1 }) {
+        let mut best = placed(own, 0.0, STANDS_OFF[0], places[0]);
+        let mut least = f64::INFINITY;
+        for k in 0..=usize::from(drawn.either) {
+            let side = if k == 0 { own } else { own.map(|x| -x) };
             let [begins, walls, all] = crowd.beside(ends, side);
-            let near = if drawn.on_demand { STANDS_OFF[1] } else { (walls + STANDS_OFF[0]).max(all + CLEAR + HIGH) };
-            for step in 0..6 {
-                let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
-                // Extension lines begin where the part ends.
-                let begin = if drawn.on_demand { 0.0 } else { begins };
-                for (place, placed) in names(drawn, ends.map(|end| from(end, side, far))).into_iter().enumerate() {
-                    let placed = Placed { ends: ends.map(|end| from(end, side, begin)), ..placed };
-                    // A name on the line, and a line that is not seen.
-                    let struck = crowd.plates.iter().filter(|other| other.crosses(placed.line, 2.0)).count()
-                        + 2 * placed.line.iter().filter(|end| !crowd.sees(end)).count();
-                    let cost = crowd.cost(&placed.name)
-                        + 300.0 * struck as f64
-                        + 4.0 * place as f64
-                        + (far - begin) / 20.0
-                        + 0.1 * k as f64;
-                    if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                        best = Some((cost, placed));
-                    }
+            // Extension lines begin where the part ends.
+            let (begin, near) =
+                if drawn.on_demand { (0.0, STANDS_OFF[1]) } else { (begins, (walls + STANDS_OFF[0]).max(all + CLEAR + HIGH)) };
+            for step in 0..6 * places.len() {
+                let place = step % places.len();
+                let far = near + (step / places.len()) as f64 * (2.0 * HIGH + 4.0);
+                let one = placed(side, begin, far, places[place]);
+                // A name on the line, and a line that is not seen.
+                let struck = crowd.plates.iter().filter(|other| other.crosses(one.line, 2.0)).count()
+                    + 2 * one.line.iter().filter(|end| !crowd.sees(end)).count();
+                let cost =
+                    crowd.cost(&one.name) + 300.0 * struck as f64 + (4 * place) as f64 + (far - begin) / 20.0 + 0.1 * k as f64;
+                if cost < least {
+                    (least, best) = (cost, one);
                 }
             }
         }
-        best.map_or_else(|| names(drawn, ends)[0], |(_, placed)| placed)
+        best
     }
 
     /// An angle that is drawn; one whose field has the focus has its name in any case.
@@ -198,37 +223,4 @@ impl Camera {
             name: named.then(|| plate(best)),
         }
     }
-}
-
-/// A dimension's line with its name on it where there is room between the arrow heads; else beyond one end or the other, or beside it.
-fn names(drawn: &Drawn, line: [Spot; 2]) -> Vec<Placed<'_>> {
-    let way = [0, 1].map(|i| line[1][i] - line[0][i]);
-    let long = way[0].hypot(way[1]).max(1e-9);
-    let way = way.map(|x| x / long);
-    let along = readable(way);
-    let within = long > HEADS;
-    let half = [drawn.wide / 2.0, HIGH];
-    let middle = from(line[0], way, long / 2.0);
-    let tail: f64 = if within { 0.0 } else { 16.0 };
-    let at = |place: Spot, reach: [f64; 2]| Placed {
-        drawn,
-        ends: line,
-        line,
-        reach: [from(line[0], way, -tail.max(reach[0])), from(line[1], way, tail.max(reach[1]))],
-        within,
-        name: Plate { middle: place, along, half },
-    };
-    // Between its arrow heads, with a little of the line seen.
-    if drawn.wide + 24.0 <= long {
-        return vec![at(middle, [0.0; 2])];
-    }
-    let off = half[0] + tail.max(10.0);
-    let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
-    let across = [-way[1], way[0]];
-    vec![
-        at(from(middle, way, beyond), [0.0, off]),
-        at(from(middle, way, -beyond), [off, 0.0]),
-        at(from(middle, across, beside), [0.0; 2]),
-        at(from(middle, across, -beside), [0.0; 2]),
-    ]
 }

@@ -65,7 +65,8 @@ impl Camera {
                 None if x.hypot(y) < 0.1 => ([0.7, -0.7], OFF),
                 None => ([-x, y], OFF),
             };
-            let wide = number.said.chars().map(|c| if c == '·' { 4.0 } else { 7.6 }).sum::<f64>() / 2.0 + 4.0;
+            // About half as wide as its text; a dot has two bytes, and is half as wide as a digit.
+            let wide = 2.6 * number.said.len() as f64 + 4.6;
             let half = [(wide * radius / DISC[0]).max(radius), radius];
             let mut least = f64::INFINITY;
             // Round about the contact, then further out.

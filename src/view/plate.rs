@@ -31,6 +31,7 @@ impl Plate {
     }
 
     /// Whether a straight line comes nearer to it than so many pixels.
+    #[inline(never)]
     pub fn crosses(&self, [from, to]: [Spot; 2], near: f64) -> bool {
         let (from, to) = (self.own(from), self.own(to));
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
@@ -76,10 +77,8 @@ const MOST: usize = 2000;
 /// What else is in a picture, pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
-    /// The moves, but for the search past a contact.
-    lines: Vec<[Spot; 2]>,
-    /// How far the ball reaches to both sides of each.
-    reach: Vec<f64>,
+    /// The moves, but for the search past a contact, and how far the ball reaches to both sides of each.
+    lines: Vec<([Spot; 2], f64)>,
     /// Balls and other round things.
     discs: Vec<(Spot, f64)>,
     /// The outlines of the nominal walls.
@@ -107,8 +106,8 @@ impl Crowd {
         let mut crowd = Crowd { size: camera.size, corners, ..Crowd::default() };
         let radius = scene.radius * camera.scale;
         for line in scene.lines.iter().take(MOST).filter(|line| line.stroke != Stroke::Overtravel) {
-            crowd.lines.push([camera.pixel(line.from), camera.pixel(line.to)]);
-            crowd.reach.push(if line.stroke == Stroke::Position { 0.0 } else { radius });
+            let reach = if line.stroke == Stroke::Position { 0.0 } else { radius };
+            crowd.lines.push(([camera.pixel(line.from), camera.pixel(line.to)], reach));
         }
         crowd.discs.extend(scene.touches.iter().map(|touch| (camera.pixel(touch.ball), radius)));
         crowd.discs.push((camera.pixel(scene.origin), 7.0));
@@ -130,7 +129,7 @@ impl Crowd {
             + count(met(&self.plates), 1000.0)
             + count(met(&self.corners), 200.0)
             + count(self.discs.iter().filter(|(at, radius)| plate.covers(*at, *radius)).count(), 30.0)
-            + count(self.lines.iter().filter(|line| plate.crosses(**line, 1.0)).count(), 8.0)
+            + count(self.lines.iter().filter(|(line, _)| plate.crosses(*line, 1.0)).count(), 8.0)
     }
 
     /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.
@@ -165,7 +164,7 @@ impl Crowd {
         }
         let walls = all.get();
         self.discs.iter().for_each(|(at, radius)| between(own(*at), own(*at), *radius));
-        for ([from, to], reach) in self.lines.iter().zip(&self.reach) {
+        for ([from, to], reach) in &self.lines {
             between(own(*from), own(*to), *reach);
         }
         [ends, walls, all.get()]

@@ -404,6 +404,7 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
 }
 
 /// A round wall as flat strips.
+#[inline(never)]
 fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
     const COUNT: usize = 120;
     let v = up.cross(u);
@@ -446,9 +447,10 @@ fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool)
 impl Scene {
     /// Makes room for what is said of its dimensions and angles, by their fields' paths.
     pub fn name(&mut self, names: &[(&'static str, String)]) {
-        let wide = |own: &str| names.iter().find(|(field, _)| *field == own).map_or(0.0, |(_, name)| width(name));
-        self.dimensions.iter_mut().for_each(|drawn| drawn.wide = wide(drawn.field));
-        self.angles.iter_mut().for_each(|angle| angle.wide = wide(angle.field));
+        let dimensions = self.dimensions.iter_mut().map(|drawn| (drawn.field, &mut drawn.wide));
+        for (own, wide) in dimensions.chain(self.angles.iter_mut().map(|angle| (angle.field, &mut angle.wide))) {
+            *wide = names.iter().find(|(field, _)| *field == own).map_or(0.0, |(_, name)| width(name));
+        }
     }
 
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.

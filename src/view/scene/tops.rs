@@ -50,6 +50,7 @@ fn upright(surfaces: &[Surface], body: usize, up: Vec3) -> impl Iterator<Item = 
 }
 
 /// The corners of the top side between the walls of a body, in order: of two walls that meet, the parallelogram that they span.
+#[inline(never)]
 fn top_of(surfaces: &[Surface], body: usize, up: Vec3, u: Vec3) -> Vec<Vec3> {
     let mut corners: Vec<Vec3> = Vec::new();
     for (_, wall) in upright(surfaces, body, up) {
@@ -86,6 +87,7 @@ pub(super) fn tops(surfaces: &[Surface], up: Vec3, u: Vec3, spot: impl Fn(Vec3) 
 }
 
 /// Where a body is broken off: from the end of one of its walls to the end of another, as walls of it.
+#[inline(never)]
 pub(super) fn breaks(surfaces: &[Surface], of: usize, up: Vec3, u: Vec3) -> Vec<Wall> {
     let Surface::Flat(first) = &surfaces[of] else { return Vec::new() };
     let corners = top_of(surfaces, first.body, up, u);
@@ -125,6 +127,7 @@ fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
 pub(super) struct Backs(Vec<(Vec3, Vec3, usize)>);
 
 impl Backs {
+    #[inline(never)]
     pub(super) fn of(path: &Path, towards: Vec3) -> Self {
         let mut backs = Vec::new();
         for (k, surface) in path.surfaces.iter().enumerate() {
