@@ -175,7 +175,7 @@ impl Drawing {
         let mut line = String::new();
         for ends in all().filter_map(|wall| wall.edge) {
             let [a, b] = ends.map(|spot| self.at(spot));
-            // From strip to strip it goes on.
+            // From strip to strip it continues.
             if !line.ends_with(&format!("L{a}")) {
                 let _ = write!(line, "M{a}");
             }

@@ -105,7 +105,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     Ok(script)
 }
 
-/// Whether a text names a variable that a subroutine has for itself: one without _, or a number up to 30 that is no argument.
+/// Whether a text names a variable of the subroutine alone: one without _, or a number up to 30 that is no argument.
 fn has_own(text: &str) -> bool {
     text.match_indices('#').any(|(at, _)| match text[at + 1..].strip_prefix('<') {
         Some(name) => !name.starts_with('_'),

@@ -211,7 +211,7 @@ impl Reader {
     /// Follows a block of words.
     fn follow(&mut self, block: &mut Block, before: Modes, leaped: bool) {
         if block.returns && block.p.is_some() {
-            // It goes on in another line.
+            // It continues in another line.
             self.place = [f64::NAN; 3];
             count(&mut self.skipped, self.line);
         }
@@ -435,7 +435,7 @@ impl Reader {
             text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
         );
         say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
-        say(self.optional, "lines-optional", text!("Blocks with / are read: the control leaves them out where it is told to"));
+        say(self.optional, "lines-optional", text!("Blocks with / are read: the control leaves them out where block skip is on"));
         say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
         if let Some(line) = self.late_units {
             let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);

@@ -371,7 +371,7 @@ impl Painter {
         let mut before = [f64::NAN; 2];
         for ends in all().filter_map(|wall| wall.edge) {
             let [from, to] = ends.map(|spot| camera.pixel(spot));
-            // From strip to strip it goes on, and so do its dashes.
+            // From strip to strip it continues, and so do its dashes.
             let goes_on = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
             if !goes_on {
                 c.move_to(from[0], from[1]);

@@ -54,7 +54,7 @@ fn upright(surfaces: &[Surface], body: usize, up: Vec3) -> impl Iterator<Item = 
 fn top_of(surfaces: &[Surface], body: usize, up: Vec3, u: Vec3) -> Vec<Vec3> {
     let mut corners: Vec<Vec3> = Vec::new();
     for (_, wall) in upright(surfaces, body, up) {
-        // One without a top goes on as far above its point as below.
+        // One without a top reaches as far above its point as below.
         let raised = if wall.has_top { Vec3::ZERO } else { up * wall.drawn_depth };
         for at in [wall.extent.0, wall.extent.1] {
             let end = wall.point + wall.along * at + raised;
