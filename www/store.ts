@@ -276,6 +276,7 @@ export class Store extends Entries {
     const now = (this.draft.control as Draft).post;
     const own = (fresh.control as Draft).post;
     const title = (id: unknown) => this.postOf(id)?.title ?? String(id);
+    if (!this.byUser) return;
     if (now !== post)
       this.tell([w("{control} does not take this cycle: the program is now for {other}"), title(post), title(now)]);
     else if (own !== now && this.formsOf(own, type).includes("cycle"))
@@ -317,6 +318,7 @@ export class Store extends Entries {
     if (this.refuses) return;
     this.mark(null);
     this.document = ++this.documents;
+    this.beforeControl = null;
     this.draft = complete(job, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));

@@ -96,19 +96,21 @@ fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     }
     if !checker.failed() {
         report_close(job, path, checker);
+        report_passes(job, path, checker);
     }
     job.cycle.review(&job.setup, path, checker);
 }
 
+/// As exactly as this a part is taken to lie, mm.
+const NEAR: f64 = 0.5;
+
 /// A touch that begins close to its nominal contact: on a part displaced by that much, the move before it makes contact.
 fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
-    /// As exactly as this a part is taken to lie, mm.
-    const NEAR: f64 = 0.5;
     // A touch scatters by six sigma at most.
     let least = NEAR.max(6.0 * job.repeatability);
     let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
     let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else {
-        return report_passes(job, path, NEAR, checker);
+        return;
     };
     let (n, far) = (k + 1, checker.length(way));
     let message = if way < NEAR - 1e-9 {
@@ -128,9 +130,9 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     checker.warning("touch-close", field, message);
 }
 
-/// A positioning move that passes the drawn part at less than `near`: on a part displaced by that much, it makes contact.
-fn report_passes(job: &Job, path: &Path, near: f64, checker: &mut Checker) {
-    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, near - 1e-9) else { return };
+/// A positioning move that passes the drawn part closely: on a part displaced by that much, it makes contact.
+fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
+    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, NEAR - 1e-9) else { return };
     let message = text!(
         "Move {move} passes the part at a distance of only {gap}: on a part displaced by that much, it makes contact",
         index + 1,

@@ -17,7 +17,7 @@ const ONE: f64 = 3.0;
 pub struct Number {
     /// The touches, as indices.
     pub touches: Vec<usize>,
-    /// What it says: `3`, or `3·4`.
+    /// What it says: `3`, `3·4`, or `3…8` of more than two.
     pub said: String,
     /// The contact, or of a touch behind the part the ball.
     pub contact: Spot,
@@ -43,8 +43,9 @@ impl Camera {
             let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
             if let Some(own) = numbers.iter_mut().find(|own| apart(own.contact, contact) < ONE) {
                 own.touches.push(k);
-                own.said.push('·');
-                own.said.push_str(&(k + 1).to_string());
+                // Two are said; of more the first and the last.
+                let sign = if own.touches.len() > 2 { '…' } else { '·' };
+                own.said = format!("{}{sign}{}", own.touches[0] + 1, k + 1);
             } else {
                 let plate = Plate { middle: contact, along: [1.0, 0.0], half: [0.0; 2] };
                 numbers.push(Number { touches: vec![k], said: (k + 1).to_string(), contact, plate, led: false });

@@ -506,8 +506,13 @@ impl Program {
                 Statement::Words(words) if words.iter().any(|w| w == "M30") => break,
                 Statement::Assign(Term::Name(name), Term::Number(n)) if name == "TP_MOVE" => number = Some(*n as usize),
                 Statement::Motion(motion) => {
+                    let stood = at;
                     at = motion.after(at);
                     feed = motion.feed.unwrap_or(feed);
+                    // From where the job says that the stylus stands, the way up to that height is none.
+                    if steps.is_empty() && at == stood && self.start.is_some() {
+                        continue;
+                    }
                     let purpose = match (motion.measuring, self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,

@@ -276,7 +276,7 @@ export class App extends LitElement {
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
-      <tp-paste .store=${store} .take=${this.intake.pasted} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
+      <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
       </div>
     `;
   }

@@ -6,18 +6,22 @@ class PastePart extends Part {
   protected override follows: string[] = [];
   /** Takes a text up; false where nothing could be made of it. */
   declare take: (text: string) => Promise<boolean>;
+  /** Gives up what is being read. */
+  declare stop: () => void;
   /** What the page says of what was read. */
   declare said: string;
   private shown = false;
+  /** Whether nothing could be made of the text. */
+  private failed = false;
 
-  static override properties = { take: { attribute: false }, said: { attribute: false } };
+  static override properties = { take: { attribute: false }, stop: { attribute: false }, said: { attribute: false } };
 
   override render(): TemplateResult {
     return html`<dialog class="paste" aria-label=${this.t("Paste")} @close=${this.closed}>${
       this.shown
         ? html`<label for="paste">${this.t("A dump of CmdPrm codes, a program with cycle 1411, any program that was written here, or a job")}</label>
         <textarea id="paste" rows="8" spellcheck="false"></textarea>
-        <p class="problem error" role="status">${this.said}</p>
+        <p class=${this.failed ? "problem error" : ""} role="status">${this.said}</p>
         <div class="tools"><button type="button" class="primary" @click=${this.read}>${this.t("Read it")}</button>
           <button type="button" @click=${() => this.dialog?.close()}>${this.t("Cancel")}</button></div>`
         : nothing
@@ -39,13 +43,18 @@ class PastePart extends Part {
 
   private readonly closed = (): void => {
     this.shown = false;
+    this.failed = false;
+    this.stop();
     this.requestUpdate();
   };
 
   private readonly read = async (): Promise<void> => {
     const held = () => this.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
     const text = held();
-    if ((await this.take(text)) && held() === text) this.dialog?.close();
+    const taken = await this.take(text);
+    this.failed = !taken;
+    if (taken && held() === text) this.dialog?.close();
+    else this.requestUpdate();
   };
 }
 

@@ -41,7 +41,7 @@ class PresetsPart extends Part {
       }
       <ul class="found">${this.list.map(
         (preset) => html`<li class="row"><b class="gap">${preset.name}</b>
-          <button type="button" aria-label=${this.t("Use {name}", preset.name)} @click=${() => this.use(preset)}>${this.t("Use")}</button>
+          <button type="button" ?disabled=${this.parts.size === 0} aria-label=${this.t("Use {name}", preset.name)} @click=${() => this.use(preset)}>${this.t("Use")}</button>
           <button type="button" aria-label=${this.t("Forget {name}", preset.name)} @click=${() => this.forget(preset)}>${this.t("Forget")}</button></li>`,
       )}</ul>
       <div class="tools">
@@ -70,7 +70,8 @@ class PresetsPart extends Part {
   /** The list as it was before what was done last. */
   private readonly takeBack = (): void => {
     const { earlier } = this;
-    if (earlier && this.put(() => earlier)) this.tell("");
+    // What another tab has kept since stays.
+    if (earlier && this.put((list) => earlier.reduce(added, list))) this.tell("");
   };
 
   private use(preset: Preset): void {

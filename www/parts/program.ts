@@ -226,6 +226,7 @@ class ProgramPart extends Part {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    clearTimeout(this.untell);
     this.coloured = "";
     this.colours.leave();
   }

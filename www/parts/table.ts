@@ -79,13 +79,18 @@ class TablePart extends Part {
   protected override light(): void {
     const { highlight, plan } = this.store;
     const touch = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
-    let first: HTMLElement | null = null;
+    let first = null as HTMLElement | null;
     for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]")) {
       const is = touch !== null && row.dataset.touch === String(touch);
       row.classList.toggle("lit", is);
       if (is) first ??= row;
     }
-    if (touch !== this.seen && !this.matches(":hover")) first?.scrollIntoView({ block: "nearest" });
+    const box = this.querySelector<HTMLElement>(".scroll");
+    if (first && box && touch !== this.seen && !this.matches(":hover")) {
+      // The table alone: what is around the element is not scrolled.
+      const [row, seen] = [first.getBoundingClientRect(), box.getBoundingClientRect()];
+      if (row.top < seen.top || row.bottom > seen.bottom) box.scrollTop += row.top - (seen.top + seen.bottom) / 2;
+    }
     this.seen = touch;
   }
 

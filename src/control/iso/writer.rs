@@ -161,7 +161,7 @@ impl<'a> Writer<'a> {
         self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");
         if let Some(start) = request.path.start {
             let text = stated_start(request, &self.place_words(start));
-            self.comment(&format!("{text} No block moves it there"));
+            self.comment(&format!("{text} Bring it there first"));
         }
         if let (Some(first), None, None) = (request.path.moves.first(), request.path.start, request.path.top) {
             let height = self.height_word(first.to);
@@ -391,6 +391,12 @@ pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
 pub fn across_from_stated<'p>(request: &Request<'p>) -> Option<(Vec3, &'p Move)> {
     let (start, first) = (request.path.start?, request.path.moves.first()?);
     (upwards(request, Some(start), first.to) == 0).then_some((start, first))
+}
+
+/// Below which a stylus is lower than a place, along the tool axis: a place that is written with fewer digits than it has is still that place.
+pub fn lower_than(request: &Request<'_>, place: Vec3) -> Vec3 {
+    const ROUNDED: f64 = 0.01;
+    place - request.path.frame.w * ROUNDED
 }
 
 /// Whether a move goes down the tool axis, up it, or neither: −1, 1, 0.

@@ -12,7 +12,7 @@
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::writer::{Dialect, Writer, across_from_stated, upwards};
+use crate::control::iso::writer::{Dialect, Writer, across_from_stated, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
@@ -134,7 +134,7 @@ impl Moves for LinuxCnc<'_> {
         begin(w, self.request);
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
-            rise(w, self.request, start, first, &mut self.labels);
+            rise(w, self.request, [lower_than(self.request, start), start], first, &mut self.labels);
         }
     }
 
@@ -291,11 +291,11 @@ fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, 
     w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
 }
 
-/// Straight up to the height of a place, where the stylus is lower; as the first move goes.
-fn rise(w: &mut Writer<'_>, request: &Request<'_>, to: Vec3, first: &Move, labels: &mut Labels) {
+/// Straight up to the height of a place, where the stylus is `below` another one; as the first move goes.
+fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first: &Move, labels: &mut Labels) {
     let tool = request.plane.axes()[2];
     let label = labels.take();
-    let height = w.height_word(to);
+    let height = w.height_word(below);
     w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
     if request.protected {
         goes_first(w, request, first, to, &|i| i == tool, 0);
@@ -318,7 +318,7 @@ fn unwatched(w: &Writer<'_>, request: &Request<'_>, first: &Move) -> (&'static s
 /// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut Labels) {
     let tool = request.plane.axes()[2];
-    rise(w, request, step.to, step, labels);
+    rise(w, request, [step.to; 2], step, labels);
     if request.protected {
         goes_first(w, request, step, step.to, &|i| i != tool, 1);
         w.makes_move();

@@ -19,7 +19,7 @@ mod read;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, upwards};
+use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
     Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
@@ -170,7 +170,7 @@ impl Moves for Sinumerik<'_> {
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             names_move(w, 0);
-            rise(w, self.request, start, first);
+            rise(w, self.request, [lower_than(self.request, start), start], first);
             self.unwatched = !self.request.protected;
         }
     }
@@ -330,9 +330,9 @@ fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &s
     }
 }
 
-/// Straight up to the height of a place, where the stylus is lower; as the first move goes.
-fn rise(w: &mut Writer<'_>, request: &Request<'_>, to: Vec3, first: &Move) {
-    let height = w.height_word(to);
+/// Straight up to the height of a place, where the stylus is `below` another one; as the first move goes.
+fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first: &Move) {
+    let height = w.height_word(below);
     let (axis, level) = height.split_at(1);
     w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
     let up = w.goes_along_tool(to);
@@ -342,7 +342,7 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, to: Vec3, first: &Move) {
 
 /// To the first place, from wherever the stylus stands: up to its height where it is lower, in the plane, then down.
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
-    rise(w, request, step.to, step);
+    rise(w, request, [step.to; 2], step);
     let across = w.goes_in_plane(step.to);
     goes_first(w, request, step, &across, "TP_CONTACT");
     w.makes_move();

@@ -435,7 +435,11 @@ impl Reader {
             text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
         );
         say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
-        say(self.optional, "lines-optional", text!("Blocks with / are read: the control leaves them out where block skip is on"));
+        say(
+            self.optional,
+            "lines-optional",
+            text!("Blocks with / are read: the control leaves them out where block skip is on"),
+        );
         say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
         if let Some(line) = self.late_units {
             let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);

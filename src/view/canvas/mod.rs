@@ -220,7 +220,13 @@ impl Painter {
             match faces[0] {
                 Face::Wall(wall) => self.wall(wall, faces, camera, solid),
                 Face::Top(top) => self.top(top, camera),
-                Face::Behind(of) => self.path(scene, camera, marks, Some(of)),
+                Face::Behind(of) => {
+                    // The lines of a long path are drawn together, in one place.
+                    if !is_long(scene) {
+                        self.path(scene, camera, marks, Some(of));
+                    }
+                    self.touches(scene, camera, marks.deviates, Some(of));
+                }
             }
         }
         // Beneath the moves, the touches and the dimensions.
@@ -236,6 +242,7 @@ impl Painter {
         } else {
             self.path(scene, camera, marks, None);
         }
+        self.touches(scene, camera, marks.deviates, None);
         for spot in marks.measured {
             self.square(camera.pixel(*spot));
         }
@@ -372,8 +379,8 @@ impl Painter {
         for ends in all().filter_map(|wall| wall.edge) {
             let [from, to] = ends.map(|spot| camera.pixel(spot));
             // From strip to strip it continues, and so do its dashes.
-            let goes_on = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
-            if !goes_on {
+            let continues = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
+            if !continues {
                 c.move_to(from[0], from[1]);
             }
             c.line_to(to[0], to[1]);
@@ -451,7 +458,7 @@ impl Painter {
         self.context.set_global_alpha(1.0);
     }
 
-    /// The moves and the touches behind something, or those behind nothing.
+    /// The moves behind something, or those behind nothing.
     fn path(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
         let lines = || scene.lines.iter().filter(move |line| line.behind == behind);
         // Touches lie on their ways back: drawn last, they are seen.
@@ -463,8 +470,11 @@ impl Painter {
         if !self.small {
             lines().filter(|line| reached(scene, line)).for_each(|line| self.arrow(line, camera));
         }
+    }
+
+    /// The touches behind something, or those behind nothing: ball, contact, and where the virtual part is met.
+    fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool, behind: Option<usize>) {
         let radius = scene.radius * camera.scale;
-        let deviates = marks.deviates;
         // What is hidden is seen faintly through what hides it.
         for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
             self.context.set_global_alpha(0.35);

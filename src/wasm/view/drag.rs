@@ -10,11 +10,11 @@ use crate::wasm::set;
 
 #[wasm_bindgen]
 impl View {
-    /// The handle within `reach` pixels of a place: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
+    /// The handle within `reach` pixels of a place, 14 unless it is given: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
     #[wasm_bindgen(js_name = handleAt)]
-    pub fn handle_at(&self, x: f64, y: f64, reach: f64) -> Option<String> {
+    pub fn handle_at(&self, x: f64, y: f64, reach: Option<f64>) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= reach;
+        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= reach.unwrap_or(14.0);
         if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
             if near(sweep) {
                 return Some("sweep".to_owned());
