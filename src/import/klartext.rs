@@ -245,8 +245,9 @@ impl Reader {
 
     fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
         let Reader { mut job, mut checker, extrusion, found, passed_over, plane_said, transformed, moves, spins } = self;
-        let klartext = blocks.iter().any(|b| b.to_ascii_uppercase().starts_with("BEGIN PGM"));
-        if found > 0 && !klartext && !says(blocks, "G70") && !says(blocks, "G71") {
+        let states = |block: &str| block.starts_with("BEGIN PGM") && (block.ends_with(" MM") || block.ends_with(" INCH"));
+        let stated = blocks.iter().any(|block| states(&block.to_ascii_uppercase()));
+        if found > 0 && !stated && !says(blocks, "G70") && !says(blocks, "G71") {
             let message = text!("The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken");
             checker.warning("units-unknown", "units", message);
         }

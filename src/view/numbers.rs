@@ -17,7 +17,7 @@ const ONE: f64 = 3.0;
 pub struct Number {
     /// The touches, as indices.
     pub touches: Vec<usize>,
-    /// What it says: `3`, `3·4`, or `3…8` of more than two.
+    /// What it says: `3`, `3·4`, or `3…9` of more than four.
     pub said: String,
     /// The contact, or of a touch behind the part the ball.
     pub contact: Spot,
@@ -26,6 +26,9 @@ pub struct Number {
     /// Whether it stands so far from the contact that a line leads there.
     pub led: bool,
 }
+
+/// So many numbers are said one by one where touches stand in one place.
+const MOST_SAID: usize = 4;
 
 impl Number {
     /// The radius of its disc, pixels.
@@ -43,9 +46,13 @@ impl Camera {
             let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
             if let Some(own) = numbers.iter_mut().find(|own| apart(own.contact, contact) < ONE) {
                 own.touches.push(k);
-                // Two are said; of more the first and the last.
-                let sign = if own.touches.len() > 2 { '…' } else { '·' };
-                own.said = format!("{}{sign}{}", own.touches[0] + 1, k + 1);
+                let number = (k + 1).to_string();
+                if own.touches.len() > MOST_SAID {
+                    own.said = format!("{}…{number}", own.touches[0] + 1);
+                } else {
+                    own.said.push('·');
+                    own.said.push_str(&number);
+                }
             } else {
                 let plate = Plate { middle: contact, along: [1.0, 0.0], half: [0.0; 2] };
                 numbers.push(Number { touches: vec![k], said: (k + 1).to_string(), contact, plate, led: false });

@@ -715,3 +715,13 @@ fn a_loop_leaves_its_incremental_moves_somewhere() {
     }
     assert_eq!(unknown(&format!("DEF INT LOOP1\nLOOP1=2\n{body}"), "sinumerik"), "");
 }
+
+/// With block skip on, an end with a slash is left out: what stands below it is drawn.
+#[test]
+fn an_end_that_may_be_left_out_ends_nothing() {
+    for end in ["/M30", "/M99", "/ M2"] {
+        let path = read_program(&format!("G21 G0 X0 Y0 Z0\n{end}\nG0 X5\nM30\n"), None);
+        assert_eq!(places(&path).len(), 2, "{end}");
+        assert!(said(&path).contains(&"lines-optional"), "{end}: {:?}", said(&path));
+    }
+}

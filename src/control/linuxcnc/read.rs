@@ -64,7 +64,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
             active(script, line, comment)?;
         }
         let in_sub = open.iter().any(|open| matches!(open, Open::Sub(..)));
-        if in_sub && (has_own(code) || comment.is_some_and(|comment| has_own(comment.text))) {
+        if in_sub && (has_own(code) || comment.is_some_and(|comment| says_values(comment) && has_own(comment.text))) {
             return fault(text!("a subroutine has variables of its own: they are not followed"));
         }
         if code.is_empty() || code == "%" {
@@ -115,6 +115,11 @@ fn has_own(text: &str) -> bool {
             number.is_some_and(|number| (MOST_ARGUMENTS + 1..=30).contains(&number))
         }
     })
+}
+
+/// Whether a comment says the values of variables that it names.
+fn says_values(comment: Comment<'_>) -> bool {
+    ["PRINT,", "DEBUG,", "LOG,"].iter().any(|word| after(comment.text.trim_start(), word).is_some())
 }
 
 /// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes

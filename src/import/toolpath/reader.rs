@@ -201,9 +201,11 @@ impl Reader {
             }
             return count(&mut self.skipped, self.line);
         }
+        // With block skip on, the control leaves it out: an end there ends nothing.
+        let skips = line[..begin].contains(&b'/');
         let moves_before = self.path.len();
-        self.follow(block, before, leaped);
-        if line[..begin].contains(&b'/') && (self.path.len() > moves_before || self.modes != before) {
+        self.follow(block, before, leaped || skips);
+        if skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
             count(&mut self.optional, self.line);
         }
     }
