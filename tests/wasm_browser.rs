@@ -42,7 +42,7 @@ fn a_picture_is_drawn_picked_and_dragged() {
     // The middle of the picture is the centre of the pocket: links start there, and the shift handle is there.
     assert!(view.pick(200.0, 150.0).is_some());
     assert_eq!(view.pick(2.0, 2.0), None);
-    assert_eq!(view.handle_at(200.0, 150.0).as_deref(), Some("shift"));
+    assert_eq!(view.handle_at(200.0, 150.0, None).as_deref(), Some("shift"));
     let lie = view.drag_part("shift", 200.0, 150.0).unwrap();
     assert_eq!(wasm::text(&lie), r#"{"offset":[0,0,0],"rotation":0}"#);
     let turned = view.drag_part("turn", 200.0, 50.0).unwrap();
