@@ -56,9 +56,9 @@ pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
         .collect()
 }
 
-/// The positioning move that passes the part nearest, and at what distance, mm; none where all keep `least` from it. The path must run clear
+/// The positioning move that passes the part nearest, and at what distance, mm; none where none comes `within` that much of it. The path must run clear
 /// of the part.
-pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, least: f64) -> Option<(usize, f64)> {
+pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Option<(usize, f64)> {
     let obstacles = Obstacles::of(surfaces, path.frame.w);
     let nearer_than = |gap: f64| {
         let mut at = path.start;
@@ -72,9 +72,9 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, least: f64) -> Opt
                 })
         })
     };
-    let mut found = nearer_than(least)?;
-    let (mut clear, mut near) = (0.0, least);
-    // To a thousandth of the least distance.
+    let mut found = nearer_than(within)?;
+    let (mut clear, mut near) = (0.0, within);
+    // To a thousandth of `within`.
     for _ in 0..10 {
         let middle = (clear + near) / 2.0;
         match nearer_than(middle) {

@@ -472,7 +472,7 @@ impl Painter {
         }
     }
 
-    /// The touches behind something, or those behind nothing: ball, contact, and where the virtual part is met.
+    /// The touches behind something, or those behind nothing: ball, contact, and the contact on the virtual part.
     fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool, behind: Option<usize>) {
         let radius = scene.radius * camera.scale;
         // What is hidden is seen faintly through what hides it.
