@@ -92,12 +92,15 @@ export abstract class Entries extends Phrases {
 
   /** What a field holds where the job says nothing, in the job's units. */
   standIn(field: FieldEntry): unknown {
-    const metric = field.unit === "length" || field.unit === "feed";
+    const metric = isMetric(field.unit);
     const scaled = (x: number) => (metric && this.units === "inch" ? tidy(x / 25.4) : x);
     if (typeof field.default === "number") return scaled(field.default);
     return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
   }
 }
+
+/** Whether values of this unit are converted with the units of the job. */
+export const isMetric = (unit: FieldEntry["unit"]) => unit === "length" || unit === "feed" || unit === "acceleration";
 
 /** How much a size of the virtual part differs. */
 export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {

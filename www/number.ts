@@ -4,7 +4,7 @@ import type { FieldEntry } from "./core/browser.js";
 type Unit = FieldEntry["unit"];
 type Units = "mm" | "inch";
 
-/** A unit after the number, and the millimetres (or degrees) in one of it. */
+/** A unit after the number, and the units of lengths it belongs to. */
 const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
   length: [
     [/\s*mm$/i, "mm"],
@@ -14,6 +14,11 @@ const SUFFIXES: Record<Unit, [RegExp, Units | null][]> = {
     [/\s*mm(\/min)?$/i, "mm"],
     [/\s*(inch|in|ipm|"|″)(\/min)?$/i, "inch"],
   ],
+  acceleration: [
+    [/\s*mm\/s(²|\^?2)$/i, "mm"],
+    [/\s*(inch|in|"|″)\/s(²|\^?2)$/i, "inch"],
+  ],
+  time: [[/\s*ms$/i, null]],
   angle: [[/\s*(°|deg)$/i, null]],
   none: [],
 };

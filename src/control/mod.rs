@@ -89,6 +89,33 @@ impl Header {
     }
 }
 
+/// Where a program shows its results before it ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Report {
+    /// On the screen of the control.
+    Screen,
+    /// In a file, or over the control's printing interface.
+    Log,
+    /// Nowhere: they stay in variables.
+    None,
+}
+
+impl Report {
+    /// `control.report` in the job.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Report::Screen => "screen",
+            Report::Log => "log",
+            Report::None => "none",
+        }
+    }
+
+    /// The report of a word; on the screen where it is none of them.
+    pub fn named(word: &str) -> Report {
+        [Report::Log, Report::None].into_iter().find(|report| report.word() == word).unwrap_or(Report::Screen)
+    }
+}
+
 /// What is known of a control.
 #[derive(Debug)]
 pub struct PostDef {

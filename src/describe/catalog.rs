@@ -271,6 +271,8 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
             let (kind, unit) = match field.kind {
                 Kind::Length => ("number", "length"),
                 Kind::Feed => ("number", "feed"),
+                Kind::Acceleration => ("number", "acceleration"),
+                Kind::Time => ("number", "time"),
                 Kind::Angle => ("number", "angle"),
                 Kind::Count => ("count", "none"),
                 Kind::Flag => ("flag", "none"),

@@ -90,9 +90,9 @@ fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
         map([low, ("maximum", max + noise)].map(|(word, end)| (word, Value::Number(end / scale))))
     };
     let of = |field: &Field| match field.kind {
-        Kind::Length | Kind::Feed | Kind::Nominal => Some(range(field)),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => Some(range(field)),
         Kind::Point | Kind::NominalPoint => Some(map([("items", range(field))])),
-        Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => None,
+        Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => None,
     };
     fields.iter().filter_map(|field| Some((field.key.to_owned(), of(field)?))).collect()
 }
@@ -145,7 +145,7 @@ fn field(field: &Field) -> Value {
     let number = |kind: &str| {
         let mut entries = vec![("type", text(kind))];
         match field.kind {
-            Kind::Angle | Kind::Count => {
+            Kind::Time | Kind::Angle | Kind::Count => {
                 let least = if field.hard.above { "exclusiveMinimum" } else { "minimum" };
                 entries.push((least, Value::Number(field.hard.min)));
                 entries.push(("maximum", Value::Number(field.hard.max)));
@@ -157,7 +157,7 @@ fn field(field: &Field) -> Value {
     };
     let nominal = ["number", "string"].map(text).to_vec();
     let schema = match field.kind {
-        Kind::Length | Kind::Feed | Kind::Angle => number("number"),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => number("number"),
         Kind::Count => number("integer"),
         Kind::Flag => map([("type", text("boolean"))]),
         Kind::Choice(choices) => map([("enum", Value::List(choices.iter().map(|c| text(c.value)).collect()))]),

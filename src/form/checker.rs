@@ -210,8 +210,8 @@ impl<'a, 'c> Section<'a, 'c> {
             return None;
         }
         let scale = match field.kind {
-            Kind::Length | Kind::Feed | Kind::Point | Kind::Nominal | Kind::NominalPoint => self.checker.scale,
-            Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => self.checker.scale,
+            Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
         };
         if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
             self.checker.error("not-whole", path, text!("{label} must be a whole number", field.label));
@@ -300,6 +300,8 @@ impl<'a, 'c> Section<'a, 'c> {
         match kind {
             Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.checker.unit),
             Kind::Feed => format!(" {}/min", self.checker.unit),
+            Kind::Acceleration => format!(" {}/s²", self.checker.unit),
+            Kind::Time => " ms".to_owned(),
             Kind::Angle => "°".to_owned(),
             Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
         }

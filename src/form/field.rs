@@ -14,7 +14,7 @@ pub struct Field {
     pub help: &'static str,
     /// What kind of value it takes.
     pub kind: Kind,
-    /// The value where the job says nothing; lengths in mm, feeds in mm/min, angles in degrees.
+    /// The value where the job says nothing; lengths in mm, feeds in mm/min, accelerations in mm/s², times in ms, angles in degrees.
     pub default: Default,
     /// What is allowed; same units as `default`.
     pub hard: Range,
@@ -39,6 +39,10 @@ pub enum Kind {
     Length,
     /// A feed in the job's units per minute.
     Feed,
+    /// The job's units per second squared.
+    Acceleration,
+    /// Milliseconds.
+    Time,
     /// Degrees.
     Angle,
     /// A whole number.
@@ -164,6 +168,18 @@ impl Field {
     pub const fn feed(key: &'static str, label: &'static str, default: f64) -> Self {
         let hard = Range { min: 0.1, max: 100_000.0, above: false };
         Field::new(key, label, Kind::Feed, Default::Number(default), hard)
+    }
+
+    /// An acceleration, mm/s².
+    pub const fn acceleration(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: 1.0, max: 1_000_000.0, above: false };
+        Field::new(key, label, Kind::Acceleration, Default::Number(default), hard)
+    }
+
+    /// A time in milliseconds, 0 to a minute.
+    pub const fn time(key: &'static str, label: &'static str, default: f64) -> Self {
+        let hard = Range { min: 0.0, max: 60_000.0, above: false };
+        Field::new(key, label, Kind::Time, Default::Number(default), hard)
     }
 
     /// An angle in degrees, −360 to 360.

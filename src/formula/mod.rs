@@ -26,6 +26,19 @@ use crate::text::Text;
 /// The most samples that a formula computes with: a derivative is kept for each.
 pub const MOST_SAMPLES: usize = 16;
 
+/// How far a result may be off its nominal value before a program stops without writing; none is no limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Of a position, along each axis, mm.
+    pub position: Option<f64>,
+    /// Of a width, diameter or length, mm.
+    pub size: Option<f64>,
+    /// Of an angle or direction, degrees.
+    pub angle: Option<f64>,
+    /// Root mean square distance of the touches from what is fitted through them, mm.
+    pub residual: Option<f64>,
+}
+
 /// One assignment.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {

@@ -85,8 +85,8 @@ fn default_values(fields: &[Field], units: Units, short: bool) -> Vec<(String, V
     let rounded = |x: f64| if short { default_in(x, units) } else { x / units.scale() };
     let value = |field: &Field| match field.default {
         Default::Number(x) => match field.kind {
-            Kind::Length | Kind::Feed | Kind::Nominal => Value::Number(rounded(x)),
-            Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => Value::Number(x),
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => Value::Number(rounded(x)),
+            Kind::Time | Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => Value::Number(x),
             Kind::Point | Kind::NominalPoint => Value::Number(x),
         },
         Default::Flag(b) => Value::Flag(b),

@@ -1,11 +1,12 @@
 //! The job's own form: everything around the cycle.
 
-use crate::control::{self, Form, Header, POSTS, PostDef};
+use crate::control::{self, Form, Header, POSTS, PostDef, Report};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
+use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
-use crate::part::Lie;
+use crate::part::{Lie, Machine, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::{Text, text};
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -104,6 +105,12 @@ const PROTECTIONS: &[Choice] = &[
     Choice { value: Protection::None.word(), label: "Not watched" },
 ];
 
+const REPORTS: &[Choice] = &[
+    Choice { value: Report::Screen.word(), label: "On the screen" },
+    Choice { value: Report::Log.word(), label: "In a log" },
+    Choice { value: Report::None.word(), label: "In variables only" },
+];
+
 form! {
     /// The job itself.
     pub struct General {
@@ -125,6 +132,40 @@ form! {
         diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
         /// One sigma of a single touch along its probing direction.
         repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
+        /// From the ball centre up to the probe body. Empty: not known, and what is above the ball is not checked.
+        length: Option<f64> = Field::length("length", "Stylus length", 50.0).range(0.1, 1000.0).usual(5.0, 200.0).null_by_default().null_means("not known").group("Probe"),
+        /// Diameter of the stylus above the ball. Empty: not known.
+        shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
+        /// Diameter of the probe body above the stylus. Empty: not known.
+        body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
+        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known.
+        runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
+    }
+}
+
+form! {
+    /// How far a result may be off its nominal value: beyond that the program raises an alarm and writes nothing.
+    pub struct LimitsForm {
+        /// Largest distance of a measured position from its nominal one, along each axis. Empty: the part may lie anywhere within the search.
+        position: Option<f64> = Field::length("position", "Position limit", 2.0).range(0.001, 1000.0).null_by_default().null_means("no limit").group("Limits"),
+        /// Largest deviation of a measured width, diameter or length.
+        size: Option<f64> = Field::length("size", "Size limit", 0.5).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Limits"),
+        /// Largest deviation of a measured angle or direction.
+        angle: Option<f64> = Field::angle("angle", "Angle limit", 1.0).range(0.001, 180.0).usual(0.01, 15.0).null_means("no limit").group("Limits"),
+        /// Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare.
+        residual: Option<f64> = Field::length("residual", "Residual limit", 0.1).range(0.001, 1000.0).usual(0.005, 1.0).null_means("no limit").group("Limits"),
+    }
+}
+
+form! {
+    /// What the machine needs to stop. The defaults are assumptions: moderate values, since neither is known before it is measured.
+    pub struct MachineForm {
+        /// How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more.
+        acceleration: f64 = Field::acceleration("acceleration", "Acceleration", 500.0).usual(50.0, 20_000.0).group("Machine"),
+        /// From the contact until the axes begin to slow down: probe, receiver and control.
+        latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Machine"),
+        /// Travel that the stylus takes past contact without damage: 3 to 12 mm sideways, by the probe's data sheet.
+        deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Machine"),
     }
 }
 
@@ -152,13 +193,19 @@ form! {
         /// Plain moves, or the control's own cycle where it has one.
         form: String = Field::choice("form", "Program form", FORMS).group("Control"),
         /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
-        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 99).null_by_default().null_means("measure only").group("Control"),
+        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Control"),
         /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
         protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
         /// How much the comments at the top say: with the whole job the program can be opened here again.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Control"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
         tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
+        /// Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it.
+        orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Control"),
+        /// Where the program shows its results before it ends.
+        report: String = Field::choice("report", "Results in the program", REPORTS).group("Control"),
+        /// Number of the program, on controls whose programs have one. Empty: from the program name where it holds digits, else 1000.
+        number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program"),
     }
 }
 
@@ -191,6 +238,8 @@ pub const SECTIONS: &[(&str, &[Field])] = &[
     ("", General::FIELDS),
     ("stylus", Stylus::FIELDS),
     ("feeds", FeedForm::FIELDS),
+    ("limits", LimitsForm::FIELDS),
+    ("machine", MachineForm::FIELDS),
     ("control", Control::FIELDS),
     ("tool", ToolForm::FIELDS),
     ("part", PartForm::FIELDS),
@@ -209,6 +258,14 @@ pub struct Job {
     pub setup: Setup,
     /// One sigma of a touch, mm.
     pub repeatability: f64,
+    /// The stylus above its ball, as far as it is known.
+    pub shape: Shape,
+    /// How far the ball centre is off the spindle axis, mm; none is not known.
+    pub runout: Option<f64>,
+    /// How far results may be off their nominal values.
+    pub limits: Limits,
+    /// What the machine needs to stop.
+    pub machine: Machine,
     /// Feeds, mm/min.
     pub feeds: Feeds,
     /// What is known of the cycle's type.
@@ -227,6 +284,12 @@ pub struct Job {
     pub header: Header,
     /// The work offset to write.
     pub work_offset: Option<i32>,
+    /// The angle that the spindle is turned to, degrees; none is not turned.
+    pub orient: Option<f64>,
+    /// Where the program shows its results.
+    pub report: Report,
+    /// The number of the program, where its control has them; none takes that of the name.
+    pub number: Option<i32>,
     /// How the real part lies.
     pub lie: Lie,
     /// The cycle with the actual part's sizes; none where they are nominal.
@@ -244,10 +307,12 @@ impl Job {
         let units = Units::of(value);
         (checker.scale, checker.unit) = (units.scale(), units.word());
         let mut root = Section::new(checker, Some(value), "");
-        root.only(General::FIELDS, &["format", "stylus", "feeds", "cycle", "control", "tool", "part"]);
+        root.only(General::FIELDS, &["format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool", "part"]);
         let general = General::read(&mut root);
         let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
         let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);
+        let limits: LimitsForm = read_section(checker, value, "limits", LimitsForm::FIELDS, &[], LimitsForm::read);
+        let machine: MachineForm = read_section(checker, value, "machine", MachineForm::FIELDS, &[], MachineForm::read);
         let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
         let length = read_tool(checker, value, &general.plane);
         let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
@@ -274,6 +339,10 @@ impl Job {
             unit: units.word(),
             setup,
             repeatability: stylus.repeatability,
+            shape: Shape { length: stylus.length, shank: stylus.shank, body: stylus.body },
+            runout: stylus.runout,
+            limits: Limits { position: limits.position, size: limits.size, angle: limits.angle, residual: limits.residual },
+            machine: Machine { acceleration: machine.acceleration, latency: machine.latency / 1000.0, deflection: machine.deflection },
             feeds: Feeds {
                 approach: feeds.approach,
                 long_link: feeds.long_link,
@@ -290,6 +359,9 @@ impl Job {
             header: Header::named(&control.header),
             protected: control.protection == Protection::Checked.word(),
             work_offset: control.work_offset,
+            orient: control.orient,
+            report: Report::named(&control.report),
+            number: control.number,
             lie: Lie {
                 rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
                 turn: part.rotation,

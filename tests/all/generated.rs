@@ -42,6 +42,8 @@ fn unit(field: &Field) -> &'static str {
     match field.kind {
         Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => "mm",
         Kind::Feed => "mm/min",
+        Kind::Acceleration => "mm/s²",
+        Kind::Time => "ms",
         Kind::Angle => "°",
         Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => "",
     }
@@ -51,7 +53,15 @@ fn range(field: &Field) -> String {
     match field.kind {
         Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
         Kind::Code(codes) => codes.iter().map(|c| format!("{} {}", c.value, c.label)).collect::<Vec<_>>().join("; "),
-        Kind::Length | Kind::Feed | Kind::Angle | Kind::Count | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
+        Kind::Length
+        | Kind::Feed
+        | Kind::Acceleration
+        | Kind::Time
+        | Kind::Angle
+        | Kind::Count
+        | Kind::Point
+        | Kind::Nominal
+        | Kind::NominalPoint => {
             let from = if field.hard.above { "above" } else { "from" };
             format!("{from} {} to {}", decimal(field.hard.min, 4), decimal(field.hard.max, 4))
         }

@@ -14,7 +14,7 @@ fn field_value(field: &Field) -> BoxedStrategy<Value> {
     let (low, high) = field.usual.unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
     let null = field.null.is_some();
     match field.kind {
-        Kind::Length | Kind::Feed | Kind::Angle => prop_oneof![
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => prop_oneof![
             60 => (low..=high).prop_map(Value::Number),
             1 => (field.hard.min..=field.hard.max).prop_map(Value::Number),
             1 => Just(if null { Value::Null } else { Value::Number(high) }),
@@ -347,7 +347,7 @@ fn in_inch(job: &Value) -> Value {
                 at = at.and_then(|v| v.get(key));
             }
             let value = match (at, field.kind, field.default) {
-                (Some(Value::Number(x)), Kind::Length | Kind::Feed | Kind::Nominal, _) => number(x / 25.4),
+                (Some(Value::Number(x)), Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal, _) => number(x / 25.4),
                 (Some(Value::Text(_)), Kind::Nominal, _) => Value::Text(format!("{:.15}H7", 12.0 / 25.4)),
                 (Some(Value::List(items)), Kind::Point | Kind::NominalPoint, _) => Value::List(
                     items.iter().map(|v| if let Value::Number(x) = v { number(x / 25.4) } else { v.clone() }).collect(),

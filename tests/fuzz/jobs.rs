@@ -53,8 +53,8 @@ fn value(draw: &mut Draw, field: &Field, scale: f64) -> Value {
         return Value::Null;
     }
     match field.kind {
-        Kind::Length | Kind::Feed => Value::Number(number(draw, field, scale)),
-        Kind::Angle => Value::Number(number(draw, field, 1.0)),
+        Kind::Length | Kind::Feed | Kind::Acceleration => Value::Number(number(draw, field, scale)),
+        Kind::Time | Kind::Angle => Value::Number(number(draw, field, 1.0)),
         Kind::Count => Value::Number(draw.between(field.hard.min, field.hard.max.min(9.0) + 1.0).floor()),
         Kind::Flag => Value::Flag(draw.once_in(2)),
         Kind::Choice(choices) => text(draw.of(choices).value),

@@ -620,6 +620,14 @@ export interface Job {
     diameter?: number;
     /** One sigma of a single touch along its probing direction. */
     repeatability?: number;
+    /** From the ball centre up to the probe body. Empty: not known, and what is above the ball is not checked. `null`: not known. */
+    length?: number | null;
+    /** Diameter of the stylus above the ball. Empty: not known. `null`: not known. */
+    shank?: number | null;
+    /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
+    body?: number | null;
+    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known. `null`: not known. */
+    runout?: number | null;
   };
   feeds?: {
     /** From the feed distance to the start of the cycle. `null`: rapid. */
@@ -632,6 +640,24 @@ export interface Job {
     retract?: FeedRate;
     /** The last lift. `null`: rapid. */
     return?: FeedRate;
+  };
+  limits?: {
+    /** Largest distance of a measured position from its nominal one, along each axis. Empty: the part may lie anywhere within the search. `null`: no limit. */
+    position?: number | null;
+    /** Largest deviation of a measured width, diameter or length. `null`: no limit. */
+    size?: number | null;
+    /** Largest deviation of a measured angle or direction. `null`: no limit. */
+    angle?: number | null;
+    /** Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare. `null`: no limit. */
+    residual?: number | null;
+  };
+  machine?: {
+    /** How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more. */
+    acceleration?: number;
+    /** From the contact until the axes begin to slow down: probe, receiver and control. */
+    latency?: number;
+    /** Travel that the stylus takes past contact without damage: 3 to 12 mm sideways, by the probe's data sheet. */
+    deflection?: number;
   };
   control?: {
     /** Which control the program is for. */
@@ -646,6 +672,12 @@ export interface Job {
     header?: "full" | "short";
     /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `null`: in the spindle, not called. */
     tool?: number | null;
+    /** Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it. `null`: not oriented. */
+    orient?: number | null;
+    /** Where the program shows its results before it ends. */
+    report?: "screen" | "log" | "none";
+    /** Number of the program, on controls whose programs have one. Empty: from the program name where it holds digits, else 1000. `null`: from the name. */
+    number?: number | null;
   };
   tool?: {
     /** The tool type's number: 710 is a 3D probe; 400 to 599 are turning and grinding tools. */

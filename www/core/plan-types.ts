@@ -224,7 +224,7 @@ export interface FieldEntry {
   /** `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`. */
   kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
   /** `length`, `feed`, `angle` or `none`. */
-  unit: "length" | "feed" | "angle" | "none";
+  unit: "length" | "feed" | "acceleration" | "time" | "angle" | "none";
   /** Smallest and largest allowed number. */
   range: [number, number] | null;
   /** Whether the smallest number itself is excluded. */

@@ -109,6 +109,8 @@ export abstract class FieldPart extends Part {
     const coarse = {
       length: this.store.units === "inch" ? 0.1 : 1,
       feed: this.store.units === "inch" ? 1 : 10,
+      acceleration: this.store.units === "inch" ? 1 : 50,
+      time: 1,
       angle: 1,
       none: 1,
     };
@@ -176,6 +178,6 @@ export abstract class FieldPart extends Part {
 
   protected unit(field: FieldEntry): string {
     const unit = this.store.units;
-    return { length: unit, feed: `${unit}/min`, angle: "°", none: "" }[field.unit];
+    return { length: unit, feed: `${unit}/min`, acceleration: `${unit}/s²`, time: "ms", angle: "°", none: "" }[field.unit];
   }
 }

@@ -1,4 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
+import type { FieldEntry } from "../core/browser.js";
+import { isMetric } from "../entries.js";
 import { Part } from "./part.js";
 
 /** The box at the foot of the form, of a fixed height: what the field in focus is, and what is wrong with it. */
@@ -46,9 +48,9 @@ class HelpPart extends Part {
   }
 
   /** An end of a range in the job's units; where it is converted, of so many digits at most. */
-  private scaled(unit: string, x: unknown, digits: number): string {
+  private scaled(unit: FieldEntry["unit"], x: unknown, digits: number): string {
     if (typeof x !== "number") return "∞";
-    const inch = (unit === "length" || unit === "feed") && this.store.units === "inch";
+    const inch = isMetric(unit) && this.store.units === "inch";
     return this.store.number(String(inch ? Number(Number((x / 25.4).toPrecision(digits)).toFixed(4)) : x));
   }
 }

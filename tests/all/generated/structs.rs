@@ -53,7 +53,7 @@ const EXACT: &[(&str, &str)] = &[
     ("TraceRow.units", r#""mm" | "inch" | null"#),
     ("ChoiceEntry.value", "string | number"),
     ("FieldEntry.kind", r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#),
-    ("FieldEntry.unit", r#""length" | "feed" | "angle" | "none""#),
+    ("FieldEntry.unit", r#""length" | "feed" | "acceleration" | "time" | "angle" | "none""#),
     ("CycleEntry.type", r#"Cycle["type"]"#),
     ("SupportEntry.type", r#"Cycle["type"]"#),
     ("SupportEntry.form", r#""moves" | "cycle""#),

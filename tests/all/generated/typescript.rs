@@ -45,7 +45,7 @@ fn type_name(key: &str) -> String {
 fn type_of(field: &Field) -> String {
     let own = match field.kind {
         Kind::Feed if field.null.is_some() => return "FeedRate".to_owned(),
-        Kind::Length | Kind::Feed | Kind::Angle | Kind::Count => "number".to_owned(),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle | Kind::Count => "number".to_owned(),
         Kind::Flag => "boolean".to_owned(),
         Kind::Text(_) => "string".to_owned(),
         Kind::Choice(choices) => choices.iter().map(|c| format!("\"{}\"", c.value)).collect::<Vec<_>>().join(" | "),
