@@ -4,8 +4,9 @@
 //! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
 //! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
+use crate::control::iso::registers::When;
 use crate::control::iso::writer::{stated_start, wrapped};
-use crate::control::{Form, PostDef, Program, Request, header};
+use crate::control::{Form, PostDef, Program, Request, check_orientation, header};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
@@ -22,6 +23,9 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: words!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"),
     first_length: false,
     computes: false,
+    when: When::AtTheEnd,
+    nearest_trigger: 0.0,
+    orients: Err(words!("cycle 1411 orients the probe itself, as the probe table says (TRACK): leave the orientation empty")),
     watches: false,
     shortest_probe: 0.0,
     constant_error: 1e-12,
@@ -128,6 +132,7 @@ fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
 
 /// Angles have three decimals on the control.
 fn check(request: &Request<'_>, checker: &mut Checker) {
+    check_orientation(request, checker);
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
         let settings = request.path.feature.two_circles().map_or(&[][..], |c| &c.settings);
         if let Some(ParameterValue::Number(angle)) = settings.iter().find(|s| s.number == code).map(|s| &s.value)

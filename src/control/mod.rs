@@ -18,12 +18,13 @@ pub mod trace;
 
 use std::cell::OnceCell;
 
-use crate::control::iso::registers::Registers;
+use crate::control::iso::registers::{Registers, When};
 use crate::control::iso::script::{Script, Trouble};
 use crate::control::iso::writer::Dialect;
 use crate::form::{Checker, Value};
-use crate::formula::Datum;
+use crate::formula::{Datum, Limits, Question};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::num::decimal;
 use crate::path::{Feeds, Move, Path, Purpose, RAPID_RATE, Setup, Subject};
 use crate::text::{Text, text};
 
@@ -138,6 +139,12 @@ pub struct PostDef {
     /// Whether its program computes the results itself: in plain arithmetic, circles by their normal equations and not by geometric least
     /// squares.
     pub computes: bool,
+    /// When its program computes them.
+    pub when: When,
+    /// The nearest to its start that a touch may trigger, mm, each axis added up: what triggers nearer passes for a probe that is deflected.
+    pub nearest_trigger: f64,
+    /// Whether its program can turn the spindle to an angle, and why not.
+    pub orients: Result<(), &'static str>,
     /// Whether its program watches positioning moves with the probe, where the job asks for it.
     pub watches: bool,
     /// The shortest probing move, mm: shorter positioning moves are plain.
@@ -204,6 +211,12 @@ pub struct Request<'a> {
     pub protected: bool,
     /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
+    /// How far results may be off before the program stops without writing.
+    pub limits: Limits,
+    /// The angle that the spindle is turned to first, degrees; none is not turned.
+    pub orient: Option<f64>,
+    /// Where the program shows its results.
+    pub report: Report,
     /// What to print.
     pub path: &'a Path,
     /// The job with every value, for the header.
@@ -237,7 +250,17 @@ impl Request<'_> {
 
     /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
     pub fn registers(&self) -> &Registers {
-        self.numbered.get_or_init(|| Registers::allocate(&self.path.formula))
+        self.numbered.get_or_init(|| Registers::allocate(self.path, self.post.when))
+    }
+
+    /// What a program that computes asks of its results.
+    pub fn questions(&self) -> Vec<Question> {
+        if self.post.computes && self.form == Form::Moves { self.path.formula.questions(&self.limits) } else { Vec::new() }
+    }
+
+    /// Whether the program itself writes a work offset.
+    pub fn corrects(&self) -> bool {
+        self.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
     }
 
     /// The shortest move that must be watched, mm: a shorter one is no probe move. Rounding may move both of its ends.
@@ -326,6 +349,25 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
     if request.path.feature.two_circles().is_some_and(|circles| circles.turns_table) {
         let message = text!("{why}: turning or offsetting a rotary table is for the control's own cycle", why);
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
+    }
+}
+
+/// A spindle that is to be turned to an angle by a control whose program cannot.
+fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
+    if let (Some(_), Err(why)) = (request.orient, request.post.orients) {
+        checker.error("orient-unsupported", "control.orient", Text::words(why));
+    }
+}
+
+/// What the header says of the angle at which the spindle stands.
+fn orientation_line(request: &Request<'_>) -> String {
+    match request.orient {
+        Some(angle) => {
+            format!("The spindle is turned to {} degrees first: the probe must be calibrated at that angle", decimal(angle, 3))
+        }
+        None => {
+            "The program does not turn the spindle: it must stand at the angle at which the probe was calibrated".to_owned()
+        }
     }
 }
 

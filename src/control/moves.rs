@@ -1,8 +1,9 @@
 //! A program of moves, walked once: whatever differs between controls is a hook of [`Moves`].
 
+use crate::control::iso::registers::{When, needed_touches};
 use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, pieces};
 use crate::control::{Program, Request};
-use crate::formula::{Datum, Formula, Used};
+use crate::formula::{Datum, Formula, Question, Used};
 use crate::geom::Vec3;
 use crate::num::count;
 use crate::path::{Move, Path, Purpose, Touch};
@@ -42,11 +43,17 @@ pub trait Moves {
     /// One assignment of the formula.
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize);
 
-    /// Whatever shows the results.
+    /// Brings the results where they are read.
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula);
+
+    /// Asks whether a result is plausible: where it is not, a program that writes stops with an alarm, any other says so.
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question);
 
     /// The one write of a work offset.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum);
+
+    /// Shows the results to whoever stands at the control.
+    fn report(&mut self, w: &mut Writer<'_>, formula: &Formula);
 
     /// The end, and the exits after it.
     fn end(&mut self, w: &mut Writer<'_>);
@@ -75,6 +82,8 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
     let used = formula.used();
     let mut kept = Kept::default();
     hooks.begin(&mut w);
+    let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
+    let (mut made, mut computed) = (0, 0);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
@@ -84,20 +93,29 @@ pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn M
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
                 latch(&mut w, path, hooks, (k, &used), &mut kept);
+                made += 1;
+                while needed.get(computed).is_some_and(|needed| *needed <= made) {
+                    hooks.assign(&mut w, formula, computed);
+                    computed += 1;
+                }
             }
             Purpose::Back(_) => hooks.back(&mut w, place),
         }
         from = Some(step.to);
     }
-    for index in 0..formula.assignments.len() {
+    for index in computed..formula.assignments.len() {
         hooks.assign(&mut w, formula, index);
     }
     hooks.results(&mut w, formula);
+    for question in &request.questions() {
+        hooks.ask(&mut w, formula, question);
+    }
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
     {
         hooks.write(&mut w, formula, number, datum);
     }
+    hooks.report(&mut w, formula);
     hooks.end(&mut w);
     w.finish()
 }

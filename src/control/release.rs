@@ -1,7 +1,7 @@
 //! No program leaves without its proof: one of moves is read back and proven equal to its path, and every rule that must hold holds.
 
 use crate::control::prove::{self, Fault, Part, Proof};
-use crate::control::safety::{self, Verdict};
+use crate::control::safety::{self, Restarts, Verdict};
 use crate::control::{Form, Program, Request};
 
 /// A program that may be handed out. There is no way to make one but [`release`].
@@ -38,7 +38,7 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
         Form::Moves => Some(prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?),
         Form::Cycle => None,
     };
-    let verdicts = safety::check(request, &followed);
+    let verdicts = safety::check(request, &followed, Restarts::Telling);
     let broken: Vec<Verdict> = verdicts.iter().filter(|verdict| verdict.refuses()).cloned().collect();
     if broken.is_empty() { Ok(Released { program, proof, verdicts }) } else { Err(Refusal::Broken(broken)) }
 }

@@ -2,7 +2,7 @@
 
 use crate::control::Request;
 use crate::control::iso::machine::{self, Run};
-use crate::control::iso::script::Modes;
+use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
@@ -47,6 +47,15 @@ pub enum About {
 /// A line that breaks a rule: 0-based; none is the whole program.
 pub type Break = (Option<usize>, Text);
 
+/// From where a program is started again, to see what it writes then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Restarts {
+    /// From every block from the first motion on.
+    Every,
+    /// From those where most or least has been touched, and those of the write: in a program that was written here, the others lie between.
+    Telling,
+}
+
 /// What a rule looks at.
 #[derive(Debug)]
 pub struct Case<'a> {
@@ -54,6 +63,8 @@ pub struct Case<'a> {
     pub request: &'a Request<'a>,
     /// The program, followed.
     pub followed: &'a Followed<'a>,
+    /// From where it is started again.
+    pub restarts: Restarts,
 }
 
 /// What a rule says of a program.
@@ -92,6 +103,10 @@ pub const LOW_START: &str = "low-start-goes-up";
 pub const NO_LOW_RAPID: &str = "no-low-rapid";
 /// A work offset is written once.
 pub const ONE_WRITE: &str = "one-write";
+/// Results are plausible before a work offset is written.
+pub const PLAUSIBLE: &str = "plausible-before-write";
+/// A restart in the middle writes nothing.
+pub const RESTART: &str = "restart-writes-nothing";
 /// A work offset is written last.
 pub const WRITE_LAST: &str = "offset-after-touches";
 
@@ -215,6 +230,24 @@ pub static RULES: &[Rule] = &[
         breaks: one_write,
     },
     Rule {
+        name: PLAUSIBLE,
+        says: "A result that is off its nominal value by more than its limit ends the program with an alarm before anything is written",
+        why: "A chip on the first wall would be written as the place of the part.",
+        must: true,
+        own_cycle: true,
+        about: About::Writes,
+        breaks: plausible_before_write,
+    },
+    Rule {
+        name: RESTART,
+        says: "Started again in its middle, with variables empty or as the last run left them, the program writes nothing",
+        why: "After an alarm operators start the last block again: touches that were not made would be written.",
+        must: true,
+        own_cycle: true,
+        about: About::Writes,
+        breaks: restart_writes_nothing,
+    },
+    Rule {
         name: "ends-above",
         says: "The program reaches its end, with the ball no lower than the path's end",
         why: "The next program starts where this one ends.",
@@ -242,8 +275,8 @@ pub fn not_followed() -> Vec<Verdict> {
 }
 
 /// What every rule says of a followed program.
-pub fn check(request: &Request<'_>, followed: &Followed<'_>) -> Vec<Verdict> {
-    let case = Case { request, followed };
+pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
+    let case = Case { request, followed, restarts };
     RULES.iter().map(|rule| verdict(rule, &case)).collect()
 }
 
@@ -518,6 +551,71 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
             writes[..*i].iter().any(|before| before.axis == write.axis) || Some(write.number) != case.request.work_offset
         })
         .map(|(_, write)| (Some(write.line), text!("This writes a value of a work offset again, or another work offset")))
+        .collect()
+}
+
+fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
+    let Followed { script, trace, tail, begin, .. } = case.followed;
+    let Some(write) = trace.writes.first() else { return Vec::new() };
+    let mut asked = Vec::new();
+    for question in case.request.questions() {
+        let slot = script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(question.code)).map(|(_, slot)| slot);
+        let Some(slot) = slot else {
+            return vec![(Some(write.line), text!("This writes, and {code} is no result of the program", question.code))];
+        };
+        let unit = if question.angle { 1.0 } else { case.request.scale };
+        asked.push((question, slot, [question.wanted, question.limit].map(|x| x / unit)));
+    }
+    // Each result by itself is a little beyond its limit, the others are what they should be; then all are a little within.
+    let outcome = |off: Option<Slot>, share: f64| {
+        let value = |(_, slot, [wanted, limit]): &(_, Slot, [f64; 2])| {
+            let moved = off.is_none_or(|off| off == *slot);
+            (*slot, wanted + if moved { limit * share } else { 0.0 })
+        };
+        tail.outcome(script, *begin, asked.iter().map(value))
+    };
+    let mut breaks: Vec<Break> = Vec::new();
+    for (question, slot, _) in &asked {
+        if [-1.01, 1.01].iter().any(|share| {
+            let outcome = outcome(Some(*slot), *share);
+            !outcome.stops || outcome.writes
+        }) {
+            let message = text!("This writes though {code} is off by more than its limit", question.code);
+            breaks.push((Some(write.line), message));
+        }
+    }
+    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !asked.is_empty() && !outcome(None, *share).ends) {
+        breaks
+            .push((Some(write.line), text!("The program does not come to this write though every result is within its limit")));
+    }
+    breaks
+}
+
+fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
+    let Followed { script, trace, tail, begin, .. } = case.followed;
+    let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else { return Vec::new() };
+    let block_of = |line: usize| script.blocks.iter().position(|block| block.line == line).unwrap_or(0);
+    let from = block_of(first.line);
+    let starts: Vec<usize> = match case.restarts {
+        Restarts::Every => (from..script.blocks.len()).collect(),
+        Restarts::Telling => {
+            /// So many blocks lead up to a write.
+            const BEFORE: usize = 6;
+            let mut touches = trace.touch_lines().map(|line| block_of(line) + 1);
+            let last = trace.writes.last().map_or(0, |write| block_of(write.line));
+            let writing = block_of(write.line).saturating_sub(BEFORE).max(from)..=last;
+            let after: Vec<usize> = touches.next().into_iter().chain(touches.last()).collect();
+            after.into_iter().chain(writing).collect()
+        }
+    };
+    let empty = vec![script.vacant.unwrap_or(f64::NAN); script.slots];
+    let left = script.vacant.map(|_| tail.last_values());
+    let writes = |block: &usize| {
+        let mut values = std::iter::once(empty.as_slice()).chain(left);
+        values.any(|values| machine::restarted(script, *begin, trace, *block, values))
+    };
+    let bad = starts.iter().filter(|block| writes(block)).map(|block| script.blocks[*block].line);
+    bad.map(|line| (Some(line), text!("Started again at this line, the program writes though not every touch was made")))
         .collect()
 }
 

@@ -30,6 +30,13 @@ pub struct Trace {
     pub ends: bool,
 }
 
+impl Trace {
+    /// The lines of the touches, in order.
+    pub fn touch_lines(&self) -> impl Iterator<Item = usize> {
+        self.steps.iter().filter(|step| step.kind == Kind::Touch).map(|step| step.line)
+    }
+}
+
 /// One motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {

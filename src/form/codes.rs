@@ -16,6 +16,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("clearance-too-small", "A clearance leaves less than 0.01 mm between ball and wall: the touch would begin in contact."),
     ("code-twice", "A custom code is given more than once."),
     ("collision", "A positioning move or a way back meets the feature, nominal or displaced."),
+    (
+        "contact-at-start",
+        "A touch triggers so near to its start that the program takes it for a probe that is still deflected, and stops.",
+    ),
     ("crossing-too-low", "The ball crosses the part below its top side, through the material."),
     ("cycle-chooses-points", "The control's own cycle chooses its touches, so picked ones cannot be used."),
     ("cycle-differs", "The moves of the control's own cycle differ from the documented ones shown."),
@@ -32,6 +36,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("given-position", "1411: an object's position is given, so it is not probed."),
     ("header-unknown", "The header of a program has values that this cycle has no place for."),
     ("header-unsound", "The job in a program's header has errors."),
+    ("implausible", "On this part a result is off by more than its limit: a program that writes stops with an alarm first."),
     (
         "length-not-along-tool-axis",
         "The tool length that the control uses does not act along the tool axis: the touches would be wrong by the stylus' length.",
@@ -89,6 +94,8 @@ pub const CODES: &[(&str, &str)] = &[
     ("nothing-to-import", "No job can be made of the text."),
     ("nothing-to-write", "The cycle measures nothing that a work offset could take."),
     ("offset-one-direction", "A work offset gets more axes than the touches have directions: a shift across them is not seen."),
+    ("offset-optional", "The work offset is an option of the control: one without it raises an alarm."),
+    ("orient-unsupported", "The program of this control cannot turn the spindle to an angle."),
     ("other-version", "Another version wrote the program."),
     ("out-of-range", "A number lies outside of what is allowed."),
     ("own-codes", "A dump has more custom codes than are kept, or one of them twice."),

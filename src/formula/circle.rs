@@ -13,6 +13,8 @@ pub struct CircleFit {
     pub radius: f64,
     /// The change of (centre, centre, radius) for a shift of each point along the first and along the second axis.
     pub by_point: Vec<[Vec3; 2]>,
+    /// The root mean square distance of the points from the circle.
+    pub residual: f64,
 }
 
 /// The circle with the least sum of squared distances (geometric, by Gauss and Newton); through three points the exact one.
@@ -52,7 +54,9 @@ pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
         let row = pull(*p, center).0;
         [inverse * row * row.x, inverse * row * row.y]
     });
-    Some(CircleFit { by_point: by_point.collect(), center: center + mean, radius })
+    let square = near.iter().map(|p| (p.distance(center) - radius).powi(2)).sum::<f64>();
+    let residual = (square / near.len() as f64).sqrt();
+    Some(CircleFit { by_point: by_point.collect(), center: center + mean, radius, residual })
 }
 
 /// The circle that minimises Σ(x² + y² − 2ax − 2by − c)², to start from. The points lie about the origin.

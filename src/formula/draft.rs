@@ -165,6 +165,11 @@ impl<'f> Expr<'f> {
         self.call(Function::Cos)
     }
 
+    /// The value without its sign.
+    pub fn abs(self) -> Expr<'f> {
+        self.call(Function::Abs)
+    }
+
     /// Square root.
     pub fn sqrt(self) -> Expr<'f> {
         self.call(Function::Sqrt)

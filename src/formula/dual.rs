@@ -77,6 +77,7 @@ impl Function {
             Function::Sin => x.to_radians().sin(),
             Function::Cos => x.to_radians().cos(),
             Function::Sqrt => x.sqrt(),
+            Function::Abs => x.abs(),
         }
     }
 
@@ -86,6 +87,7 @@ impl Function {
             Function::Sin => x.to_radians().cos().to_radians(),
             Function::Cos => -x.to_radians().sin().to_radians(),
             Function::Sqrt => 0.5 / x.sqrt(),
+            Function::Abs => x.signum(),
         }
     }
 }
@@ -101,6 +103,31 @@ impl Formula {
             run.values.push(value);
         }
         run.values
+    }
+}
+
+impl Formula {
+    /// The values of a plain formula alone, without derivatives.
+    pub fn values(&self, triggers: &[Option<Vec3>]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.assignments.len());
+        for assignment in &self.assignments {
+            values.push(self.number(assignment.node, triggers, &values));
+        }
+        values
+    }
+
+    fn number(&self, node: NodeId, triggers: &[Option<Vec3>], values: &[f64]) -> f64 {
+        let number = |node| self.number(node, triggers, values);
+        match self.nodes[node.0 as usize] {
+            Node::Number(x) | Node::Length(x) => x,
+            Node::Variable(variable) => values[variable.index()],
+            Node::Trigger { sample, axis } => triggers[usize::from(sample)].map_or(f64::NAN, |t| t[usize::from(axis)]),
+            Node::Binary(op, a, b) => op.of(number(a), number(b)),
+            Node::Call(function, a) => function.of(number(a)),
+            Node::Atan2(y, x) => number(y).atan2(number(x)).to_degrees(),
+            // A plain formula has none.
+            Node::Circle(..) => f64::NAN,
+        }
     }
 }
 
@@ -170,6 +197,7 @@ impl Run<'_> {
             CirclePart::Abscissa => 0,
             CirclePart::Ordinate => 1,
             CirclePart::Radius => 2,
+            CirclePart::Residual => return Dual::constant(fit.residual),
         };
         let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
         for (i, k) in samples.range().enumerate() {

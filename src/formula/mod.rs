@@ -39,6 +39,28 @@ pub struct Limits {
     pub residual: Option<f64>,
 }
 
+/// What a program asks of a result before it writes: whether it is plausible.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    /// Of the result.
+    pub code: &'static str,
+    /// The assignment that holds it.
+    pub variable: Variable,
+    /// What it is on a good part: mm or degrees.
+    pub wanted: f64,
+    /// How far it may be off that.
+    pub limit: f64,
+    /// Whether it is an angle; else a length.
+    pub angle: bool,
+}
+
+impl Question {
+    /// Whether a value, mm or degrees, is within the limit. What is not known is not.
+    pub fn holds(&self, value: f64) -> bool {
+        (value - self.wanted).abs() <= self.limit
+    }
+}
+
 /// One assignment.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
@@ -71,6 +93,8 @@ pub enum Role {
     Shift,
     /// The same as an angle, degrees.
     Turn,
+    /// How far touches are from what is fitted through them, a length: their root mean square distance.
+    Residual,
 }
 
 impl Role {
@@ -79,6 +103,7 @@ impl Role {
         match self {
             Role::Angle | Role::Direction | Role::Turn => true,
             Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Level | Role::Reading | Role::Shift => false,
+            Role::Residual => false,
         }
     }
 }
@@ -182,7 +207,7 @@ pub struct ResultRow {
     pub uncertainty: Option<f64>,
     /// Lower and upper limit, where a tolerance is given.
     pub limits: Option<(f64, f64)>,
-    /// Good, rework, scrap, where a tolerance is given.
+    /// Good, rework, scrap, where a tolerance is given; implausible beyond the limit.
     pub verdict: Option<Text>,
     /// What it is on the actual part, where that is known.
     pub truth: Option<f64>,
@@ -235,6 +260,48 @@ impl Formula {
         });
         let results = self.results.iter().map(|result| ResultDef { variable: result.variable.map(moved), ..result.clone() });
         Formula { results: results.collect(), ..draft.finish(datum) }
+    }
+
+    /// What a program asks of its results before it writes, in their order: each value that the touches give, and that has a limit.
+    pub fn questions(&self, limits: &Limits) -> Vec<Question> {
+        let mut questions: Vec<Question> = Vec::new();
+        let measured = self.measured();
+        for result in &self.results {
+            let limit = match result.role {
+                Role::Abscissa | Role::Ordinate | Role::Level | Role::Reading => limits.position,
+                Role::Size => limits.size,
+                Role::Angle | Role::Direction => limits.angle,
+                Role::Residual => limits.residual,
+                // Not probed, or said by another result.
+                Role::Height | Role::Shift | Role::Turn => None,
+            };
+            let (Some(limit), Some(variable)) = (limit, result.variable) else { continue };
+            let asked = questions.iter().any(|question| question.variable == variable);
+            if !asked && result.reference.is_finite() && measured[variable.index()] {
+                let (code, wanted, angle) = (result.code, result.reference, result.role.is_angle());
+                // The middle of a tolerance zone may be off the nominal value by more than the limit.
+                let limit = limit + (result.reference - result.nominal).abs();
+                questions.push(Question { code, variable, wanted, limit, angle });
+            }
+        }
+        questions
+    }
+
+    /// Of each assignment, whether it depends on a touch.
+    fn measured(&self) -> Vec<bool> {
+        let mut measured = Vec::with_capacity(self.assignments.len());
+        for assignment in &self.assignments {
+            let mut own = false;
+            self.each(assignment.node, &mut |node| {
+                own |= match node {
+                    Node::Trigger { .. } | Node::Circle(..) => true,
+                    Node::Variable(earlier) => measured[earlier.index()],
+                    _ => false,
+                }
+            });
+            measured.push(own);
+        }
+        measured
     }
 
     /// Which coordinates of the triggers are used at all.

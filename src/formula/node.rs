@@ -63,6 +63,8 @@ pub enum Function {
     Cos,
     /// Square root.
     Sqrt,
+    /// The value without its sign.
+    Abs,
 }
 
 /// The samples that a circle is fitted to, in a plane: geometric least squares, exact for three.
@@ -92,4 +94,6 @@ pub enum CirclePart {
     Ordinate,
     /// Its radius.
     Radius,
+    /// The root mean square distance of the samples from it.
+    Residual,
 }

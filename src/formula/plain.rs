@@ -1,7 +1,7 @@
 //! A formula written again in arithmetic that any control can do.
 
 use crate::formula::node::{Samples, Variable};
-use crate::formula::{CirclePart, Draft, Formula, Name, Node, NodeId, Value};
+use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
 
 /// Writes the assignments of a formula, after those of the circles that they need. Where each of them stands now.
 pub(super) fn write(formula: &Formula, draft: &Draft) -> Vec<Variable> {
@@ -18,8 +18,8 @@ struct Plain<'a, 'f> {
     draft: &'f Draft,
     /// The assignments so far.
     values: Vec<Value<'f>>,
-    /// The circles so far: abscissa and ordinate of the centre, and radius.
-    circles: Vec<(Samples, [Value<'f>; 3])>,
+    /// The circles so far: abscissa and ordinate of the centre, radius and residual.
+    circles: Vec<(Samples, [Value<'f>; 4])>,
 }
 
 impl<'f> Plain<'_, 'f> {
@@ -39,7 +39,7 @@ impl<'f> Plain<'_, 'f> {
     /// A part of a circle, which is written where it is needed first.
     fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
         let known = self.circles.iter().find(|(known, _)| *known == samples).map(|(_, values)| *values);
-        let [x, y, r] = known.unwrap_or_else(|| {
+        let [x, y, r, residual] = known.unwrap_or_else(|| {
             let values = circle(self.draft, self.circles.len() + 1, samples);
             self.circles.push((samples, values));
             values
@@ -48,36 +48,48 @@ impl<'f> Plain<'_, 'f> {
             CirclePart::Abscissa => x,
             CirclePart::Ordinate => y,
             CirclePart::Radius => r,
+            CirclePart::Residual => residual,
         }
     }
 }
 
-/// Kåsa's circle: minimises the sum of (x² + y² − 2ax − 2by − c)² about the mean of the points.
-fn circle(f: &Draft, number: usize, samples: Samples) -> [Value<'_>; 3] {
+/// Kåsa's circle: minimises the sum of (u² + v² − 2au − 2bv − c)², u and v being counted from the first point. Its sums grow from touch to touch,
+/// so that a control needs no place for every point: with w = u² + v² and, for each pair, the central sum ⟨pq⟩ = Σpq − ΣpΣq/n,
+/// 2a = (⟨vv⟩⟨uw⟩ − ⟨uv⟩⟨vw⟩) / (⟨uu⟩⟨vv⟩ − ⟨uv⟩²), 2b likewise, and the rest of Σ(w − 2au − 2bv − c)² is ⟨ww⟩ − 2a⟨uw⟩ − 2b⟨vw⟩; a point that is e off
+/// the circle of radius r adds nearly (2re)² to it.
+fn circle<'f>(f: &'f Draft, number: usize, samples: Samples) -> [Value<'f>; 4] {
     let own = |rest: &'static str| Name::new("c", number).and(rest);
     let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
     let samples = samples.range();
-    let n = f.number(samples.len() as f64);
-    let mean = |axis: usize| f.sum(samples.clone().map(|k| f.trigger(k, axis))) / n;
-    let mean_a = f.set(own("_mean_a"), mean(a));
-    let mean_o = f.set(own("_mean_o"), mean(o));
-    let mut sums: [Option<Value<'_>>; 5] = Default::default();
-    for (i, k) in samples.enumerate() {
-        let u = f.set(Name::new("u", k + 1), f.trigger(k, a) - mean_a);
-        let v = f.set(Name::new("v", k + 1), f.trigger(k, o) - mean_o);
-        let z = f.set(Name::new("w", k + 1), u * u + v * v);
-        let terms = [u * u, v * v, u * v, u * z, v * z];
-        let names = ["_uu_", "_vv_", "_uv_", "_uz_", "_vz_"];
+    let count = samples.len();
+    let n = || f.number(count as f64);
+    let first = samples.start;
+    let names = ["_u_", "_v_", "_uu_", "_vv_", "_uv_", "_uw_", "_vw_", "_ww_"];
+    let mut sums: [Option<Value<'f>>; 8] = Default::default();
+    // The first point is where u and v are 0.
+    for (i, k) in samples.enumerate().skip(1) {
+        let u = f.set(Name::new("u", k + 1), f.trigger(k, a) - f.trigger(first, a));
+        let v = f.set(Name::new("v", k + 1), f.trigger(k, o) - f.trigger(first, o));
+        let w = f.set(Name::new("w", k + 1), u * u + v * v);
+        let terms = [u.into(), v.into(), u * u, v * v, u * v, u * w, v * w, w * w];
         for ((sum, term), name) in sums.iter_mut().zip(terms).zip(names) {
             *sum = Some(f.set(own(name).at(i + 1), sum.map_or(term, |sum| sum + term)));
         }
     }
-    let [uu, vv, uv, uz, vz] = sums.map(|sum| sum.expect("three points or more"));
-    let det = f.set(own("_det"), (uu * vv - uv * uv) * f.number(2.0));
-    let u = f.set(own("_u"), (vv * uz - uv * vz) / det);
-    let v = f.set(own("_v"), (uu * vz - uv * uz) / det);
-    let x = f.set(own("_a"), mean_a + u);
-    let y = f.set(own("_o"), mean_o + v);
-    let r = f.set(own("_r"), (u * u + v * v + (uu + vv) / n).sqrt());
-    [x, y, r]
+    let [u, v, uu, vv, uv, uw, vw, ww] = sums.map(|sum| sum.expect("three points or more"));
+    let w = f.set(own("_w"), uu + vv);
+    let central = |name: &'static str, sum: Value<'f>, p: Value<'f>, q: Value<'f>| f.set(own(name), sum - p * q / n());
+    let (cuu, cvv, cuv) = (central("_cuu", uu, u, u), central("_cvv", vv, v, v), central("_cuv", uv, u, v));
+    let (cuw, cvw, cww) = (central("_cuw", uw, u, w), central("_cvw", vw, v, w), central("_cww", ww, w, w));
+    let det = f.set(own("_det"), cuu * cvv - cuv * cuv);
+    let twice_a = f.set(own("_2a"), (cvv * cuw - cuv * cvw) / det);
+    let twice_o = f.set(own("_2o"), (cuu * cvw - cuv * cuw) / det);
+    let square = (w - twice_a * u - twice_o * v) / n() + (twice_a * twice_a + twice_o * twice_o) / f.number(4.0);
+    let r = f.set(own("_r"), square.sqrt());
+    let rest = f.set(own("_rest"), cww - twice_a * cuw - twice_o * cvw);
+    // Rounding may leave less than nothing of it.
+    let residual = f.set(own("_residual"), (Expr::from(rest).abs() / n()).sqrt() / (f.number(2.0) * r));
+    let x = f.set(own("_a"), f.trigger(first, a) + twice_a / f.number(2.0));
+    let y = f.set(own("_o"), f.trigger(first, o) + twice_o / f.number(2.0));
+    [x, y, r, residual]
 }

@@ -1,7 +1,8 @@
 //! A text held against a job: what the rules say of it, and whether it is proven to be the job's program.
 
+use crate::control::Request;
 use crate::control::prove::{self, Fault, Followed, Part};
-use crate::control::{Request, safety};
+use crate::control::safety::{self, Restarts};
 use crate::form::{Checker, Value};
 use crate::job::defaults::resolved;
 use crate::job::plan::{Planned, request};
@@ -20,7 +21,9 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
         request.post.read?;
-        let rules = |followed: Followed<'_>| safety::check(request, &followed).into_iter().map(SafetyRow::of).collect();
+        let rules = |followed: Followed<'_>| {
+            safety::check(request, &followed, Restarts::Every).into_iter().map(SafetyRow::of).collect()
+        };
         Some(prove::follow(request, text, Part::Unknown).map(rules))
     })?
 }
@@ -47,6 +50,6 @@ pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &m
         let Ok(followed) = prove() else { return };
         timed("print", &mut || (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request)))));
         timed("prove", &mut || (0..rounds).for_each(|_| drop(black_box(prove()))));
-        timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed)))));
+        timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed, Restarts::Telling)))));
     });
 }

@@ -6,7 +6,7 @@ use crate::control::release::{Refusal, release};
 use crate::control::safety::{NO_LOW_RAPID, Verdict, WATCHED};
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
-use crate::formula::Role;
+use crate::formula::{self, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::rows::{
@@ -165,6 +165,54 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     }
 }
 
+/// Gives results that are off by more than their limit a verdict, and gives those.
+fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
+    let mut off = path.formula.questions(&job.limits);
+    off.retain(|question| {
+        let row = rows.iter_mut().find(|row| row.code == question.code);
+        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value))) else { return false };
+        row.verdict = Some(text!("implausible"));
+        true
+    });
+    off
+}
+
+/// Results that the program, run on the virtual part, does not take for plausible.
+fn report_implausible(job: &Job, path: &Path, rows: &[formula::ResultRow], off: &[Question], checker: &mut Checker) {
+    let Some(question) = off.first() else { return };
+    let Some(row) = rows.iter().find(|row| row.code == question.code) else { return };
+    let shown = |x: f64| {
+        if question.angle { format!("{}°", decimal(x, 3)) } else { checker.length(x) }
+    };
+    let (value, wanted, limit) = (shown(row.value.unwrap_or(f64::NAN)), shown(question.wanted), shown(question.limit));
+    let what = text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted);
+    let asks = job.post.computes && job.form == Form::Moves;
+    let writes = job.work_offset.is_some() && path.formula.datum.as_ref().is_some_and(Datum::writes);
+    let message = match (asks, writes) {
+        (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
+        (true, false) => text!("On this part the program reports an implausible result: {what}", what),
+        (false, _) => text!("On this part a result is implausible, and the program does not ask: {what}", what),
+    };
+    checker.warning("implausible", if job.lie.nominal { "limits" } else { "part" }, message);
+}
+
+/// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
+fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &mut Checker) {
+    let near = |k: usize, from: Vec3| {
+        let way = (triggers[k]? - from).abs();
+        (way.x + way.y + way.z <= job.post.nearest_trigger).then_some(way.length())
+    };
+    let found = path.searches().find_map(|(k, from, _)| Some((k, near(k, from?)?)));
+    let Some((k, way)) = found.filter(|_| job.form == Form::Moves) else { return };
+    let message = text!(
+        "Touch {touch} triggers {way} after its start: the program takes a contact within {least} of the start for a probe that is still deflected, and stops with an alarm",
+        k + 1,
+        checker.length(way),
+        checker.length(job.post.nearest_trigger)
+    );
+    checker.warning("contact-at-start", if job.lie.nominal { "cycle" } else { "part" }, message);
+}
+
 /// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
 fn report_still(path: &Path, checker: &mut Checker) {
     if matches!(path.feature, Feature::Still) {
@@ -199,6 +247,9 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    let implausible = judge_plausible(job, path, &mut rows);
+    report_implausible(job, path, &rows, &implausible, &mut checker);
+    report_at_start(job, path, &run.triggers, &mut checker);
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
@@ -302,6 +353,9 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         setup: &job.setup,
         feeds,
         work_offset: job.work_offset,
+        limits: job.limits,
+        orient: job.orient,
+        report: job.report,
         path,
         protected: job.protected,
         job: whole,
@@ -346,6 +400,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     }
     let mut rows = part::evaluate(&path, &points, job.repeatability);
     job.cycle.judge(&job.setup, &path, &points, &mut rows);
+    judge_plausible(job, &path, &mut rows);
     Ok(result_rows(job, &path, rows))
 }
 

@@ -188,7 +188,7 @@ pub struct ResultRow {
     pub uncertainty: Option<f64>,
     /// Lower and upper limit, where a tolerance is given.
     pub limits: Option<[f64; 2]>,
-    /// Good, rework or scrap, where a tolerance is given.
+    /// Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit.
     pub verdict: Option<String>,
     /// The true value on the virtual part, where there is one.
     pub truth: Option<f64>,

@@ -27,7 +27,8 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
                 nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
                 deviation: dual.map(|d| tidy(d.value - def.reference)).filter(|d| d.is_finite()),
-                uncertainty: dual.map(|d| d.uncertainty(repeatability)),
+                // On a good part the residual is nothing, and no derivative says how it grows.
+                uncertainty: dual.filter(|_| def.role != Role::Residual).map(|d| d.uncertainty(repeatability)),
                 limits: None,
                 verdict: None,
                 truth: None,
@@ -84,7 +85,7 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
                 nominal[w] = def.nominal;
                 lie.rigid.point(nominal)[w]
             }
-            Role::Height | Role::Reading | Role::Shift | Role::Turn => continue,
+            Role::Height | Role::Reading | Role::Shift | Role::Turn | Role::Residual => continue,
         };
         row.truth = Some(tidy(truth));
     }

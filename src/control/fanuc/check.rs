@@ -1,6 +1,6 @@
 //! What neither of the two takes, or takes with a warning.
 
-use super::{DIALECT, DIGITS, FIRST, LAST};
+use super::{CHANGES, DIALECT, DIGITS, FIRST, LAST, STANDARD_OFFSETS};
 use crate::control::{Request, check_plain_moves, check_rotary, check_write};
 use crate::form::Checker;
 use crate::geom::Plane;
@@ -53,6 +53,10 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
+    if request.post.key == super::FANUC.key && request.work_offset.is_some_and(|n| n > STANDARD_OFFSETS) {
+        let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
+        checker.warning("offset-optional", "control.workOffset", message);
+    }
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
         checker.error("plane-unsupported", "plane", message);
@@ -73,7 +77,8 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     check_starts(request, checker);
     check_digits(request, checker);
-    let last = FIRST + request.registers().last;
+    let more = if request.corrects() { 1 + CHANGES } else { 0 };
+    let last = FIRST + request.registers().last + more;
     if last > LAST {
         let message = text!(
             "The program would need #{first} to #{last}; a control has common variables up to #149 unless it was set up for more: take fewer \

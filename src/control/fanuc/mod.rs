@@ -19,7 +19,8 @@ mod skip;
 
 use self::check::{check, check_haas_feeds};
 use self::flavour::{PLAIN, WITH_ALARMS};
-use self::skip::emit;
+use self::skip::{IN_POSITION, emit};
+use crate::control::iso::registers::When;
 use crate::control::iso::writer::Dialect;
 use crate::control::{Form, PostDef, Request, feed_rate, safety};
 use crate::path::{Move, Subject};
@@ -31,8 +32,12 @@ pub static FANUC: PostDef = PostDef {
     title: "Fanuc 30i / 0i-F",
     about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
     extension: "nc",
-    work_offsets: 6,
-    work_offset_word: |n| format!("G{}", 53 + n),
+    // G54.1 P1 to P48 are an option of the control.
+    work_offsets: STANDARD_OFFSETS + 48,
+    work_offset_word: |n| match n {
+        ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
+        _ => format!("G54.1 P{}", n - STANDARD_OFFSETS),
+    },
     cannot: &[],
     emit: |request| emit(request, &PLAIN),
     read: Some(read::fanuc),
@@ -45,8 +50,11 @@ pub static HAAS: PostDef = PostDef {
     title: "Haas NGC",
     about: "the same with M78 and M79, which raise the alarm in the control itself. Not verified on a control.",
     extension: "nc",
-    work_offsets: 99,
-    work_offset_word: |n| if n <= 6 { format!("G{}", 53 + n) } else { format!("G154 P{}", n - 6) },
+    work_offsets: STANDARD_OFFSETS + 99,
+    work_offset_word: |n| match n {
+        ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
+        _ => format!("G154 P{}", n - STANDARD_OFFSETS),
+    },
     cannot: &[
         (
             safety::CONTACT_LIFTS,
@@ -77,6 +85,9 @@ const BASE: PostDef = PostDef {
     no_work_offset: "",
     first_length: false,
     computes: true,
+    when: When::AtOnce,
+    nearest_trigger: IN_POSITION,
+    orients: Ok(()),
     watches: true,
     shortest_probe: SHORTEST_PROBE,
     constant_error: 2e-8,
@@ -107,9 +118,15 @@ static DIALECT: Dialect = Dialect {
 /// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
 const SHORTEST_PROBE: f64 = 0.2;
 
+/// G54 to G59.
+const STANDARD_OFFSETS: i32 = 6;
+
 /// Variables: 100 is the length, those after it hold results and what is needed on the way, 148 is a place aside, 149 the move.
 const FIRST: usize = 100;
 const LAST: usize = 147;
+
+/// So many axes of an origin may change.
+const CHANGES: usize = 3;
 
 /// The digits of a constant: more is an alarm on some controls.
 const DIGITS: usize = 8;
@@ -126,8 +143,9 @@ fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
     request.feeds.rate(step.feed).or_else(|| feed_rate(request, None, step).map(|_| rapid))
 }
 
-/// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, G154 P1 on from 14001.
-pub fn origin(number: i32) -> usize {
-    let number = usize::try_from(number).unwrap_or(1);
-    if number <= 6 { 5201 + 20 * number } else { 14_001 + 20 * (number - 7) }
+/// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, and from `more` on those beyond:
+/// G54.1 P1 of a Fanuc from 7001 (recalled), G154 P1 of a Haas from 14001.
+fn origin(number: i32, more: usize) -> usize {
+    let (number, standard) = (usize::try_from(number).unwrap_or(1), STANDARD_OFFSETS as usize);
+    if number <= standard { 5201 + 20 * number } else { more + 20 * (number - standard - 1) }
 }

@@ -40,6 +40,8 @@ fn system(name: &[u8]) -> Option<System> {
         // The number of the length, of those that the tables have.
         4111 => Some(System::Fixed(7.0)),
         5221..=5339 => origin(5221, 1),
+        // G54.1 P1 to P48 of a Fanuc.
+        7001..=7959 => origin(7001, 7),
         14_001..=15_979 => origin(14_001, 7),
         _ => None,
     }
@@ -52,7 +54,9 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
         (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
         (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
         (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
+        (b'G', 541) => Code::Extended(6),
         (b'G', 530) => Code::Halt(""),
+        (b'M', 190) => Code::Nothing(""),
         (b'G', 800) | (b'M', 0) => Code::Nothing(""),
         _ => return codes::common(letter, tenths),
     })
@@ -65,6 +69,8 @@ fn haas_code(letter: u8, tenths: i32) -> Option<Code> {
         (b'M', 790) => Some(Code::Motion(Motion::MustTouch)),
         (b'G', 1030) => Some(Code::Halt("P")),
         (b'G', 1540) => Some(Code::Extended(6)),
+        (b'G', 541) => None,
+        (b'M', 190) => Some(Code::Nothing("R")),
         _ => code(letter, tenths),
     }
 }
@@ -82,6 +88,7 @@ pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.straight = true;
+    script.vacant = Some(0.0);
     script.ahead = Ahead::ReadsAndActs;
     // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
     script.full_circle = true;
@@ -122,7 +129,11 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
             return Ok(());
         }
     }
-    let what = if cursor.eat("IF") {
+    let what = if cursor.eat("POPEN") || cursor.eat("PCLOS") {
+        What::Nothing
+    } else if let Some(printed) = code.strip_prefix("DPRNT[") {
+        return printing(script, line, printed);
+    } else if cursor.eat("IF") {
         let condition = cursor.bracketed(grammar, script)?;
         if cursor.eat("THEN") {
             script.push(line, What::JumpUnless(condition, here + 2));
@@ -154,12 +165,24 @@ fn own(name: &[u8]) -> bool {
     number.is_some_and(|number| matches!(number, 1..=33 | 100..=199 | 500..=999 | 10_000..=10_999))
 }
 
+/// `CENTER*X*#101[53]]`: what is printed of a variable, and with how many digits.
+fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
+    let plain = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '*' | '#' | '[' | ']');
+    if !printed.ends_with("]]") || !printed.chars().all(plain) {
+        return fault(text!("\"{left}\" is not understood", crate::form::printable(printed)));
+    }
+    script.push(line, What::Nothing);
+    Ok(())
+}
+
 /// What stands after the name of a variable: its value, or an alarm.
 fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
     match system(name) {
         _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
+        // A message: the program continues when the operator starts it again.
+        _ if name == b"#3006" && script.number(value).is_some() => Ok(What::Nothing),
         None if !own(name) => Ok(What::SetOther(script.slot(name), value)),
         None => Ok(What::Set(script.slot(name), value)),
         Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),

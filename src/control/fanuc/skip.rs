@@ -1,26 +1,30 @@
 //! Writes the program: every probing move a G31, compared with its end.
 
 use super::flavour::Flavour;
-use super::{DIALECT, DIGITS, FIRST, SHORTEST_PROBE, origin, rate};
+use super::{CHANGES, DIALECT, DIGITS, FIRST, SHORTEST_PROBE, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
-use crate::control::{Program, Request, offset_line, written};
-use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op};
+use crate::control::{Program, Report, Request, offset_line, orientation_line, written};
+use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, count, decimal, push_count};
 use crate::path::{Move, Touch};
 
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
-const IN_POSITION: f64 = 0.05;
+pub(super) const IN_POSITION: f64 = 0.05;
 
 /// Labels. The exits stand after the end.
 const FREE: &str = "9001";
 const MISSED: &str = "9002";
 const BLOCKED: &str = "9003";
-const STATE: &str = "9004";
 const ELSEWHERE: &str = "9005";
+const INCOMPLETE: &str = "9006";
+
+/// The first label of the states in which nothing moves, and that of the results that are not plausible; their alarms likewise.
+const STATES: (usize, usize) = (9031, 11);
+const RESULTS: (usize, usize) = (9061, 31);
 
 /// What the value of an assignment changes by in a full turn, degrees, where it is an angle or half of one.
 fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
@@ -45,7 +49,8 @@ fn push_variable(text: &mut String, n: usize) {
 
 /// The program of a request, with what one of the two has of its own.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    moves::write(request, &DIALECT, &mut Skip { request, flavour, registers: request.registers(), labels: 0 })
+    let skip = &mut Skip { request, flavour, registers: request.registers(), labels: 0, implausible: Vec::new() };
+    moves::write(request, &DIALECT, skip)
 }
 
 /// The program of one request.
@@ -54,6 +59,8 @@ struct Skip<'a> {
     flavour: &'static Flavour,
     registers: &'a Registers,
     labels: usize,
+    /// What the alarms of results that are not plausible say, in the order of their labels.
+    implausible: Vec<String>,
 }
 
 /// Writes expressions over these variables.
@@ -80,6 +87,12 @@ impl Notation for Variables<'_> {
 fn decimals(x: f64) -> usize {
     let whole = x.abs().max(1.0).log10().floor() as usize + 1;
     DIGITS.saturating_sub(whole)
+}
+
+/// A constant with its point.
+fn constant(x: f64) -> String {
+    let text = decimal(x, decimals(x));
+    if text.contains('.') { text } else { format!("{text}.") }
 }
 
 /// Where the ball stopped in the last G31, along each axis.
@@ -155,6 +168,36 @@ impl Skip<'_> {
         w.line(&format!("{}=#148", variable(0)));
     }
 
+    /// The variable that counts the touches, and those that hold by how much each axis of the origin changes, where the program writes.
+    fn count(&self) -> usize {
+        self.registers.last + 1
+    }
+
+    fn change(&self, i: usize) -> usize {
+        self.count() + 1 + i
+    }
+
+    /// The states in which nothing moves, each with what its alarm says.
+    fn states(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        let other_units = match self.request.scale == 1.0 {
+            true => ("#4006 EQ 20", "SET THE UNITS TO MM"),
+            false => ("#4006 EQ 21", "SET THE UNITS TO INCH"),
+        };
+        std::iter::once(other_units).chain(self.flavour.states.iter().copied())
+    }
+
+    /// What the alarms of these states say, each once.
+    fn state_alarms(&self) -> Vec<&'static str> {
+        let mut alarms: Vec<&str> = self.states().map(|(_, says)| says).collect();
+        alarms.dedup();
+        alarms
+    }
+
+    /// The place of an alarm among those.
+    fn alarm_of(&self, says: &str) -> usize {
+        self.state_alarms().iter().position(|alarm| *alarm == says).unwrap_or(0)
+    }
+
     fn moving(&self) -> bool {
         !self.request.path.moves.is_empty()
     }
@@ -183,15 +226,25 @@ impl Moves for Skip<'_> {
                 "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move",
             );
         }
-        for line in self.registers.lines(formula, 0, DIALECT.comment_width - 2, variable) {
+        if self.moving() {
+            w.comment(&match self.request.orient {
+                Some(_) if self.flavour.angle.is_none() => {
+                    "M19 turns the spindle to the angle that is set in the control: the probe must be calibrated at that one"
+                        .to_owned()
+                }
+                _ => orientation_line(request),
+            });
+            w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
+        }
+        let more = if request.corrects() { self.change(CHANGES) - self.registers.last - 1 } else { 0 };
+        for line in self.registers.lines(formula, more, DIALECT.comment_width - 2, variable) {
             w.comment(&line);
         }
         w.says_job();
         if self.moving() {
             w.comment(self.flavour.refuses);
-            let other_units = if request.scale == 1.0 { "#4006 EQ 20" } else { "#4006 EQ 21" };
-            for check in [other_units].iter().chain(self.flavour.states) {
-                w.line(&format!("IF [{check}] GOTO {STATE}"));
+            for (check, says) in self.states() {
+                w.line(&format!("IF [{check}] GOTO {}", STATES.0 + self.alarm_of(says)));
             }
         }
         w.modes();
@@ -200,11 +253,18 @@ impl Moves for Skip<'_> {
         if !self.moving() {
             return;
         }
+        if let Some(angle) = request.orient {
+            let word = self.flavour.angle.map(|word| format!("{word}{}", decimal(angle, 3)));
+            w.parts(&["M19", &word.unwrap_or_default()]);
+        }
         if let Some(n) = request.work_offset {
             w.line(&(request.post.work_offset_word)(n));
         }
         w.line(self.flavour.halt);
         w.line(&format!("{}={}", variable(0), self.flavour.length));
+        if request.corrects() {
+            w.line(&format!("{}=0", variable(self.count())));
+        }
         if let Some(start) = request.path.start {
             self.settle(w, start.z, ELSEWHERE);
         }
@@ -254,6 +314,10 @@ impl Moves for Skip<'_> {
             w.parts(&["IF [", &Self::off(w, start, &[0, 1, 2]), " LE ", &near, "] GOTO ", FREE]);
         }
         w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
+        if self.request.corrects() {
+            let count = variable(self.count());
+            w.parts(&[&count, "=", &count, "+1"]);
+        }
     }
 
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
@@ -286,16 +350,43 @@ impl Moves for Skip<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
+        if self.request.corrects() {
+            w.line(self.flavour.halt);
+        }
         for &(copy, index) in &self.registers.copies {
             w.line(&format!("{}={}", variable(copy), variable(self.registers.variables[index])));
         }
     }
 
+    fn ask(&mut self, w: &mut Writer<'_>, _formula: &Formula, question: &Question) {
+        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let register = self.registers.variables[question.variable.index()];
+        let [limit, wanted] = [question.limit, question.wanted].map(|x| constant(x / unit));
+        let off = match wanted.as_str() {
+            "0." => variable(register),
+            text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
+            text => format!("{}-{text}", variable(register)),
+        };
+        // At most 26 characters.
+        let alarm = format!("{} OFF, SEE {}", question.code.to_ascii_uppercase(), variable(register));
+        if self.request.corrects() {
+            let label = RESULTS.0 + self.implausible.len();
+            w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
+            self.implausible.push(alarm);
+        } else {
+            // A message, and a wait: no alarm.
+            let good = self.label();
+            w.line(&format!("IF [ABS[{off}] LE {limit}] GOTO {good}"));
+            w.line(&format!("#3006={}({alarm})", RESULTS.1));
+            w.line(&format!("N{good}"));
+        }
+    }
+
     /// The origin moves by what was measured less what is nominal: a work offset has no rotation.
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
-        w.line(self.flavour.halt);
         w.comment("One write, at the very end: the origin moves by what was measured less what is nominal");
         let axes = self.request.plane.axes();
+        let mut changed = Vec::new();
         for (i, place) in datum.place.iter().enumerate() {
             let Some(Coordinate { measured: Some(measured), nominal }) = *place else { continue };
             let value = print::variable(&Variables(self.registers), formula, measured);
@@ -305,22 +396,53 @@ impl Moves for Skip<'_> {
                 text if text.starts_with('-') => format!("-[{text}]"),
                 text => format!("-{text}"),
             };
-            let origin = format!("#{}", origin(number) + axes[i]);
-            w.line(&format!("{origin}={origin}+{value}{nominal}"));
+            let change = variable(self.change(i));
+            w.line(&format!("{change}={value}{nominal}"));
+            changed.push((axes[i], change));
+        }
+        // A program that is started in its middle finds no count and no changes, and writes nothing.
+        let count = variable(self.count());
+        w.line(&format!("IF [{count} NE {}] GOTO {INCOMPLETE}", self.request.path.touches.len()));
+        for (axis, change) in &changed {
+            let origin = format!("#{}", origin(number, self.flavour.more_origins) + axis);
+            w.line(&format!("{origin}={origin}+{change}"));
+        }
+        w.line(&format!("{count}=0"));
+        for (_, change) in &changed {
+            w.line(&format!("{change}=0"));
         }
         w.line(&(self.request.post.work_offset_word)(number));
+    }
+
+    fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        let results = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
+        let mut results = results.map(|(i, result)| (variable(i + 1), result.code)).peekable();
+        if results.peek().is_none() {
+            return;
+        }
+        match self.request.report {
+            Report::None => {}
+            Report::Screen => {
+                let list: Vec<String> = results.map(|(variable, code)| format!("{variable}={code}")).collect();
+                let forgets = if self.flavour.forgets { ". M30 may clear them" } else { "" };
+                w.comment(&format!("Read the results now: {}{forgets}", list.join(", ")));
+                w.line("M0");
+            }
+            Report::Log => {
+                let digits = if self.request.scale == 1.0 { "53" } else { "44" };
+                w.line("POPEN");
+                for (variable, code) in results {
+                    let name = code.to_ascii_uppercase().replace('.', "*");
+                    w.parts(&["DPRNT[", &name, "*", &variable, "[", digits, "]]"]);
+                }
+                w.line("PCLOS");
+            }
+        }
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
         if let Some(end) = self.flavour.free_again.filter(|_| self.moving()) {
             w.line(end);
-        }
-        let formula = &self.request.path.formula;
-        let measures = formula.results.iter().any(|result| result.variable.is_some());
-        let writes = self.request.work_offset.is_some() && formula.datum.as_ref().is_some_and(Datum::writes);
-        if self.flavour.forgets && measures && !writes {
-            w.comment("Read the results now: M30 may clear #100 to #149");
-            w.line("M0");
         }
         w.line("M30");
         if let Some(first) = self.request.path.moves.first() {
@@ -336,7 +458,9 @@ impl Skip<'_> {
         let top = self.request.highest().z;
         let height = Self::number(w, top);
         let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
-        let mut exit = |label: &str, lifts: Option<&str>, alarm: &str| {
+        // What was touched so far does not count any longer.
+        let forget = self.request.corrects().then(|| format!("{}=0", variable(self.count())));
+        let mut exit = |label: &str, lifts: Option<&str>, forget: Option<&String>, alarm: &str| {
             w.line(&format!("N{label}"));
             if let Some(stop) = lifts {
                 w.line(&format!("IF [#5043-{} GE {height}] GOTO {stop}", variable(0)));
@@ -344,14 +468,23 @@ impl Skip<'_> {
                 w.line(self.flavour.halt);
                 w.line(&format!("N{stop}"));
             }
+            forget.into_iter().for_each(|forget| w.line(forget));
             w.line(&format!("#3000={alarm}"));
         };
-        exit(FREE, Some("9011"), "1(CONTACT IN MOVE #149)");
-        exit(BLOCKED, None, "1(CONTACT IN MOVE #149)");
-        exit(MISSED, Some("9012"), "2(NO CONTACT IN TOUCH #149)");
-        exit(STATE, None, "3(WRONG STATE, SEE HEADER)");
+        exit(FREE, Some("9011"), forget.as_ref(), "1(CONTACT IN MOVE #149)");
+        exit(BLOCKED, None, forget.as_ref(), "1(CONTACT IN MOVE #149)");
+        exit(MISSED, Some("9012"), forget.as_ref(), "2(NO CONTACT IN TOUCH #149)");
         let start =
             if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };
-        exit(ELSEWHERE, None, start);
+        exit(ELSEWHERE, None, None, start);
+        if self.request.corrects() {
+            exit(INCOMPLETE, None, forget.as_ref(), "5(TOUCHES MISSING, RESTART)");
+        }
+        for (i, says) in self.state_alarms().iter().enumerate() {
+            exit(&(STATES.0 + i).to_string(), None, None, &format!("{}({says})", STATES.1 + i));
+        }
+        for (i, says) in self.implausible.iter().enumerate() {
+            exit(&(RESULTS.0 + i).to_string(), None, forget.as_ref(), &format!("{}({says})", RESULTS.1 + i));
+        }
     }
 }

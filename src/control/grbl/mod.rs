@@ -6,12 +6,15 @@
 
 mod read;
 
+use crate::control::iso::registers::When;
 use crate::control::iso::writer::{Dialect, Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step};
 use crate::control::safety;
-use crate::control::{Form, PostDef, Program, Request, check_length_axis, check_plain_moves};
+use crate::control::{
+    Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, orientation_line,
+};
 use crate::form::Checker;
-use crate::formula::{Datum, Formula};
+use crate::formula::{Datum, Formula, Question};
 use crate::geom::Vec3;
 use crate::path::{Move, Touch};
 use crate::text::{text, words};
@@ -28,6 +31,9 @@ pub static DEF: PostDef = PostDef {
     ),
     first_length: false,
     computes: false,
+    when: When::AtTheEnd,
+    nearest_trigger: 0.0,
+    orients: Err(words!("grbl cannot turn a spindle to an angle: turn it by hand, and leave the orientation empty")),
     watches: false,
     shortest_probe: 0.0,
     constant_error: 1e-12,
@@ -41,6 +47,8 @@ pub static DEF: PostDef = PostDef {
             words!("grbl cannot ask where the stylus stands: it must be above the first place, as the header says"),
         ),
         (safety::ONE_WRITE, words!("grbl has no variables: the sender writes the work offset")),
+        (safety::PLAUSIBLE, words!("grbl has no variables: whoever reads the results must judge them")),
+        (safety::RESTART, words!("grbl has no variables: the sender writes the work offset")),
         (safety::WRITE_LAST, words!("grbl has no variables: the sender writes the work offset")),
     ],
     name: crate::control::comment_text,
@@ -68,6 +76,7 @@ static DIALECT: Dialect = Dialect {
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_length_axis(request, checker);
+    check_orientation(request, checker);
     checker.info(
         "no-results-in-program",
         "control.post",
@@ -109,6 +118,7 @@ impl Moves for Grbl<'_> {
                  down to {place}. That way must be free"));
         }
         w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
+        w.comment(&orientation_line(self.request));
         w.says_job();
         w.modes();
         w.line("M5 M9");
@@ -140,7 +150,11 @@ impl Moves for Grbl<'_> {
 
     fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
+    fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &Question) {}
+
     fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
+
+    fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     fn end(&mut self, w: &mut Writer<'_>) {
         w.line("M2");

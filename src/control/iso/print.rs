@@ -82,6 +82,7 @@ impl<N: Notation> Printer<'_, N> {
                     Function::Sin => "SIN",
                     Function::Cos => "COS",
                     Function::Sqrt => "SQRT",
+                    Function::Abs => "ABS",
                 });
                 out.push(N::BRACKETS.0);
                 self.put(a, 0, out);

@@ -4,6 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::formula::{Formula, MOST_SAMPLES, Node};
+use crate::path::Path;
 
 /// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
 /// as long as it is needed.
@@ -17,6 +18,36 @@ pub struct Registers {
     results: usize,
     /// The highest one.
     pub last: usize,
+}
+
+/// When a program computes what it computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// After the last move.
+    AtTheEnd,
+    /// As soon as the touches that it needs are made: their triggers are not kept any longer than that.
+    AtOnce,
+}
+
+/// How many touches must be made before each assignment can be computed, never fewer than for those before it.
+pub fn needed_touches(path: &Path) -> Vec<usize> {
+    let formula = &path.formula;
+    // Of each sample, how many touches are made when its last one is.
+    let mut made = [0; MOST_SAMPLES];
+    for (n, (k, ..)) in path.searches().enumerate() {
+        made[path.touches[k].sample] = n + 1;
+    }
+    let mut needed = 0;
+    let each = formula.assignments.iter().map(|assignment| {
+        // An earlier assignment needs no more than `needed`.
+        formula.each(assignment.node, &mut |node| {
+            if let Node::Trigger { sample, .. } = node {
+                needed = needed.max(made[usize::from(sample)]);
+            }
+        });
+        needed
+    });
+    each.collect()
 }
 
 /// Read to the end, or never again.
@@ -70,41 +101,57 @@ impl Spent {
 }
 
 impl Registers {
-    /// Gives every value of a plain formula its place.
-    pub fn allocate(formula: &Formula) -> Self {
+    /// Gives every value of the plain formula of a path its place.
+    pub fn allocate(path: &Path, when: When) -> Self {
+        let formula = &path.formula;
         let mut registers = Registers::of_results(formula);
         let reads = Reads::of(formula);
         // What each assignment is the last to read is free after it, the lowest first; results stay.
         let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
-        for (sample, axes) in reads.triggers.iter().enumerate() {
-            for (axis, last) in axes.iter().enumerate() {
-                let Some(last) = *last else { continue };
-                registers.last += 1;
-                registers.triggers.push(((sample, axis), registers.last));
-                spent.after(last, registers.last);
-            }
-        }
         let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
-        for i in 0..formula.assignments.len() {
-            if registers.variables[i] == 0 {
-                registers.variables[i] = match free.pop() {
-                    Some(Reverse(lowest)) => lowest,
-                    None => {
-                        registers.last += 1;
-                        registers.last
-                    }
-                };
+        let needed = needed_touches(path);
+        let mut next = 0;
+        for (n, (k, ..)) in path.searches().enumerate() {
+            let sample = path.samples(k);
+            for axis in (0..3).filter(|_| sample.first) {
+                let Some(last) = reads.triggers[sample.index][axis] else { continue };
+                let register = registers.take(&mut free);
+                registers.triggers.push(((sample.index, axis), register));
+                spent.after(last, register);
             }
-            if registers.variables[i] > registers.results {
-                spent.after(reads.variables[i], registers.variables[i]);
-            }
-            let mut register = spent.first[i];
-            while register > 0 {
-                free.push(Reverse(register));
-                register = spent.next[register];
+            while when == When::AtOnce && needed.get(next).is_some_and(|needed| *needed <= n + 1) {
+                registers.assign(next, &reads, &mut spent, &mut free);
+                next += 1;
             }
         }
+        (next..formula.assignments.len()).for_each(|i| registers.assign(i, &reads, &mut spent, &mut free));
         registers
+    }
+
+    /// The lowest free register, or a new one.
+    fn take(&mut self, free: &mut BinaryHeap<Reverse<usize>>) -> usize {
+        match free.pop() {
+            Some(Reverse(lowest)) => lowest,
+            None => {
+                self.last += 1;
+                self.last
+            }
+        }
+    }
+
+    /// Gives an assignment its place, and frees what it is the last to read.
+    fn assign(&mut self, i: usize, reads: &Reads, spent: &mut Spent, free: &mut BinaryHeap<Reverse<usize>>) {
+        if self.variables[i] == 0 {
+            self.variables[i] = self.take(free);
+        }
+        if self.variables[i] > self.results {
+            spent.after(reads.variables[i], self.variables[i]);
+        }
+        let mut register = spent.first[i];
+        while register > 0 {
+            free.push(Reverse(register));
+            register = spent.next[register];
+        }
     }
 
     /// The results have the first ones, in their order; a value that is more than one result is copied.

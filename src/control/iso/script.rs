@@ -299,6 +299,8 @@ pub struct Script<'t> {
     pub straight: bool,
     /// Whether a probing move sees only the edge of the probe's signal: nothing of a probe that is deflected when it begins.
     pub sees_edges: bool,
+    /// What a variable without a value counts as, where the control keeps its variables from one run to the next; none where using one is an error.
+    pub vacant: Option<f64>,
     /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.
     pub full_circle: bool,
     /// What its control does before the motion is done, if no block halts it.
@@ -417,6 +419,17 @@ impl<'t> Script<'t> {
         let outputs =
             results.into_iter().map(|(code, slot)| What::Output(code.to_owned(), self.keep(Node::Slot(slot)))).collect();
         self.insert(end, line, outputs);
+    }
+
+    /// The variables whose values go out as results, each with its code.
+    pub fn outputs(&self) -> impl Iterator<Item = (&str, Slot)> {
+        self.blocks.iter().filter_map(|block| match &block.what {
+            What::Output(code, value) => match self.node(*value) {
+                Node::Slot(slot) => Some((code.as_str(), slot)),
+                _ => None,
+            },
+            _ => None,
+        })
     }
 
     /// Adds a block.

@@ -12,15 +12,16 @@
 mod read;
 
 use crate::control::iso::print::{self, Notation};
+use crate::control::iso::registers::When;
 use crate::control::iso::writer::{Dialect, Writer, across_from_stated, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_length_axis, check_plain_moves, check_rotary, check_watched, check_write,
-    offset_line, work_offset_word, written,
+    Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
+    check_watched, check_write, offset_line, orientation_line, work_offset_word, written,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Formula, Variable};
+use crate::formula::{Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, count, decimal};
 use crate::path::{Move, Purpose, RAPID_RATE, Touch};
@@ -36,6 +37,9 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "",
     first_length: false,
     computes: true,
+    when: When::AtTheEnd,
+    nearest_trigger: 0.0,
+    orients: Ok(()),
     watches: true,
     shortest_probe: SHORTEST_PROBE,
     constant_error: 1e-12,
@@ -81,6 +85,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_rotary(request, checker, text!("LinuxCNC has no rotary table that a program could know of"));
     check_write(request, checker);
     check_short(request, checker);
+    check_orientation(request, checker);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message =
             text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
@@ -180,10 +185,22 @@ impl Moves for LinuxCnc<'_> {
     }
 
     fn results(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        // MSG shows a text as it stands, and PRINT goes to the terminal: DEBUG shows values on the operator's screen.
+        let word = match self.request.report {
+            Report::Screen => "(DEBUG,",
+            Report::Log => "(LOG,",
+            Report::None => "(PRINT,",
+        };
+        let log = self.request.report == Report::Log && formula.results.iter().any(|result| result.variable.is_some());
+        if log {
+            let name = log_name(self.request.name);
+            w.line(&format!("(LOGAPPEND,{name}.txt)"));
+            w.line(&format!("(LOG,{name})"));
+        }
         for result in &formula.results {
             if let Some(variable) = result.variable {
                 w.build(|text| {
-                    text.push_str("(PRINT,");
+                    text.push_str(word);
                     text.push_str(result.code);
                     text.push('=');
                     print::Rs274.variable(formula, variable.index(), text);
@@ -191,15 +208,54 @@ impl Moves for LinuxCnc<'_> {
                 });
             }
         }
+        if log {
+            w.line("(LOGCLOSE)");
+        }
+    }
+
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
+        let label = self.labels.take();
+        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let value = print::variable(&print::Rs274, formula, question.variable);
+        let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
+        let off = less(&value, &wanted);
+        w.parts(&["o", &label, " if [ABS[", &off, "] GT ", &limit, "]"]);
+        let says = format!("{} is {value}, more than {limit} from {wanted}", question.code);
+        if self.request.corrects() {
+            // As in the exit: the last lift is made first.
+            w.line("M66 E0 L0");
+            w.line(&format!("(ABORT,{says}. Nothing is written)"));
+        } else {
+            w.line(&format!("(DEBUG,{says})"));
+        }
+        w.parts(&["o", &label, " endif"]);
     }
 
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
         write_datum(w, self.request, formula, number, datum);
     }
 
+    fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
+
     fn end(&mut self, w: &mut Writer<'_>) {
         w.line("M72");
         w.line("M2");
+    }
+}
+
+/// The name of a log file: letters, digits, - and _.
+fn log_name(name: &str) -> String {
+    let safe = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
+    let safe: String = name.chars().take(40).map(safe).collect();
+    if safe.is_empty() { "PROBE".to_owned() } else { safe }
+}
+
+/// A value less a constant, as a sum.
+fn less(value: &str, constant: &str) -> String {
+    match constant.strip_prefix('-') {
+        _ if constant == "0" => value.to_owned(),
+        Some(positive) => format!("{value}+{positive}"),
+        None => format!("{value}-{constant}"),
     }
 }
 
@@ -219,11 +275,18 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     if request.scale != 1.0 && !formula.results.is_empty() {
         w.comment("PRINT shows a value below .0001 inch as 0; the named parameters hold it in full");
     }
+    if !request.path.moves.is_empty() {
+        w.comment(&orientation_line(request));
+    }
     w.says_job();
     if request.protected && !request.path.moves.is_empty() {
         exit(w, request);
     }
     w.line("M5 M9");
+    if let Some(angle) = request.orient.filter(|_| !request.path.moves.is_empty()) {
+        // Where no motor can turn to an angle, M19 ends in an error after this time, in seconds.
+        w.line(&format!("M19 R{} Q10", decimal(angle, 3)));
+    }
     w.line("M70");
     w.modes();
     if let Some(n) = request.work_offset {

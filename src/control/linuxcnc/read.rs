@@ -2,19 +2,18 @@
 
 use crate::control::iso::codes;
 use crate::control::iso::lines::{self, Comment, Targets, after};
-use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
+use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Node, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
-static GRAMMAR: Grammar = Grammar {
-    brackets: (b'[', b']'),
-    points: false,
-    names: Names::Hash,
-    operators: WORD_OPERATORS,
-    system,
-    code: codes::rs274,
-};
+static GRAMMAR: Grammar =
+    Grammar { brackets: (b'[', b']'), points: false, names: Names::Hash, operators: WORD_OPERATORS, system, code };
+
+/// M19 turns the spindle to an angle, R, within a time, Q.
+fn code(letter: u8, tenths: i32) -> Option<Code> {
+    if (letter, tenths) == (b'M', 190) { Some(Code::Nothing("RQ")) } else { codes::rs274(letter, tenths) }
+}
 
 /// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
 fn system(name: &[u8]) -> Option<System> {
@@ -138,6 +137,16 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
         script.push(line, What::Output(code.to_owned(), value));
+    } else if let Some((code, value)) =
+        ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)).and_then(|rest| rest.split_once('='))
+    {
+        // A text that says more than one value is none of a result.
+        let mut cursor = Cursor::new(value);
+        if let Ok(value) = cursor.operand(&GRAMMAR, script)
+            && cursor.is_done()
+        {
+            script.push(line, What::Output(code.to_owned(), value));
+        }
     } else if after(text, "ABORT,").is_some() {
         script.push(line, What::Alarm);
     }

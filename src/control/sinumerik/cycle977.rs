@@ -122,7 +122,7 @@ pub fn emit(request: &Request<'_>) -> Program {
     }
     names_move(&mut w, last);
     position(&mut w, request, Step { index: last, step: &moves[last], from: Some(moves[last - 1].to) });
-    end(&mut w, request);
+    end(&mut w, request, None);
     w.finish()
 }
 
@@ -134,7 +134,9 @@ fn call(w: &Writer<'_>, request: &Request<'_>, rectangle: &Rectangle) -> String 
     let [w1, w2] = rectangle.widths.map(|x| w.number(x));
     let [za, zo] = rectangle.zone.map(|x| w.number(x));
     let path = w.number(rectangle.path);
-    let safe = w.number(request.setup.overtravel.min(rectangle.path));
+    // What it takes for plausible, argument 9: how far a wall may be off.
+    let limit = request.limits.position.unwrap_or(f64::INFINITY);
+    let safe = w.number(request.setup.overtravel.min(rectangle.path).min(limit));
     let infeed = w.number(INFEED_SIGN * rectangle.infeed);
     let [a, o, _] = request.plane.axes();
     let [x, y] = [a, o].map(|axis| w.number(request.path.frame.origin[axis]));

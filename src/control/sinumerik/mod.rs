@@ -18,15 +18,15 @@ mod cycle977;
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::registers::Registers;
+use crate::control::iso::registers::{Registers, When};
 use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
-    written,
+    Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate,
+    offset_line, orientation_line, written,
 };
 use crate::form::Checker;
-use crate::formula::{Coordinate, Datum, Formula, Variable};
+use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::{count, decimal, push_count};
 use crate::path::{Move, RAPID_RATE, Subject, Touch};
@@ -42,6 +42,9 @@ pub static DEF: PostDef = PostDef {
     no_work_offset: "",
     first_length: true,
     computes: true,
+    when: When::AtTheEnd,
+    nearest_trigger: 0.0,
+    orients: Ok(()),
     watches: true,
     shortest_probe: 0.0,
     constant_error: 1e-12,
@@ -72,8 +75,13 @@ static DIALECT: Dialect = Dialect {
 /// R parameters beyond this number are not on every control. Recalled: MD28050 has 100 of them, R0 to R99, by default.
 const LAST_REGISTER: usize = 99;
 
-/// How many more the write of the frame needs.
-const FRAME_REGISTERS: usize = 6;
+/// The registers of a program that writes, beyond those of its results, counted from the last of them: how many touches were made; the turn of the
+/// frame before and after; abscissa and ordinate as measured and as nominal; and by how much each part of the frame changes.
+const TOUCHES: usize = 1;
+const TURNS: [usize; 2] = [2, 3];
+const MEASURED: [usize; 2] = [4, 5];
+const NOMINAL: [usize; 2] = [6, 7];
+const CHANGES: [usize; 4] = [8, 9, 10, 11];
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
@@ -106,7 +114,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
     let registers = request.registers();
-    let last = registers.last + frame_registers(request, &request.path.formula);
+    let last = registers.last + frame_registers(request);
     if last > LAST_REGISTER {
         let message = text!(
             "The program would need R1 to R{last}; a control has R parameters up to R{limit} unless it was set up for more: take \
@@ -118,10 +126,15 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// How many registers the write of the frame needs: a height, and a turn alone, need none.
-fn frame_registers(request: &Request<'_>, formula: &Formula) -> usize {
-    let plane = formula.datum.as_ref().is_some_and(|datum| datum.place[0].is_some() && datum.writes());
-    if request.work_offset.is_some() && plane { FRAME_REGISTERS } else { 0 }
+/// How many registers the write of the frame needs.
+fn frame_registers(request: &Request<'_>) -> usize {
+    if request.corrects() { CHANGES[3] } else { 0 }
+}
+
+/// By how much a part of the frame changes: abscissa, ordinate, tool axis, turn.
+fn changes(datum: &Datum) -> [bool; 4] {
+    let plane = datum.place[0].is_some() && datum.place[1].is_some();
+    [plane, plane, datum.place[2].is_some(), datum.rotation.is_some()]
 }
 
 /// The feed of a move: a rapid without a number runs at the stated rate.
@@ -134,7 +147,7 @@ fn emit(request: &Request<'_>) -> Program {
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
-    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers(), unwatched: false })
+    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers(), unwatched: false, asked: 0 })
 }
 
 /// The program of one request.
@@ -143,9 +156,16 @@ struct Sinumerik<'a> {
     registers: &'a Registers,
     /// Whether a move was made that nothing watched since the probe was last known to be free.
     unwatched: bool,
+    /// How many results were asked about.
+    asked: usize,
 }
 
 impl Sinumerik<'_> {
+    /// The register that counts the touches, where the program writes.
+    fn count(&self) -> Option<usize> {
+        self.request.corrects().then_some(self.registers.last + TOUCHES)
+    }
+
     fn notation(&self) -> RParameters<'_> {
         RParameters { registers: self.registers }
     }
@@ -162,11 +182,13 @@ impl Sinumerik<'_> {
 impl Moves for Sinumerik<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let formula = &self.request.path.formula;
-        let lines = self
-            .registers
-            .lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2, |n| format!("R{n}"));
+        let more = frame_registers(self.request);
+        let lines = self.registers.lines(formula, more, DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
         begin(w, self.request, &written(self.request), &notes);
+        if let Some(count) = self.count() {
+            w.line(&format!("R{count}=0"));
+        }
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             names_move(w, 0);
@@ -198,6 +220,9 @@ impl Moves for Sinumerik<'_> {
         w.straight_in_full("MEAS=1 G1", step.step.to - touch.vector * touch.search, self.request.feeds.work);
         w.line("STOPRE");
         w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
+        if let Some(register) = self.count().map(count) {
+            w.parts(&["R", &register, "=R", &register, "+1"]);
+        }
     }
 
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
@@ -232,12 +257,84 @@ impl Moves for Sinumerik<'_> {
         }
     }
 
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
+        self.asked += 1;
+        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let value = print::variable(&self.notation(), formula, question.variable);
+        let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
+        let off = match wanted.strip_prefix('-') {
+            _ if wanted == "0" => value.clone(),
+            Some(positive) => format!("{value}+{positive}"),
+            None => format!("{value}-{wanted}"),
+        };
+        let label = format!("TP_GOOD_{}", self.asked);
+        w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
+        let says = format!("{} is \"<<{value}<<\", more than {limit} from {wanted}", question.code);
+        if self.request.corrects() {
+            w.line(&format!("MSG(\"{says}. Nothing is written\")"));
+            w.line("GOTOF TP_STOP");
+        } else {
+            w.line(&format!("MSG(\"{says}\")"));
+            if self.request.report == Report::Screen {
+                w.line("M0");
+            }
+        }
+        w.line(&format!("{label}:"));
+    }
+
     fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum) {
         write_datum(w, self.request, formula, self.registers, number, datum);
     }
 
+    fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        report(w, self.request, formula);
+    }
+
     fn end(&mut self, w: &mut Writer<'_>) {
-        end(w, self.request);
+        end(w, self.request, self.count());
+    }
+}
+
+/// What a MSG shows of a text, in characters, values included. Recalled: 124.
+const LONGEST_MESSAGE: usize = 100;
+
+/// About as many characters has a value.
+const VALUE: usize = 12;
+
+/// Shows every result: on the screen, as much as goes into a message, and waits; or writes it into a file in the control.
+fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
+    let shown = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
+    // The results have the first registers, in their order.
+    let each = shown.map(|(i, result)| (result.code, i + 1));
+    match request.report {
+        Report::None => {}
+        Report::Log => {
+            for (code, register) in each {
+                w.line(&format!("WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<R{register})"));
+            }
+        }
+        Report::Screen => {
+            let (mut message, mut length) = (String::new(), 0);
+            let show = |w: &mut Writer<'_>, message: &mut String| {
+                if !message.is_empty() {
+                    w.line(&format!("MSG({message})"));
+                    w.line("M0");
+                    message.clear();
+                }
+            };
+            for (code, register) in each {
+                let own = code.len() + 2 + VALUE;
+                if length + own > LONGEST_MESSAGE {
+                    show(w, &mut message);
+                    length = 0;
+                }
+                let blank = if message.is_empty() { "" } else { "<<\" " };
+                let quote = if message.is_empty() { "\"" } else { "" };
+                message.push_str(&format!("{blank}{quote}{code}=\"<<R{register}"));
+                length += own;
+            }
+            show(w, &mut message);
+        }
     }
 }
 
@@ -255,13 +352,20 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     for note in notes {
         w.comment(note);
     }
+    w.comment(&orientation_line(request));
     w.says_job();
     w.line("DEF INT TP_MOVE");
+    if request.report == Report::Log && request.form == Form::Moves {
+        w.line("DEF INT TP_ERROR");
+    }
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
     w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
     w.line("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED");
     w.modes();
     w.line("M5 M9");
+    if let Some(angle) = request.orient {
+        w.line(&format!("SPOS={}", decimal(angle, 3)));
+    }
     let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
     let any = |frame: &str, axes: &[&str], parts: &[(&str, u8)]| {
         let terms: Vec<String> = parts
@@ -373,9 +477,12 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     let value = |place: &Coordinate| place.measured.map_or_else(|| constant(place.nominal), name);
     let [a, o, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
     let frame = |axis: &str, part: &str| format!("$P_UIFR[{n},{axis},{part}]");
-    w.comment("One write, at the very end: the shift that brings what was measured to its nominal place");
+    w.comment("One write, at the very end: the change of the frame that brings what was measured to its nominal place");
+    let register = |k: usize| registers.last + k;
+    let [ca, co, ct, turns] = CHANGES.map(register);
     if let [Some(x), Some(y), _] = &datum.place {
-        let [before, after, mx, my, nominal_x, nominal_y] = [1, 2, 3, 4, 5, 6].map(|i| registers.last + i);
+        let [before, after] = TURNS.map(register);
+        let ([mx, my], [nominal_x, nominal_y]) = (MEASURED.map(register), NOMINAL.map(register));
         w.line(&format!("R{before}={}", frame(tool, "RT")));
         w.line(&match datum.rotation {
             Some(turn) => format!("R{after}=R{before}+{}", name(turn)),
@@ -386,25 +493,35 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
             w.line(&format!("R{register}={text}"));
         }
         w.line(&format!(
-            "{0}={0}+R{mx}*COS(R{before})-R{my}*SIN(R{before})-R{nominal_x}*COS(R{after})+R{nominal_y}*SIN(R{after})",
-            frame(a, "TR")
+            "R{ca}=R{mx}*COS(R{before})-R{my}*SIN(R{before})-R{nominal_x}*COS(R{after})+R{nominal_y}*SIN(R{after})"
         ));
         w.line(&format!(
-            "{0}={0}+R{mx}*SIN(R{before})+R{my}*COS(R{before})-R{nominal_x}*SIN(R{after})-R{nominal_y}*COS(R{after})",
-            frame(o, "TR")
+            "R{co}=R{mx}*SIN(R{before})+R{my}*COS(R{before})-R{nominal_x}*SIN(R{after})-R{nominal_y}*COS(R{after})"
         ));
     }
     if let Some(z) = &datum.place[2] {
-        w.line(&format!("{0}={0}+{1}-({2})", frame(tool, "TR"), value(z), constant(z.nominal)));
+        w.line(&format!("R{ct}={}-({})", value(z), constant(z.nominal)));
     }
     if let Some(turn) = datum.rotation {
-        w.line(&format!("{0}={0}+{1}", frame(tool, "RT"), name(turn)));
+        w.line(&format!("R{turns}={}", name(turn)));
+    }
+    // A program that is started in its middle finds no count and no changes, and writes nothing.
+    let touches = register(TOUCHES);
+    w.line(&format!("IF R{touches}<>{} GOTOF TP_INCOMPLETE", request.path.touches.len()));
+    let parts = [(ca, a, "TR"), (co, o, "TR"), (ct, tool, "TR"), (turns, tool, "RT")];
+    let changed = parts.iter().zip(changes(datum)).filter(|(_, changes)| *changes).map(|(part, _)| *part);
+    for (register, axis, part) in changed.clone() {
+        w.line(&format!("{0}={0}+R{register}", frame(axis, part)));
+    }
+    w.line(&format!("R{touches}=0"));
+    for (register, ..) in changed {
+        w.line(&format!("R{register}=0"));
     }
     w.line(&(DEF.work_offset_word)(n));
 }
 
 /// The end, and the exits after it. Whatever went wrong, the program itself has written nothing.
-fn end(w: &mut Writer<'_>, request: &Request<'_>) {
+fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     w.line("M30");
     let tool = request.plane.axes()[2];
     let stop = |w: &mut Writer<'_>| {
@@ -438,11 +555,20 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>) {
             w.line("TP_MISSED:");
             w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
         }
+        if count.is_some() {
+            w.line("GOTOF TP_EXIT");
+            w.line("TP_INCOMPLETE:");
+            w.line("MSG(\"Not every touch was made in this run. Start the program at its beginning. Nothing is written\")");
+            w.line("GOTOF TP_STOP");
+        }
         w.line("TP_EXIT:");
         w.line(&format!("IF $AA_IW[{axis}]>={height} GOTOF TP_STOP"));
         let lift = format!("G1 {axis}{height} F{}", w.number(rate_of(request, first)));
         w.line(&lift);
         w.line("TP_STOP:");
+        if let Some(count) = count {
+            w.line(&format!("R{count}=0"));
+        }
         stop(w);
     }
     for (label, message) in [

@@ -71,6 +71,7 @@ fn code(letter: u8, tenths: i32) -> Option<Code> {
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.sees_edges = true;
+    script.vacant = Some(0.0);
     script.ahead = Ahead::Reads;
     let mut targets = Targets::default();
     let mut declared = Vec::new();
@@ -131,6 +132,9 @@ fn block<'t>(
         declared.resize(declared.len().max(slot + 1), false);
         declared[slot] = true;
         What::Nothing
+    } else if cursor.eat("SPOS=") {
+        cursor.number()?;
+        What::Nothing
     } else if cursor.eat("GOTOF ") {
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
         What::Jump(0)
@@ -184,6 +188,17 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
     let mut cursor = Cursor::new(arguments);
     let what = match name {
         "MSG" => {
+            message(&mut cursor, script)?;
+            What::Nothing
+        }
+        // Into a file of the control: what went wrong with it, the file, a text.
+        "WRITE" => {
+            cursor.name().ok_or_else(|| text!("nothing can be assigned to this"))?;
+            cursor.expect(",")?;
+            if !cursor.text() {
+                return fault(text!("this call is not known, or not with so many arguments"));
+            }
+            cursor.expect(",")?;
             message(&mut cursor, script)?;
             What::Nothing
         }

@@ -1,13 +1,15 @@
 //! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
 
 mod exits;
+mod tail;
 mod values;
 
 pub use exits::deflected;
+pub use tail::{Outcome, Tail, restarted};
 
 use std::cell::Cell;
 
-use crate::control::iso::script::{Ahead, Block, Modes, Motion, NodeId, Part, Script, Trouble, What, Words};
+use crate::control::iso::script::{Ahead, Block, Modes, Motion, NodeId, Part, Script, Slot, Trouble, What, Words};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write};
 use crate::geom::Plane;
 use crate::text::{Text, text};
@@ -55,7 +57,7 @@ pub struct Run {
     pub strict: bool,
 }
 
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct State {
     pc: usize,
     slots: Vec<f64>,
@@ -131,15 +133,35 @@ enum Flow<'s> {
 
 /// Follows a program to its end.
 pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace, Trouble> {
+    run_marked(script, run, world, &[]).map(|(trace, _)| trace)
+}
+
+/// The same, and where it stands when the last of the marked variables has its value and the last motion is made.
+pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &[Slot]) -> Result<(Trace, Tail), Trouble> {
     let mut machine = Machine::new(script, run);
     let mut trace = Trace::default();
     let mut scratch = State::default();
+    let mut tail = Tail::default();
+    // In a program of someone else: the way that the last condition since the last motion did not go.
+    let mut fork: Option<State> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.what, What::Words(_)) {
             machine.spend(MOTION + script.slots / 8);
         }
         let line = machine.line(block.line);
-        match machine.step()? {
+        let at = machine.state.pc;
+        let flow = machine.step()?;
+        match &block.what {
+            What::Set(slot, _) if marks.contains(slot) => tail.keep(&machine.state),
+            What::JumpIf(_, target) | What::JumpUnless(_, target) if !run.strict => {
+                let mut other = State::default();
+                other.become_like(&machine.state);
+                other.pc = if machine.state.pc == at + 1 { *target } else { at + 1 };
+                fork = Some(other);
+            }
+            _ => {}
+        }
+        match flow {
             Flow::Next => {}
             Flow::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
             Flow::Native => trace.natives.push(line),
@@ -148,13 +170,19 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
                 trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
             }
-            Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok(trace),
+            Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
+            // Nothing is known of its part: what it takes for a fault is none.
+            Flow::Alarm if fork.is_some() => {
+                machine.spend(MOTION);
+                fork.take().into_iter().for_each(|other| machine.state = other);
+            }
             Flow::Alarm => return Err(trouble(line, text!("the program stops here with an alarm though nothing is wrong"))),
             Flow::End => {
                 trace.ends = true;
                 break;
             }
             Flow::Moved(words, motion) => {
+                fork = None;
                 let modes = machine.state.modes;
                 let first = *machine.first.get_or_insert(modes);
                 trace.modes = first;
@@ -167,8 +195,9 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
                 }
                 machine.go(&mut step, motion, world, &mut scratch)?;
                 trace.steps.push(step);
+                tail.moved(&machine.state);
                 if run.until.is_some_and(|(place, off)| near(place, machine.state.at, off)) {
-                    return Ok(trace);
+                    return Ok((trace, tail));
                 }
             }
         }
@@ -178,7 +207,8 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
     }
     trace.spun = machine.spun;
     trace.written = machine.written(&trace);
-    Ok(trace)
+    tail.end(&mut machine.state);
+    Ok((trace, tail))
 }
 
 fn reads_ahead() -> Text {

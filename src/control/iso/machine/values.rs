@@ -30,6 +30,13 @@ impl Machine<'_, '_> {
         }
     }
 
+    /// Whether a work offset is another one than before the program, or reads a place otherwise. What is no number stops the control.
+    pub(super) fn changed(&self) -> bool {
+        let moved = |(part, value): &(Part, f64)| (value - before(*part, self.script.straight)).abs() > 1e-9;
+        self.state.origins.iter().any(moved)
+            || self.state.reading.is_some_and(|reading| reading.iter().flatten().all(|x| x.is_finite()))
+    }
+
     /// What the written work offset comes to, for the place where the ball is.
     pub(super) fn written(&self, trace: &Trace) -> Option<Written> {
         let number = trace.writes.first()?.number;

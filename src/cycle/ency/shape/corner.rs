@@ -297,6 +297,14 @@ impl Shape for Corner {
         f.result("corner.y", Role::Ordinate, words!("Corner, ordinate"), origin[o], Some(y));
         f.result("angle", Role::Angle, words!("Angle between the walls"), nominal, angle);
         f.result("rotation", Role::Direction, words!("Wall 1 against its nominal direction"), 0.0, rotation);
+        for (residual, code, meaning) in [
+            (one.residual, "residual1", words!("Residual of wall 1, root mean square")),
+            (two.residual, "residual2", words!("Residual of wall 2, root mean square")),
+        ] {
+            if residual.is_some() {
+                f.result(code, Role::Residual, meaning, 0.0, residual);
+            }
+        }
         let datum = Datum::point((x, origin[a]), (y, origin[o]));
         f.finish(Some(datum))
     }
@@ -352,6 +360,8 @@ struct FittedWall<'f> {
     offset: Value<'f>,
     /// Its direction against the nominal one in (along, normal), degrees.
     tilt: Option<Value<'f>>,
+    /// The root mean square distance of its touches from it, where there are more than two.
+    residual: Option<Value<'f>>,
 }
 
 impl Line {
@@ -363,7 +373,7 @@ impl Line {
             let height = place(self.first, self.normal) - f.length(radius);
             let offset = f.set(Name::new("q", n), height);
             let normal = (constant(f, self.normal.0), constant(f, self.normal.1));
-            return FittedWall { normal, offset, tilt: None };
+            return FittedWall { normal, offset, tilt: None, residual: None };
         }
         let places: Vec<(Value<'_>, Value<'_>)> = touches
             .map(|touch| {
@@ -375,10 +385,11 @@ impl Line {
         let count = f.number(self.count as f64);
         let mean_s = f.set(Name::new("mean_s", n), f.sum(places.iter().map(|p| p.0)) / count);
         let mean_h = f.set(Name::new("mean_h", n), f.sum(places.iter().map(|p| p.1)) / count);
-        let tilt = if let [(s1, h1), (s2, h2)] = places.as_slice() {
-            ((*h2 - *h1) / (*s2 - *s1)).atan2(f.number(1.0))
-        } else {
-            self.least_squares(f, &places, (mean_s, mean_h))
+        let scatter = (self.count > 2).then(|| self.scatter(f, &places, (mean_s, mean_h)));
+        let tilt = match (scatter, places.as_slice()) {
+            (Some(scatter), _) => scatter.direction(f),
+            (None, [(s1, h1), .., (s2, h2)]) => ((*h2 - *h1) / (*s2 - *s1)).atan2(f.number(1.0)),
+            (None, _) => f.number(0.0),
         };
         let tilt = f.set(Name::new("tilt", n), tilt);
         let sin = f.set(Name::new("sin", n), tilt.sin());
@@ -388,16 +399,17 @@ impl Line {
         let turned =
             |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), f.project(cos, sin, (normal, -along)));
         let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
-        FittedWall { normal, offset, tilt: Some(tilt) }
+        let residual = scatter.map(|scatter| f.set(Name::new("residual", n), scatter.residual(f, (sin, cos), self.count)));
+        FittedWall { normal, offset, tilt: Some(tilt), residual }
     }
 
-    /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
-    fn least_squares<'f>(
+    /// The scatter of the places about their mean.
+    fn scatter<'f>(
         &self,
         f: &'f Draft,
         places: &[(Value<'f>, Value<'f>)],
         (mean_s, mean_h): (Value<'f>, Value<'f>),
-    ) -> Expr<'f> {
+    ) -> Scatter<'f> {
         let n = self.number;
         let (mut ss, mut hh, mut sh) = (f.number(0.0), f.number(0.0), f.number(0.0));
         for (i, &(s, h)) in places.iter().enumerate() {
@@ -408,6 +420,28 @@ impl Line {
             hh = f.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
             sh = f.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
         }
-        (f.number(2.0) * sh).atan2(ss - hh) / f.number(2.0)
+        Scatter { ss, hh, sh }
+    }
+}
+
+/// The sums of squares and products of places along and across a wall, about their mean.
+#[derive(Clone, Copy)]
+struct Scatter<'f> {
+    ss: Expr<'f>,
+    hh: Expr<'f>,
+    sh: Expr<'f>,
+}
+
+impl<'f> Scatter<'f> {
+    /// The direction against the nominal one along which the scatter is largest: tan 2t = 2·Ssh / (Sss − Shh).
+    fn direction(self, f: &'f Draft) -> Expr<'f> {
+        (f.number(2.0) * self.sh).atan2(self.ss - self.hh) / f.number(2.0)
+    }
+
+    /// The root mean square distance from the line in a direction: a place is h·cos t − s·sin t off it.
+    fn residual(self, f: &'f Draft, (sin, cos): (Value<'f>, Value<'f>), count: usize) -> Expr<'f> {
+        let square = self.hh * cos * cos - f.number(2.0) * self.sh * sin * cos + self.ss * sin * sin;
+        // Rounding may leave less than nothing of it.
+        (square.abs() / f.number(count as f64)).sqrt()
     }
 }

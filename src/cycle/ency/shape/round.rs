@@ -208,6 +208,10 @@ impl Shape for Circle {
         f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
         f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
         f.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);
+        if known && on.touches.len() > 3 {
+            let residual = f.set("residual", part(CirclePart::Residual));
+            f.result("residual", Role::Residual, words!("Residual of the circle, root mean square"), 0.0, Some(residual));
+        }
         let datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
         f.finish(datum)
     }

@@ -34,10 +34,16 @@ const DIAMETERS: [(&str, &str); 2] = [("Q966", words!("Measured diameter 1")), (
 const DIAMETER_OFFSETS: [(&str, &str); 2] =
     [("Q996", words!("Deviation of diameter 1")), ("Q997", words!("Deviation of diameter 2"))];
 
+const RESIDUALS: [(&str, &str); 2] = [
+    ("residual1", words!("Residual of circle 1, root mean square")),
+    ("residual2", words!("Residual of circle 2, root mean square")),
+];
+
 /// What is known of one object: centre and diameter, each where it is.
 struct Measured<'f> {
     centre: [Option<Value<'f>>; 3],
     diameter: Option<Value<'f>>,
+    residual: Option<Value<'f>>,
 }
 
 /// The name of a value: `q950` of the code `Q950`.
@@ -89,6 +95,11 @@ impl TwoCircles {
             let off = off.map(|(value, reference)| f.set(q(code), value - f.length(reference)));
             f.result(code, Role::Shift, meaning, 0.0, off);
         }
+        for (known, (code, meaning)) in measured.iter().zip(RESIDUALS) {
+            if known.residual.is_some() {
+                f.result(code, Role::Residual, meaning, 0.0, known.residual);
+            }
+        }
         let datum = self.presets(&f, &objects, &measured, rotation);
         f.finish(Some(datum))
     }
@@ -96,13 +107,13 @@ impl TwoCircles {
     fn measured<'f>(&self, f: &'f Draft, object: &Object, first: usize, setup: &Setup) -> Measured<'f> {
         let number = object.number;
         match object.state {
-            State::Semi => Measured { centre: [None, None, None], diameter: None },
+            State::Semi => Measured { centre: [None, None, None], diameter: None, residual: None },
             State::Given => {
                 let at = |axis: usize| {
                     let actual = object.point[axis].actual?;
                     Some(f.set(Name::new("given", number).and("_").at(axis), f.length(actual)))
                 };
-                Measured { centre: [at(0), at(1), at(2)], diameter: None }
+                Measured { centre: [at(0), at(1), at(2)], diameter: None, residual: None }
             }
             State::Probed => {
                 let [a, o, _] = setup.plane.axes();
@@ -115,7 +126,9 @@ impl TwoCircles {
                 // The ball centres of a hole lie a radius inside its wall, those of a stud outside.
                 let wall = part(CirclePart::Radius) + f.length(object.outward() * setup.radius);
                 let diameter = f.set(q(DIAMETERS[number - 1].0), f.number(2.0) * wall);
-                Measured { centre: [Some(x), Some(y), Some(z)], diameter: Some(diameter) }
+                // Three touches lie on a circle, whatever they are.
+                let residual = (count > 3).then(|| f.set(Name::new("residual", number), part(CirclePart::Residual)));
+                Measured { centre: [Some(x), Some(y), Some(z)], diameter: Some(diameter), residual }
             }
         }
     }

@@ -1,0 +1,97 @@
+//! What comes after the motions: the end of a program with other results than were measured, and a program that is started in its middle.
+
+use super::{Flow, Machine, Run, State};
+use crate::control::iso::script::{Motion, Script, Slot};
+use crate::control::trace::{Place, Trace};
+
+/// A program at the place where its results have their values, and what its variables hold at its end.
+#[derive(Clone, Debug, Default)]
+pub struct Tail {
+    /// None of the marked variables has a value before it is begun.
+    begun: bool,
+    state: State,
+    end: Vec<f64>,
+}
+
+/// What the end of a program comes to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// Whether it stops with an alarm.
+    pub stops: bool,
+    /// Whether it comes to its end.
+    pub ends: bool,
+    /// Whether it writes to a work offset.
+    pub writes: bool,
+}
+
+impl Tail {
+    pub(super) fn keep(&mut self, state: &State) {
+        self.begun = true;
+        self.state.become_like(state);
+    }
+
+    /// A motion was made: where results come before it, the end of the program is what comes after.
+    pub(super) fn moved(&mut self, state: &State) {
+        if self.begun {
+            self.state.become_like(state);
+        }
+    }
+
+    pub(super) fn end(&mut self, state: &mut State) {
+        self.end = std::mem::take(&mut state.slots);
+    }
+
+    /// What the variables hold at the end of the program.
+    pub fn last_values(&self) -> &[f64] {
+        &self.end
+    }
+
+    /// The end of the program where variables hold these values.
+    pub fn outcome(&self, script: &Script<'_>, run: Run, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
+        let mut machine = Machine::new(script, run);
+        machine.state.become_like(&self.state);
+        values.for_each(|(slot, value)| machine.state.slots[slot as usize] = value);
+        let mut outcome = Outcome::default();
+        while machine.script.blocks.get(machine.state.pc).is_some() {
+            match machine.step() {
+                Ok(Flow::Next | Flow::Output(..)) => {}
+                Ok(Flow::Wrote(..)) => outcome.writes = true,
+                Ok(Flow::Alarm) => return Outcome { stops: true, ..outcome },
+                Ok(Flow::End) => return Outcome { ends: true, ..outcome },
+                // Results come after every motion.
+                Ok(Flow::Moved(..) | Flow::Native) | Err(_) => return outcome,
+            }
+        }
+        outcome
+    }
+}
+
+/// Whether a program that is started at a block, with these values in its variables, changes a work offset though not all of its touches were
+/// made in this run. `trace` is that of the whole program; what touches there touches here, too.
+pub fn restarted(script: &Script<'_>, run: Run, trace: &Trace, block: usize, values: &[f64]) -> bool {
+    let mut machine = Machine::new(script, Run { strict: true, known: true, ..run });
+    machine.state.slots.copy_from_slice(values);
+    machine.state.pc = block;
+    machine.state.modes = trace.modes;
+    let wanted = trace.touch_lines().count();
+    let mut touched = 0;
+    while let Some(own) = script.blocks.get(machine.state.pc) {
+        let line = machine.line(own.line);
+        match machine.step() {
+            Ok(Flow::Next | Flow::Output(..)) => {}
+            Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
+            Ok(Flow::Wrote(..)) => {}
+            Ok(Flow::Moved(words, motion)) => {
+                let Ok(step) = machine.motion(line, words, motion) else { return false };
+                let touches = motion.probes() && trace.touch_lines().any(|touch| touch == line);
+                touched += usize::from(touches);
+                let middle: Place = [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
+                let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
+                machine.arrive(step.to, met);
+            }
+            // The control, or the program itself, stops.
+            Ok(Flow::Alarm | Flow::End | Flow::Native) | Err(_) => return false,
+        }
+    }
+    false
+}
