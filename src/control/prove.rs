@@ -96,17 +96,8 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     };
     let script = read(text).map_err(faults)?;
     let mut triggers = vec![Vec3::ZERO; request.path.touches.len()];
-    let mut searches: Vec<(usize, f64)> = Vec::with_capacity(triggers.len());
-    searches.extend(request.path.searches().map(|(k, from, step)| (k, from.map_or(0.0, |from| from.distance(step.to)))));
-    // Within the limits, so that the program does not stop for them.
-    let mut share = 1.0;
-    for _ in 0..MOST_ROUNDS {
-        searches.iter().for_each(|(k, way)| triggers[*k] = trigger(request, *k, *way, share));
-        let off = implausible(request, &triggers);
-        if off <= 1.0 {
-            break;
-        }
-        share *= (0.7 / off).clamp(0.01, 0.7);
+    for (k, from, step) in request.path.searches() {
+        triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)));
     }
     // Nothing is asked of results that nothing is written from.
     let marks: Vec<Slot> = if request.corrects() { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
@@ -125,7 +116,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         run,
         &mut |step: &Step| {
             if part == Part::Unknown {
-                return expected.nearly(step, &triggers, &mut next);
+                return Met::Unknown;
             }
             let Some((k, (begin, end))) = expected.touches.get(next) else { return Met::Nothing };
             if !(expected.near(step.to, *end) && expected.near(step.from, *begin)) {
@@ -176,25 +167,12 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
     Ok(Proof { moves: request.path.moves.len(), touches: request.path.touches.len(), arithmetic })
 }
 
-/// What touch `k` reads in the proof: anywhere along this share of its search and a little aside, another place for each; but not before half of
-/// its `way` to the nominal contact.
-fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
+/// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each; but not before half of its `way` to
+/// the nominal contact.
+fn trigger(request: &Request<'_>, k: usize, way: f64) -> Vec3 {
     let touch = &request.path.touches[k];
     let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0);
-    touch.contact(request.setup.radius) - touch.vector * along * share + aside(k) * share
-}
-
-/// A few rounds do: the farther the results are off, the more smaller the next share.
-const MOST_ROUNDS: usize = 40;
-
-/// How far results of these triggers are off, in parts of their limits: the farthest of them.
-fn implausible(request: &Request<'_>, triggers: &[Vec3]) -> f64 {
-    let questions = request.questions();
-    if questions.is_empty() {
-        return 0.0;
-    }
-    let values = request.path.formula.values(&sampled(request, triggers).0);
-    questions.iter().map(|q| (values[q.variable.index()] - q.wanted).abs() / q.limit).fold(0.0, f64::max)
+    touch.contact(request.setup.radius) - touch.vector * along + aside(k)
 }
 
 /// By how much the trigger of touch `k` reads aside of where the axes stop: no coordinate is a round number, so that no term of a formula
@@ -239,22 +217,6 @@ impl Expected {
 
     fn place(&self, place: Vec3) -> Place {
         (place / self.scale).to_array()
-    }
-
-    /// What a motion of some program meets: the contact of the next touch, where it runs along it; else what the program does not take for a fault.
-    fn nearly(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Met {
-        let Some((k, (begin, end))) = self.touches.get(*next) else { return Met::Unknown };
-        let [from, to, begin, end] = [step.from, step.to, *begin, *end].map(Vec3::from_array);
-        let way = (to - from).normalize_or_zero();
-        let contact = triggers[*k] / self.scale;
-        let along = (contact - from).dot(way);
-        let straight = way.dot((end - begin).normalize_or_zero()) > 0.95;
-        if straight && along > 0.0 && along < from.distance(to) && (from + way * along).distance(contact) < begin.distance(end)
-        {
-            *next += 1;
-            return Met::Something((from + way * along).to_array(), contact.to_array());
-        }
-        Met::Unknown
     }
 
     /// The place as the program writes it, to its last digit.

@@ -584,7 +584,7 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
             breaks.push((Some(write.line), message));
         }
     }
-    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !asked.is_empty() && !outcome(None, *share).ends) {
+    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(None, *share).ends) {
         breaks
             .push((Some(write.line), text!("The program does not come to this write though every result is within its limit")));
     }

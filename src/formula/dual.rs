@@ -106,31 +106,6 @@ impl Formula {
     }
 }
 
-impl Formula {
-    /// The values of a plain formula alone, without derivatives.
-    pub fn values(&self, triggers: &[Option<Vec3>]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.assignments.len());
-        for assignment in &self.assignments {
-            values.push(self.number(assignment.node, triggers, &values));
-        }
-        values
-    }
-
-    fn number(&self, node: NodeId, triggers: &[Option<Vec3>], values: &[f64]) -> f64 {
-        let number = |node| self.number(node, triggers, values);
-        match self.nodes[node.0 as usize] {
-            Node::Number(x) | Node::Length(x) => x,
-            Node::Variable(variable) => values[variable.index()],
-            Node::Trigger { sample, axis } => triggers[usize::from(sample)].map_or(f64::NAN, |t| t[usize::from(axis)]),
-            Node::Binary(op, a, b) => op.of(number(a), number(b)),
-            Node::Call(function, a) => function.of(number(a)),
-            Node::Atan2(y, x) => number(y).atan2(number(x)).to_degrees(),
-            // A plain formula has none.
-            Node::Circle(..) => f64::NAN,
-        }
-    }
-}
-
 /// What a formula is evaluated with, and the values so far.
 struct Run<'a> {
     nodes: &'a [Node],

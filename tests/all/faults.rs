@@ -134,7 +134,7 @@ fn the_mean_of_three_touches_is_a_third_of_their_sum() {
     for points in [2, 3, 4] {
         let job = job(&format!(
             r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "extrusion": {{ "points": {points}, "length": -6 }} }},
-            "control": {{ "post": "linuxcnc", "form": "moves" }} }}"#
+            "limits": {{ "size": null, "angle": null, "residual": null }}, "control": {{ "post": "linuxcnc", "form": "moves" }} }}"#
         ));
         let plan = planned(&job);
         let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();

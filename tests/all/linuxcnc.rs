@@ -8,7 +8,7 @@ use touchpath::job::{Plan, default_job};
 
 /// Every job but those of 1411, which `circles.rs` judges; those for another control put out for LinuxCNC.
 fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {
-    crate::common::jobs()
+    crate::common::unlimited_jobs()
         .into_iter()
         .map(|(name, job)| {
             let own = planned(&job).program.post == "linuxcnc";

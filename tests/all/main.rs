@@ -18,6 +18,7 @@ mod lentoax;
 mod linuxcnc;
 mod part;
 mod picture;
+mod plausible;
 mod problems;
 mod reread;
 mod safety;

@@ -135,7 +135,11 @@ impl Control {
                     self.alarm = Some(format!("{value} {text}"));
                     return Ok(());
                 }
-                if matches!(number, 5221..=5340 | 14_001..=15_980) {
+                if number == 3006 {
+                    self.stops += 1;
+                    continue;
+                }
+                if matches!(number, 5221..=5340 | 7001..=7960 | 14_001..=15_980) {
                     self.writes.push(number);
                 } else if !(100..=149).contains(&number) {
                     return Err(fail("this variable is not for a program"));

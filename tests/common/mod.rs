@@ -28,6 +28,18 @@ pub fn jobs() -> Vec<(String, Value)> {
         .collect()
 }
 
+/// The same job without limits of its results: what an interpreter without a part reads is not plausible.
+pub fn unlimited(job: &Value) -> Value {
+    ["position", "size", "angle", "residual"]
+        .iter()
+        .fold(job.clone(), |job, limit| with(&job, &format!("limits.{limit}"), Value::Null))
+}
+
+/// Those of the repository, likewise.
+pub fn unlimited_jobs() -> Vec<(String, Value)> {
+    jobs().into_iter().map(|(name, job)| (name, unlimited(&job))).collect()
+}
+
 /// A plan that must be there.
 pub fn planned(job: &Value) -> Plan {
     plan(job).unwrap_or_else(|e| panic!("{:#?}", e.findings))
@@ -164,6 +176,11 @@ fn read(text: &str) -> Interpreted {
             continue;
         };
         let numbers: Vec<f64> = rest.trim_end_matches(')').split(',').filter_map(|n| n.trim().parse().ok()).collect();
+        // What is shown on the screen.
+        if let Some((name, value)) = rest.trim_matches(['"', ')']).split_once('=').filter(|_| word == "MESSAGE") {
+            found.prints.push((name.to_owned(), value.parse().unwrap_or(f64::NAN)));
+            continue;
+        }
         let kind = match word {
             "STRAIGHT_TRAVERSE" => "rapid",
             "STRAIGHT_FEED" => "feed",

@@ -312,7 +312,7 @@ pub fn term(text: &str) -> Result<Term, String> {
 }
 
 /// Operators by how loosely they bind.
-const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>", ">="], &["+", "-"], &["*", "/"]];
+const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>", ">=", "<="], &["+", "-"], &["*", "/"]];
 
 struct Parser<'a> {
     rest: &'a str,

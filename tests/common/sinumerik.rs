@@ -119,7 +119,8 @@ impl Machine {
                     self.path.push(at);
                 }
                 Statement::Words(words) => {
-                    if words.iter().any(|w| w == "M30" || w == "M0") {
+                    // The operator starts it again.
+                    if words.iter().any(|w| w == "M30") {
                         return Ok(());
                     }
                 }
@@ -161,6 +162,7 @@ impl Machine {
                     "==" => truth(a == b),
                     "<>" => truth(a != b),
                     ">=" => truth(a >= b),
+                    "<=" => truth(a <= b),
                     "OR" => truth(a != 0.0 || b != 0.0),
                     op => return Err(format!("{op}?")),
                 }
@@ -171,6 +173,7 @@ impl Machine {
                     ("SIN", [x]) => x.to_radians().sin(),
                     ("COS", [x]) => x.to_radians().cos(),
                     ("SQRT", [x]) => x.sqrt(),
+                    ("ABS", [x]) => x.abs(),
                     ("ATAN2", [y, x]) => y.atan2(*x).to_degrees(),
                     (name, _) => return Err(format!("{name}?")),
                 }

@@ -91,7 +91,7 @@ export interface ResultRow {
   uncertainty: number | null;
   /** Lower and upper limit, where a tolerance is given. */
   limits: [number, number] | null;
-  /** Good, rework or scrap, where a tolerance is given. */
+  /** Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit. */
   verdict: string | null;
   /** The true value on the virtual part, where there is one. */
   truth: number | null;

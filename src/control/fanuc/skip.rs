@@ -304,6 +304,11 @@ impl Moves for Skip<'_> {
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.parts(&["#149=", &count(step.index + 1)]);
+        // Before the touch: started after it, the program finds one too few.
+        if self.request.corrects() {
+            let count = variable(self.count());
+            w.parts(&[&count, "=", &count, "+1"]);
+        }
         w.makes_move();
         let end = step.step.to - touch.vector * touch.search;
         let words = w.goes_to_all(end);
@@ -314,10 +319,6 @@ impl Moves for Skip<'_> {
             w.parts(&["IF [", &Self::off(w, start, &[0, 1, 2]), " LE ", &near, "] GOTO ", FREE]);
         }
         w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
-        if self.request.corrects() {
-            let count = variable(self.count());
-            w.parts(&[&count, "=", &count, "+1"]);
-        }
     }
 
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {

@@ -215,14 +215,15 @@ impl Moves for Sinumerik<'_> {
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         names_move(w, step.index);
         self.ask_probe(w);
+        // Before the touch: started after it, the program finds one too few.
+        if let Some(register) = self.count().map(count) {
+            w.parts(&["R", &register, "=R", &register, "+1"]);
+        }
         w.makes_move();
         // MEAS takes the positions of the axes that its block names.
         w.straight_in_full("MEAS=1 G1", step.step.to - touch.vector * touch.search, self.request.feeds.work);
         w.line("STOPRE");
         w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
-        if let Some(register) = self.count().map(count) {
-            w.parts(&["R", &register, "=R", &register, "+1"]);
-        }
     }
 
     fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {

@@ -6,7 +6,7 @@ use touchpath::form::Value;
 use touchpath::job::{Plan, evaluate};
 
 fn circle_jobs() -> Vec<(String, Value, Plan)> {
-    let jobs = crate::common::jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
+    let jobs = crate::common::unlimited_jobs().into_iter().filter(|(name, _)| name.starts_with("circles-linuxcnc"));
     jobs.map(|(name, job)| (name, planned(&job), job)).map(|(name, plan, job)| (name, job, plan)).collect()
 }
 

@@ -10,7 +10,7 @@ use touchpath::job::{Plan, check, default_job};
 
 /// Every job of the repository that a SINUMERIK takes, put out for it; and its own ones.
 fn plans() -> Vec<(String, Value, Plan)> {
-    crate::common::jobs()
+    crate::common::unlimited_jobs()
         .into_iter()
         .filter_map(|(name, job)| {
             let own = crate::common::planned(&job).program.post == "sinumerik";
@@ -312,7 +312,7 @@ fn a_program_that_was_changed_is_told() {
         ("R6*0.342020143326+3", "R6*0.342020143326-3"),
         ("$AA_MW[X]", "$AA_MW[Y]"),
         ("$P_UIFR[2,X,TR]=$P", "$P_UIFR[3,X,TR]=$P"),
-        ("+R16*COS", "-R16*COS"),
+        ("R17*COS(R15)-R18", "R17*COS(R15)+R18"),
         ("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED\n", ""),
         ("G1 Z30 F2000\nTP_STOP", "G1 Z-30 F2000\nTP_STOP"),
         ("SETAL(65000)\n", ""),

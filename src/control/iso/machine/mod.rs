@@ -142,8 +142,9 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     let mut trace = Trace::default();
     let mut scratch = State::default();
     let mut tail = Tail::default();
-    // In a program of someone else: the way that the last condition since the last motion did not go.
+    // The way that the last condition since the last motion did not go, and the alarm after which it was gone all the same.
     let mut fork: Option<State> = None;
+    let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.what, What::Words(_)) {
             machine.spend(MOTION + script.slots / 8);
@@ -153,7 +154,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
         let flow = machine.step()?;
         match &block.what {
             What::Set(slot, _) if marks.contains(slot) => tail.keep(&machine.state),
-            What::JumpIf(_, target) | What::JumpUnless(_, target) if !run.strict => {
+            What::JumpIf(_, target) | What::JumpUnless(_, target) => {
                 let mut other = State::default();
                 other.become_like(&machine.state);
                 other.pc = if machine.state.pc == at + 1 { *target } else { at + 1 };
@@ -171,17 +172,21 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
                 trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
             }
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
-            // Nothing is known of its part: what it takes for a fault is none.
+            // What the touches read here is no good part: a result that the program takes for a fault is none.
             Flow::Alarm if fork.is_some() => {
                 machine.spend(MOTION);
+                implausible.get_or_insert(line);
                 fork.take().into_iter().for_each(|other| machine.state = other);
             }
-            Flow::Alarm => return Err(trouble(line, text!("the program stops here with an alarm though nothing is wrong"))),
+            Flow::Alarm => return Err(trouble(line, stops())),
             Flow::End => {
                 trace.ends = true;
                 break;
             }
             Flow::Moved(words, motion) => {
+                if let Some(line) = implausible.filter(|_| run.strict) {
+                    return Err(trouble(line, stops()));
+                }
                 fork = None;
                 let modes = machine.state.modes;
                 let first = *machine.first.get_or_insert(modes);
@@ -209,6 +214,10 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     trace.written = machine.written(&trace);
     tail.end(&mut machine.state);
     Ok((trace, tail))
+}
+
+fn stops() -> Text {
+    text!("the program stops here with an alarm though nothing is wrong")
 }
 
 fn reads_ahead() -> Text {

@@ -1,7 +1,7 @@
 //! What comes after the motions: the end of a program with other results than were measured, and a program that is started in its middle.
 
 use super::{Flow, Machine, Run, State};
-use crate::control::iso::script::{Motion, Script, Slot};
+use crate::control::iso::script::{Motion, Script, Slot, What};
 use crate::control::trace::{Place, Trace};
 
 /// A program at the place where its results have their values, and what its variables hold at its end.
@@ -77,7 +77,15 @@ pub fn restarted(script: &Script<'_>, run: Run, trace: &Trace, block: usize, val
     let mut touched = 0;
     while let Some(own) = script.blocks.get(machine.state.pc) {
         let line = machine.line(own.line);
-        match machine.step() {
+        let flow = machine.step();
+        // A variable that nothing has set is an error where the control does not keep them.
+        if let What::Set(slot, _) = own.what
+            && script.vacant.is_none()
+            && machine.state.slots[slot as usize].is_nan()
+        {
+            return false;
+        }
+        match flow {
             Ok(Flow::Next | Flow::Output(..)) => {}
             Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
             Ok(Flow::Wrote(..)) => {}
