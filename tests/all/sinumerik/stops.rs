@@ -219,7 +219,7 @@ fn a_broken_program_is_caught() {
         text.replacen("G71\n", "", 1),
         text.replacen("MEAS=1 G1 X139.4671 Y64.3648 Z-10 F150", "MEAS=1 G1 X139.4671 Y64.3648 Z-10.01 F150", 1),
         text.replacen("R1=", "1=", 1),
-        text.replacen("$P_UIFR[2,X,TR]=$P", "$P_UIFR[2,X,TR]=$P_", 1).replace("TR]+R16", "TR]+*R16"),
+        text.replacen("$P_UIFR[2,X,TR]=$P", "$P_UIFR[2,X,TR]=$P_", 1).replace("TR]+R21", "TR]+*R21"),
         text.replacen("F5000", "F0", 1),
         text.replacen("F5000", "", 1),
     ];
