@@ -182,6 +182,11 @@ impl Control {
                     "M78" if self.haas => free = true,
                     "M79" if self.haas => must = true,
                     "M0" => self.stops += 1,
+                    // A Haas takes the angle, a Fanuc turns to the one that is set.
+                    "M19" => {}
+                    _ if word.starts_with('R') && self.haas && words[0] == "M19" => {}
+                    "POPEN" | "PCLOS" => {}
+                    _ if word.starts_with("DPRNT[") => {}
                     "M30" => return Ok(true),
                     _ if word.starts_with('P') && self.haas => {}
                     _ => return Err(format!("{word} is not known")),
