@@ -210,7 +210,9 @@ impl<'a, 'c> Section<'a, 'c> {
             return None;
         }
         let scale = match field.kind {
-            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => self.checker.scale,
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
+                self.checker.scale
+            }
             Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
         };
         if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {

@@ -86,7 +86,9 @@ fn default_values(fields: &[Field], units: Units, short: bool) -> Vec<(String, V
     let value = |field: &Field| match field.default {
         Default::Number(x) => match field.kind {
             Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => Value::Number(rounded(x)),
-            Kind::Time | Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => Value::Number(x),
+            Kind::Time | Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => {
+                Value::Number(x)
+            }
             Kind::Point | Kind::NominalPoint => Value::Number(x),
         },
         Default::Flag(b) => Value::Flag(b),

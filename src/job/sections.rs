@@ -342,7 +342,11 @@ impl Job {
             shape: Shape { length: stylus.length, shank: stylus.shank, body: stylus.body },
             runout: stylus.runout,
             limits: Limits { position: limits.position, size: limits.size, angle: limits.angle, residual: limits.residual },
-            machine: Machine { acceleration: machine.acceleration, latency: machine.latency / 1000.0, deflection: machine.deflection },
+            machine: Machine {
+                acceleration: machine.acceleration,
+                latency: machine.latency / 1000.0,
+                deflection: machine.deflection,
+            },
             feeds: Feeds {
                 approach: feeds.approach,
                 long_link: feeds.long_link,
