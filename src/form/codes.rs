@@ -70,6 +70,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("not-a-flag", "A value of a dump should be true or false."),
     ("not-a-number", "A value that should be a number is not one."),
     ("not-a-value", "A nominal value is neither a number nor one of the texts that are known."),
+    (
+        "not-at-feed",
+        "A touch begins so close to its contact that the axes are still accelerating there: the probe was calibrated at the full feed.",
+    ),
     ("not-finite", "A number is infinite or NaN."),
     ("not-in-dump", "Values that a dump does not give are defaults."),
     ("not-in-program", "Values that a program does not give are defaults."),
@@ -143,6 +147,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("start-unknown", "Incremental moves of a program begin at a place that is not known: they are counted from 0."),
     ("starts-disagree", "Picked touches and their clearances put the one start of the cycle at several places."),
     ("stylus-from-dump", "The ball's diameter was found from the used and the original points of a dump."),
+    ("stops-too-late", "At this feed the axes stop later after a contact than the stylus takes."),
     ("text-too-long", "The text is longer than the limit."),
     ("too-far", "A measured point lies farther from its touch than the touch can reach."),
     ("too-long", "A text is longer than its field takes."),

@@ -9,6 +9,7 @@
 
 mod defaults;
 mod examine;
+mod inertia;
 mod lentoax;
 mod picture;
 mod plan;

@@ -9,6 +9,7 @@ use crate::form::{Checker, Value};
 use crate::formula::Role;
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
+use crate::job::inertia::report_inertia;
 use crate::job::rows::{
     ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
 };
@@ -188,8 +189,11 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             checker.warning("predefined", field, message);
         }
     }
+    let feeds = path.feeds.unwrap_or(job.feeds);
     check_path(job, path, &mut checker);
-    if !checker.failed() {
+    let runs = !checker.failed();
+    report_inertia(job, &request(planned, &feeds, None), &mut checker);
+    if runs {
         report_run(job, path, run, &mut checker);
     }
     if checker.failed() {
@@ -204,7 +208,6 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);
     report_still(path, &mut checker);
-    let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
     (job.post.check)(&request, &mut checker);

@@ -2,10 +2,12 @@
 
 mod contact;
 mod evaluate;
+mod inertia;
 mod measured;
 
 pub use contact::{Contact, Obstacles};
 pub use evaluate::{add_truth, evaluate, write_offset};
+pub use inertia::Machine;
 pub use measured::{Measured, read as read_measured};
 
 use crate::geom::{Rigid, Vec3};
@@ -23,17 +25,6 @@ pub struct Shape {
     pub shank: Option<f64>,
     /// Diameter of the probe body above the stylus.
     pub body: Option<f64>,
-}
-
-/// What a machine needs to stop after a contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Machine {
-    /// How fast an axis slows down, mm/s².
-    pub acceleration: f64,
-    /// From the contact until it begins to, seconds.
-    pub latency: f64,
-    /// Travel that the stylus takes past contact, mm.
-    pub deflection: f64,
 }
 
 /// How the real part lies.

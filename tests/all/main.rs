@@ -11,6 +11,7 @@ mod fanuc;
 mod faults;
 mod generated;
 mod golden;
+mod inertia;
 mod iso286;
 mod laws;
 mod layers;
