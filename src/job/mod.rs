@@ -15,6 +15,7 @@ mod picture;
 mod plan;
 mod rows;
 mod sections;
+mod stylus;
 mod units;
 
 pub use defaults::default_job;

@@ -13,6 +13,7 @@ use crate::job::inertia::report_inertia;
 use crate::job::rows::{
     ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
 };
+use crate::job::stylus::{report_stylus, report_unknown};
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
@@ -194,7 +195,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let runs = !checker.failed();
     report_inertia(job, &request(planned, &feeds, None), &mut checker);
     if runs {
-        report_run(job, path, run, &mut checker);
+        report_run(planned, &mut checker);
     }
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
@@ -359,15 +360,20 @@ fn way_to(path: &Path, touch: usize) -> f64 {
     from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
-fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
+fn report_run(planned: &Planned, checker: &mut Checker) {
+    let Planned { job, path, surfaces, run } = planned;
     let field = if job.lie.nominal { "cycle" } else { "part" };
-    if !job.lie.nominal {
+    if job.lie.nominal {
+        report_stylus(job, path, run, None, checker);
+    } else {
         // A part that lies elsewhere makes no path good that meets the part of the drawing.
         let nominal = part::run(path, &path.surfaces, &job.setup);
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
+        report_stylus(job, path, &nominal, Some((surfaces, run)), checker);
     }
+    report_unknown(job, path, checker);
     if let Some(collision) = run.collision {
         report_collision(path, collision, &run.triggers, field, checker);
         return;

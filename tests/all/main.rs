@@ -24,4 +24,5 @@ mod reread;
 mod safety;
 mod sinumerik;
 mod table;
+mod stylus;
 mod toolpath;
