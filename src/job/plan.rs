@@ -200,7 +200,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    let mut rows = part::evaluate(path, &run.triggers, job.repeatability);
+    let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
@@ -348,7 +348,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    let mut rows = part::evaluate(&path, &points, job.repeatability);
+    let mut rows = part::evaluate(&path, &points, job.scatter());
     job.cycle.judge(&job.setup, &path, &points, &mut rows);
     Ok(result_rows(job, &path, rows))
 }
@@ -480,7 +480,12 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     /// Times as much as a single touch.
     const DOUBTFUL: f64 = 20.0;
     let single = job.repeatability / job.scale;
-    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { row.uncertainty.unwrap_or(0.0) / single };
+    // Of the touches alone: the ball's eccentricity is not theirs.
+    let sigma = |row: &ResultRow| {
+        let [whole, runout] = [row.uncertainty, row.uncertainty_runout].map(|x| x.unwrap_or(0.0));
+        (whole * whole - runout * runout).max(0.0).sqrt()
+    };
+    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { sigma(row) / single };
     let worst = results.iter().max_by(|a, b| times(a).total_cmp(&times(b)));
     let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else { return };
     // It is said of the arc already.
@@ -491,7 +496,7 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other, or too far from it",
         worst.said.meaning.clone(),
         decimal(times(worst), 0),
-        checker.length(worst.uncertainty.unwrap_or(0.0) * job.scale)
+        checker.length(sigma(worst) * job.scale)
     );
     checker.warning("uncertain-result", "cycle", message);
 }

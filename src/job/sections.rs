@@ -6,7 +6,7 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
-use crate::part::{Lie, Machine, Shape};
+use crate::part::{Lie, Machine, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::{Text, text};
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -138,7 +138,7 @@ form! {
         shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the probe body above the stylus. Empty: not known.
         body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
-        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known.
+        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known.
         runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
     }
 }
@@ -297,6 +297,11 @@ pub struct Job {
 }
 
 impl Job {
+    /// What makes results uncertain. A spindle that is turned to the angle of calibration has the ball's eccentricity in that.
+    pub fn scatter(&self) -> Scatter {
+        Scatter { repeatability: self.repeatability, runout: self.runout.filter(|_| self.orient.is_none()) }
+    }
+
     /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {

@@ -7,7 +7,7 @@ mod measured;
 mod stylus;
 
 pub use contact::{Contact, Obstacles};
-pub use evaluate::{add_truth, evaluate, write_offset};
+pub use evaluate::{Scatter, add_truth, evaluate, write_offset};
 pub use inertia::Machine;
 pub use measured::{Measured, read as read_measured};
 pub use stylus::{Above, Shape, Struck, struck};

@@ -626,7 +626,7 @@ export interface Job {
     shank?: number | null;
     /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
     body?: number | null;
-    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known. `null`: not known. */
+    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known. `null`: not known. */
     runout?: number | null;
   };
   feeds?: {
