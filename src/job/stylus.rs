@@ -73,7 +73,7 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
                 return;
             }
             text!(
-                "The ball centre goes {depth} below the top side. Whether shank and probe body clear the part is checked only with stylus length, shank and body diameter",
+                "The ball centre goes {depth} below the top side. To have shank and probe body checked against the part, give stylus length, shank diameter and body diameter",
                 checker.length(depth)
             )
         }

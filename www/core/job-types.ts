@@ -620,7 +620,7 @@ export interface Job {
     diameter?: number;
     /** One sigma of a single touch along its probing direction. */
     repeatability?: number;
-    /** From the ball centre up to the probe body. Empty: not known, and what is above the ball is not checked. `null`: not known. */
+    /** From the ball centre up to the probe body. Empty: not known, and the probe body is not checked. `null`: not known. */
     length?: number | null;
     /** Diameter of the stylus above the ball. Empty: not known. `null`: not known. */
     shank?: number | null;
