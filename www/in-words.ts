@@ -104,3 +104,10 @@ export function deviations(store: Store): string[] {
   });
   return [...shifts, ...(turn === 0 ? [] : [store.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
 }
+
+/** The results that the ball's eccentricity makes uncertain, in a list; empty where it counts in none. */
+export const ofRunout = (rows: ResultRow[], say: (row: ResultRow) => string): string =>
+  rows
+    .filter((row) => (row.uncertaintyRunout ?? 0) > 0)
+    .map(say)
+    .join(", ");

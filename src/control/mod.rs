@@ -25,7 +25,7 @@ use crate::form::{Checker, Value};
 use crate::formula::{Datum, Limits, Question};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::decimal;
-use crate::path::{Feeds, Move, Path, Purpose, RAPID_RATE, Setup, Subject};
+use crate::path::{Feeds, Move, Path, Purpose, STATED_RAPID, Setup, Subject};
 use crate::text::{Text, text};
 
 /// Every control, in the order of the form.
@@ -436,7 +436,7 @@ fn written(request: &Request<'_>) -> String {
 fn feed_rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     let needed = request.protected || step.arc.is_some() || step.purpose != Purpose::Position;
-    stated.or(needed.then_some(RAPID_RATE))
+    stated.or(needed.then_some(STATED_RAPID))
 }
 
 /// How a work offset is called in the RS274 family: G54 … G59, G59.1 ….

@@ -64,6 +64,11 @@ impl Checker {
         self.found.iter().any(|f| f.code == code)
     }
 
+    /// Whether there is a finding with this code at this path.
+    pub fn has_at(&self, code: &str, path: &str) -> bool {
+        self.found.iter().any(|f| f.code == code && f.path == path)
+    }
+
     /// Everything found, in the order found; last, where there are too many to list, how many more.
     pub fn findings(mut self) -> Vec<Finding> {
         const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];

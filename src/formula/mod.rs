@@ -203,8 +203,10 @@ pub struct ResultRow {
     pub value: Option<f64>,
     /// Value less nominal, or less the middle of the tolerance zone.
     pub deviation: Option<f64>,
-    /// One sigma of the value, from the repeatability of a touch.
+    /// One sigma of the value.
     pub uncertainty: Option<f64>,
+    /// How much of it comes from the ball's eccentricity: one sigma of that alone.
+    pub uncertainty_runout: Option<f64>,
     /// Lower and upper limit, where a tolerance is given.
     pub limits: Option<(f64, f64)>,
     /// Good, rework, scrap, where a tolerance is given; implausible beyond the limit.

@@ -9,11 +9,13 @@
 
 mod defaults;
 mod examine;
+mod inertia;
 mod lentoax;
 mod picture;
 mod plan;
 mod rows;
 mod sections;
+mod stylus;
 mod units;
 
 pub use defaults::default_job;

@@ -9,9 +9,11 @@ use crate::form::{Checker, Value};
 use crate::formula::{self, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
+use crate::job::inertia::report_inertia;
 use crate::job::rows::{
     ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
 };
+use crate::job::stylus::{report_stylus, report_unknown};
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
@@ -236,14 +238,17 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             checker.warning("predefined", field, message);
         }
     }
+    let feeds = path.feeds.unwrap_or(job.feeds);
     check_path(job, path, &mut checker);
-    if !checker.failed() {
-        report_run(job, path, run, &mut checker);
+    let runs = !checker.failed();
+    report_inertia(job, &request(planned, &feeds, None), &mut checker);
+    if runs {
+        report_run(planned, &mut checker);
     }
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    let mut rows = part::evaluate(path, &run.triggers, job.repeatability);
+    let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
@@ -255,7 +260,6 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);
     report_still(path, &mut checker);
-    let feeds = path.feeds.unwrap_or(job.feeds);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
     (job.post.check)(&request, &mut checker);
@@ -398,7 +402,7 @@ pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    let mut rows = part::evaluate(&path, &points, job.repeatability);
+    let mut rows = part::evaluate(&path, &points, job.scatter());
     job.cycle.judge(&job.setup, &path, &points, &mut rows);
     judge_plausible(job, &path, &mut rows);
     Ok(result_rows(job, &path, rows))
@@ -411,15 +415,20 @@ fn way_to(path: &Path, touch: usize) -> f64 {
     from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
-fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
+fn report_run(planned: &Planned, checker: &mut Checker) {
+    let Planned { job, path, surfaces, run } = planned;
     let field = if job.lie.nominal { "cycle" } else { "part" };
-    if !job.lie.nominal {
+    if job.lie.nominal {
+        report_stylus(job, path, run, None, checker);
+    } else {
         // A part that lies elsewhere makes no path good that meets the part of the drawing.
         let nominal = part::run(path, &path.surfaces, &job.setup);
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
+        report_stylus(job, path, &nominal, Some((surfaces, run)), checker);
     }
+    report_unknown(job, path, checker);
     if let Some(collision) = run.collision {
         report_collision(path, collision, &run.triggers, field, checker);
         return;
@@ -526,7 +535,12 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
     /// Times as much as a single touch.
     const DOUBTFUL: f64 = 20.0;
     let single = job.repeatability / job.scale;
-    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { row.uncertainty.unwrap_or(0.0) / single };
+    // Of the touches alone: the ball's eccentricity is not theirs.
+    let sigma = |row: &ResultRow| {
+        let [whole, runout] = [row.uncertainty, row.uncertainty_runout].map(|x| x.unwrap_or(0.0));
+        (whole * whole - runout * runout).max(0.0).sqrt()
+    };
+    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { sigma(row) / single };
     let worst = results.iter().max_by(|a, b| times(a).total_cmp(&times(b)));
     let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else { return };
     // It is said of the arc already.
@@ -537,7 +551,7 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         "{result} is {times} times as uncertain as a single touch (one sigma {sigma}): the touches lie too near to each other, or too far from it",
         worst.said.meaning.clone(),
         decimal(times(worst), 0),
-        checker.length(worst.uncertainty.unwrap_or(0.0) * job.scale)
+        checker.length(sigma(worst) * job.scale)
     );
     checker.warning("uncertain-result", "cycle", message);
 }

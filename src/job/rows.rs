@@ -171,6 +171,7 @@ pub enum ParameterValue {
 
 /// One result.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct ResultRow {
     /// `center.x`.
     pub code: String,
@@ -186,6 +187,9 @@ pub struct ResultRow {
     pub deviation: Option<f64>,
     /// One sigma of the value.
     pub uncertainty: Option<f64>,
+    /// How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the
+    /// angle of calibration.
+    pub uncertainty_runout: Option<f64>,
     /// Lower and upper limit, where a tolerance is given.
     pub limits: Option<[f64; 2]>,
     /// Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit.
@@ -250,6 +254,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
                 value: convert(row.value),
                 deviation: convert(row.deviation),
                 uncertainty: convert(row.uncertainty),
+                uncertainty_runout: convert(row.uncertainty_runout),
                 limits: row.limits.map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
                 verdict: row.verdict.as_ref().map(Text::english),
                 truth: convert(row.truth),

@@ -6,7 +6,7 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
-use crate::part::{Lie, Machine, Shape};
+use crate::part::{Lie, Machine, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::{Text, text};
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -132,13 +132,13 @@ form! {
         diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
         /// One sigma of a single touch along its probing direction.
         repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
-        /// From the ball centre up to the probe body. Empty: not known, and what is above the ball is not checked.
+        /// From the ball centre up to the probe body. Empty: not known, and the probe body is not checked.
         length: Option<f64> = Field::length("length", "Stylus length", 50.0).range(0.1, 1000.0).usual(5.0, 200.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the stylus above the ball. Empty: not known.
         shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the probe body above the stylus. Empty: not known.
         body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
-        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known.
+        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known.
         runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
     }
 }
@@ -297,6 +297,11 @@ pub struct Job {
 }
 
 impl Job {
+    /// What makes results uncertain. A spindle that is turned to the angle of calibration has the ball's eccentricity in that.
+    pub fn scatter(&self) -> Scatter {
+        Scatter { repeatability: self.repeatability, runout: self.runout.filter(|_| self.orient.is_none()) }
+    }
+
     /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {

@@ -17,7 +17,7 @@ pub struct Contact {
 }
 
 /// A ball that stands this deep in a wall still counts as touching it from outside: rounding, not a collision. mm.
-const SKIN: f64 = 1e-7;
+pub(super) const SKIN: f64 = 1e-7;
 
 /// What a ball can meet. Flat walls bound convex bodies; a wall alone has no ends. A surface ends at its top where it has one, and behind the edge
 /// lies a flat top side.
@@ -120,7 +120,7 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
 
 /// A convex body: what lies behind all of its faces.
 #[derive(Debug)]
-struct Body {
+pub(super) struct Body {
     /// Outward normal, its value on the face, and the surface it belongs to.
     faces: [(Vec3, f64, usize); MOST_FACES],
     count: usize,
@@ -140,7 +140,7 @@ struct Gap {
 
 impl Body {
     /// The body that begins with this wall; none where an earlier wall begins it.
-    fn beginning(surfaces: &[Surface], up: Vec3, first: usize) -> Option<Self> {
+    pub(super) fn beginning(surfaces: &[Surface], up: Vec3, first: usize) -> Option<Self> {
         let Surface::Flat(begin) = &surfaces[first] else { return None };
         let mut body = Body { faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES], count: 0 };
         let mut topped = false;
@@ -163,10 +163,32 @@ impl Body {
     }
 
     fn add(&mut self, normal: Vec3, point: Vec3, surface: usize) {
+        self.put(normal, normal.dot(point), surface);
+    }
+
+    fn put(&mut self, normal: Vec3, value: f64, surface: usize) {
         if self.count < MOST_FACES {
-            self.faces[self.count] = (normal, normal.dot(point), surface);
+            self.faces[self.count] = (normal, value, surface);
             self.count += 1;
         }
+    }
+
+    /// What a level plane cuts out of it, as a prism along `up` without ends, and the height at which the body itself ends. None where only
+    /// level faces bound it.
+    pub(super) fn cut(&self, up: Vec3, height: f64) -> Option<(Body, Option<f64>)> {
+        let mut prism = Body { faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES], count: 0 };
+        let mut top: Option<f64> = None;
+        for &(normal, value, surface) in &self.faces[..self.count] {
+            let lift = normal.dot(up);
+            let flat = normal - up * lift;
+            let size = flat.length();
+            if size < 1e-9 {
+                top = Some(top.map_or(value, |top| top.min(value)));
+            } else {
+                prism.put(flat / size, (value - lift * height) / size, surface);
+            }
+        }
+        (prism.count > 0).then_some((prism, top))
     }
 
     /// Distance from the body. Outside, the nearest point lies on a face, on an edge of two faces, or at a corner of three:
@@ -228,7 +250,7 @@ impl Body {
     /// The fraction of the way at which a ball meets the body, the surface, and whether it is at an edge. The distance of a point that moves in a straight
     /// line from a convex body is a convex function of the way, so that Newton's steps from its start never pass the first
     /// place where it is the radius; on a face the first step is exact.
-    fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
+    pub(super) fn meet(&self, radius: f64, from: Vec3, to: Vec3) -> Option<(f64, usize, bool)> {
         let way = to - from;
         // The body lies behind all of its faces: where the plane of one is out of reach, so is the body.
         let faces = self.faces[..self.count].iter();

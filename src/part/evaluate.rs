@@ -1,15 +1,23 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Formula, ResultRow, Role, Unit};
+use crate::formula::{Dual, Formula, ResultRow, Role, Unit};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
 use crate::path::Path;
 use crate::text::{Text, text};
 
-/// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
-/// probing direction.
-pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> Vec<ResultRow> {
+/// What makes results uncertain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter {
+    /// One sigma of each touch along its probing direction, mm.
+    pub repeatability: f64,
+    /// How far the ball centre is off the spindle axis, mm: at an unknown angle, the same for all touches of a program. None does not count.
+    pub runout: Option<f64>,
+}
+
+/// The results for ball centres at these triggers.
+pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec<ResultRow> {
     let samples = samples(path, triggers);
     let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
     // A sample of n touches scatters by 1/√n of one.
@@ -20,6 +28,10 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
         .iter()
         .map(|def| {
             let dual = def.variable.map(|v| values[v.index()]).filter(|d| d.value.is_finite());
+            // On a good part the residual is nothing, and no derivative says how it grows.
+            let spread = dual.filter(|_| def.role != Role::Residual);
+            let runout = spread.zip(scatter.runout).map(|(d, runout)| runout * of_runout(path, &samples, &d));
+            let touches = spread.map(|d| d.uncertainty(scatter.repeatability));
             ResultRow {
                 code: def.code.to_owned(),
                 meaning: Text::words(def.meaning),
@@ -27,14 +39,24 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
                 nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
                 deviation: dual.map(|d| tidy(d.value - def.reference)).filter(|d| d.is_finite()),
-                // On a good part the residual is nothing, and no derivative says how it grows.
-                uncertainty: dual.filter(|_| def.role != Role::Residual).map(|d| d.uncertainty(repeatability)),
+                uncertainty: touches.map(|touches| runout.map_or(touches, |runout| touches.hypot(runout))),
+                uncertainty_runout: runout,
                 limits: None,
                 verdict: None,
                 truth: None,
             }
         })
         .collect()
+}
+
+/// One sigma of a result for a ball centre 1 mm off the spindle axis, at any angle with the same likelihood. With the ball at an angle φ, the
+/// machine stands (cos φ, sin φ) aside at every contact: a touch along v comes v·(cos φ, sin φ) off. All touches share the angle, so their
+/// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
+fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
+    // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
+    let whole = |k: usize| result.by_touch[k] * (samples[k].count as f64).sqrt();
+    let along = |axis: Vec3| -> f64 { (0..samples.len()).map(|k| whole(k) * samples[k].direction.dot(axis)).sum() };
+    tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
 }
 
 /// One point of the formula.

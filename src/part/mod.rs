@@ -2,39 +2,21 @@
 
 mod contact;
 mod evaluate;
+mod inertia;
 mod measured;
+mod stylus;
 
 pub use contact::{Contact, Obstacles};
-pub use evaluate::{add_truth, evaluate, write_offset};
+pub use evaluate::{Scatter, add_truth, evaluate, write_offset};
+pub use inertia::Machine;
 pub use measured::{Measured, read as read_measured};
+pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};
 use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};
 
 /// A contact so far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
-
-/// The stylus above its ball: diameters and length in mm, none where it is not known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
-    /// From the ball centre up to the probe body.
-    pub length: Option<f64>,
-    /// Diameter of the stylus above the ball.
-    pub shank: Option<f64>,
-    /// Diameter of the probe body above the stylus.
-    pub body: Option<f64>,
-}
-
-/// What a machine needs to stop after a contact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Machine {
-    /// How fast an axis slows down, mm/s².
-    pub acceleration: f64,
-    /// From the contact until it begins to, seconds.
-    pub latency: f64,
-    /// Travel that the stylus takes past contact, mm.
-    pub deflection: f64,
-}
 
 /// How the real part lies.
 #[derive(Clone, Debug)]

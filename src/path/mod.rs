@@ -25,6 +25,9 @@ const _: () = assert!(MAX_TOUCHES <= crate::formula::MOST_SAMPLES);
 /// The rate that rapids are taken to have where a time is stated, mm/min. Machines differ; only the estimate depends on it.
 pub const RAPID_RATE: f64 = 5000.0;
 
+/// The feed of a rapid that needs a stated one, mm/min: watched moves do, and arcs. Slow enough for a machine to stop within what a stylus takes.
+pub const STATED_RAPID: f64 = 2000.0;
+
 /// Moves shorter than this, in mm, are none.
 pub const ZERO_LENGTH: f64 = 1e-9;
 

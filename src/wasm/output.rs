@@ -173,7 +173,7 @@ fn result(out: &mut Packed, row: &ResultRow) {
     out.text(&row.code);
     out.said(&row.said.meaning);
     out.word(row.unit, &UNITS);
-    for x in [row.nominal, row.value, row.deviation, row.uncertainty] {
+    for x in [row.nominal, row.value, row.deviation, row.uncertainty, row.uncertainty_runout] {
         out.optional(x);
     }
     for i in 0..2 {

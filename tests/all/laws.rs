@@ -58,7 +58,9 @@ fn whole_job() -> impl Strategy<Value = Value> {
         let sections: Vec<_> = touchpath::job::SECTIONS.iter().map(|(path, fields)| (Just(*path), form(fields))).collect();
         // A part that lies off by what a setter would call off; half the jobs have the nominal one.
         let lie = (proptest::array::uniform3(-1.0..1.0), -1.0..1.0f64, any::<bool>());
-        (cycle, sections, lie).prop_map(|(cycle, sections, (offset, rotation, nominal))| {
+        // Of any size, a stylus meets most parts: mostly it is not known.
+        let shaped = proptest::bool::weighted(0.2);
+        (cycle, sections, lie, shaped).prop_map(|(cycle, sections, (offset, rotation, nominal), shaped)| {
             let mut job = vec![("format".to_owned(), number(1.0)), ("cycle".to_owned(), cycle)];
             for (path, fields) in sections {
                 match path {
@@ -70,6 +72,10 @@ fn whole_job() -> impl Strategy<Value = Value> {
                             Value::Map(entries) => entries,
                             _ => unreachable!("a job is a map"),
                         };
+                    }
+                    "stylus" if !shaped => {
+                        let known = fields.into_iter().filter(|(key, _)| !matches!(key.as_str(), "length" | "shank" | "body"));
+                        job.push((path.to_owned(), Value::Map(known.collect())));
                     }
                     _ => job.push((path.to_owned(), Value::Map(fields))),
                 }

@@ -204,7 +204,7 @@ fn uncertainties_agree_with_a_hundred_thousand_draws() {
                 .zip(&path.touches)
                 .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.004 * draws.normal())))
                 .collect();
-            let rows = touchpath::part::evaluate(&path, &scattered, checked.repeatability);
+            let rows = touchpath::part::evaluate(&path, &scattered, checked.scatter());
             for (sum, (row, centre)) in sums.iter_mut().zip(rows.iter().zip(&plan.results)) {
                 if let (Some(value), Some(centre)) = (row.value, centre.value) {
                     sum.0 += value - centre;

@@ -29,7 +29,9 @@ fn default_jobs_are_without_any_finding() {
         // What is rows of the table alone says so.
         let still = matches!(cycle.probes, Subject::Switch | Subject::Action);
         assert_eq!(found(&job, Level::Warning), vec!["nothing-switched cycle"; usize::from(still)], "{}", cycle.key);
-        assert_eq!(check(&job).len(), usize::from(still), "{}", cycle.key);
+        // And no job says by itself what is above the ball.
+        let others = check(&job).into_iter().filter(|f| f.code != "stylus-not-known");
+        assert_eq!(others.count(), usize::from(still), "{}", cycle.key);
         plan(&job).unwrap();
     }
     assert!(default_job("bogus").is_none());

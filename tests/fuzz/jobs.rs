@@ -110,6 +110,8 @@ pub fn whole(draw: &mut Draw, index: u64) -> Value {
                     put(&mut values, "workOffset", Value::Null);
                 }
             }
+            // Of any size, a stylus meets most parts: mostly it is not known.
+            "stylus" if !draw.once_in(4) => values.retain(|(key, _)| !matches!(key.as_str(), "length" | "shank" | "body")),
             // A tool whose length acts elsewhere is refused: rarely so.
             "tool" if !draw.once_in(20) => continue,
             "part" => {

@@ -620,13 +620,13 @@ export interface Job {
     diameter?: number;
     /** One sigma of a single touch along its probing direction. */
     repeatability?: number;
-    /** From the ball centre up to the probe body. Empty: not known, and what is above the ball is not checked. `null`: not known. */
+    /** From the ball centre up to the probe body. Empty: not known, and the probe body is not checked. `null`: not known. */
     length?: number | null;
     /** Diameter of the stylus above the ball. Empty: not known. `null`: not known. */
     shank?: number | null;
     /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
     body?: number | null;
-    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. Empty: not known. `null`: not known. */
+    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known. `null`: not known. */
     runout?: number | null;
   };
   feeds?: {

@@ -89,6 +89,8 @@ export interface ResultRow {
   deviation: number | null;
   /** One sigma of the value. */
   uncertainty: number | null;
+  /** How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the angle of calibration. */
+  uncertaintyRunout: number | null;
   /** Lower and upper limit, where a tolerance is given. */
   limits: [number, number] | null;
   /** Good, rework or scrap, where a tolerance is given; implausible, where it is off by more than its limit. */

@@ -162,7 +162,8 @@ function result(r: Reader): ResultRow {
   const code = r.text();
   const meaning = r.said();
   const unit = r.word(UNITS);
-  const [nominal, value, deviation, uncertainty] = [r.optional(), r.optional(), r.optional(), r.optional()];
+  const [nominal, value, deviation] = [r.optional(), r.optional(), r.optional()];
+  const [uncertainty, uncertaintyRunout] = [r.optional(), r.optional()];
   const [low, high] = [r.optional(), r.optional()];
   const verdict = r.saidOrNone();
   const truth = r.optional();
@@ -175,6 +176,7 @@ function result(r: Reader): ResultRow {
     value,
     deviation,
     uncertainty,
+    uncertaintyRunout,
     limits: low === null || high === null ? null : [low, high],
     verdict: verdict && say(verdict),
     truth,

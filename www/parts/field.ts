@@ -178,6 +178,8 @@ export abstract class FieldPart extends Part {
 
   protected unit(field: FieldEntry): string {
     const unit = this.store.units;
-    return { length: unit, feed: `${unit}/min`, acceleration: `${unit}/s²`, time: "ms", angle: "°", none: "" }[field.unit];
+    return { length: unit, feed: `${unit}/min`, acceleration: `${unit}/s²`, time: "ms", angle: "°", none: "" }[
+      field.unit
+    ];
   }
 }

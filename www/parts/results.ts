@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
-import { moveInWords, resultInWords } from "../in-words.js";
+import { moveInWords, ofRunout, resultInWords } from "../in-words.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -172,6 +172,10 @@ class ResultsPart extends Part {
     const middle = ({ limits, nominal }: ResultRow) =>
       limits && Math.abs((limits[0] + limits[1]) / 2 - (nominal ?? 0)) > 1e-9;
     const uneven = rows.some(middle);
+    const eccentric = ofRunout(
+      rows,
+      (row) => `${this.nameOf(row)} ${this.number(2 * (row.uncertaintyRunout ?? 0), places(row.unit) + 1)}`,
+    );
     return html`
       <table>
         <caption>${caption}${this.store.stale ? html`<strong>${this.store.blank ? this.t("No plan can be made of this form") : this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
@@ -181,6 +185,7 @@ class ResultsPart extends Part {
         </tbody>
       </table>
       ${uneven ? html`<p class="help">${this.t("Deviations are from the middle of the tolerance zone.")}</p>` : nothing}
+      ${eccentric ? html`<p class="help">${this.t("The ball's eccentricity accounts for this much of ± 2σ: {list}", eccentric)}</p>` : nothing}
       ${notes.size ? html`<ul class="notes">${[...notes].map(([words, offs]) => html`<li>${this.t("{off} from the truth: {reason}", offs.join(", "), words)}</li>`)}</ul>` : nothing}
     `;
   }

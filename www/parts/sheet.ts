@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, View } from "../core/browser.js";
-import { deviations, resultInWords } from "../in-words.js";
+import { deviations, ofRunout, resultInWords } from "../in-words.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";
@@ -44,6 +44,8 @@ class SheetPart extends Part {
     const number = (x: number | null) =>
       x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3).replace(/^-(0\.0*)$/, "$1"));
     const off = deviations(this.store);
+    const sigmas = (x: number | null) => this.store.number((2 * (x ?? 0)).toFixed(4));
+    const eccentric = ofRunout(plan.results, (r) => `${r.code} ${sigmas(r.uncertaintyRunout)}`);
     const feeds = job.feeds as Record<string, number | null>;
     const stylus = job.stylus as Record<string, unknown>;
     return html`
@@ -64,9 +66,10 @@ class SheetPart extends Part {
                 (
                   r,
                 ) => html`<tr><td>${resultInWords(this.store, r)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
-                  <td class="n">${r.uncertainty === null ? "–" : this.store.number((2 * r.uncertainty).toFixed(4))}</td><td class="box"></td></tr>`,
+                  <td class="n">${r.uncertainty === null ? "–" : sigmas(r.uncertainty)}</td><td class="box"></td></tr>`,
               )}</tbody>
             </table>
+            ${eccentric ? html`<p>${this.t("The ball's eccentricity accounts for this much of ± 2σ: {list}", eccentric)}</p>` : nothing}
           </div>
           <div>
             <table>

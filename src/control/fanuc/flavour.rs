@@ -1,6 +1,6 @@
 //! What differs between a Fanuc and a Haas.
 
-use crate::path::RAPID_RATE;
+use crate::path::STATED_RAPID;
 
 /// What differs between the two.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub(super) struct Flavour {
 
 pub(super) static PLAIN: Flavour = Flavour {
     length: "#[2000+#4111]+#[2200+#4111]",
-    rapid: RAPID_RATE,
+    rapid: STATED_RAPID,
     free: "",
     touch: "",
     halt: "G53",

@@ -24,7 +24,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, count, decimal};
-use crate::path::{Move, Purpose, RAPID_RATE, Touch};
+use crate::path::{Move, Purpose, STATED_RAPID, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
@@ -88,7 +88,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_orientation(request, checker);
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message =
-            text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(RAPID_RATE));
+            text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(STATED_RAPID));
         checker.info("rapid-at-feed", "feeds", message);
     }
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
@@ -113,12 +113,12 @@ fn check_short(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
-/// Watched moves, and arcs, run at a stated feed: a rapid without a number at the stated rate of rapids, an arc that is not watched at the
+/// Watched moves, and arcs, run at a stated feed: a rapid without a number at the stated feed of rapids, an arc that is not watched at the
 /// feed of the touches.
 fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> {
     let stated = request.feeds.rate(step.feed);
     match (step.purpose, request.protected, step.arc) {
-        (Purpose::Position, true, _) => Some(stated.unwrap_or(RAPID_RATE)),
+        (Purpose::Position, true, _) => Some(stated.unwrap_or(STATED_RAPID)),
         (_, false, Some(_)) => Some(stated.unwrap_or(request.feeds.work)),
         _ => stated,
     }
@@ -315,7 +315,7 @@ const CURRENT: [&str; 3] = ["#<_x>", "#<_y>", "#<_z>"];
 fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let tool = request.plane.axes()[2];
     let top = request.highest();
-    let lift = request.path.moves.iter().find_map(|m| request.feeds.rate(m.feed)).unwrap_or(RAPID_RATE);
+    let lift = request.path.moves.iter().find_map(|m| request.feeds.rate(m.feed)).unwrap_or(STATED_RAPID);
     let height = w.height_word(top);
     let level = height[1..].to_owned();
     w.line("o<tp_exit> sub");
@@ -349,7 +349,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
 
 /// A call of the way to a place, along some axes: the others stay where they are. `free` is 1 where up is free.
 fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, moves: &dyn Fn(usize) -> bool, free: u8) {
-    let rate = w.number(rate(request, None, step).unwrap_or(RAPID_RATE));
+    let rate = w.number(rate(request, None, step).unwrap_or(STATED_RAPID));
     let target = [0, 1, 2].map(|i| if moves(i) { format!("[{}]", w.number(to[i])) } else { format!("[{}]", CURRENT[i]) });
     w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
 }

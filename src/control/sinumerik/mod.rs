@@ -29,7 +29,7 @@ use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::{count, decimal, push_count};
-use crate::path::{Move, RAPID_RATE, Subject, Touch};
+use crate::path::{Move, STATED_RAPID, Subject, Touch};
 use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
@@ -102,7 +102,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
         let message = text!(
             "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {rate}/min",
-            checker.length(RAPID_RATE)
+            checker.length(STATED_RAPID)
         );
         checker.info("rapid-at-feed", "feeds", message);
     }
@@ -139,7 +139,7 @@ fn changes(datum: &Datum) -> [bool; 4] {
 
 /// The feed of a move: a rapid without a number runs at the stated rate.
 fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
-    feed_rate(request, None, step).unwrap_or(RAPID_RATE)
+    feed_rate(request, None, step).unwrap_or(STATED_RAPID)
 }
 
 fn emit(request: &Request<'_>) -> Program {

@@ -197,9 +197,22 @@ impl Painter {
         }
     }
 
-    /// The ball on its way.
+    /// The ball on its way, and the stylus above it.
     fn ball(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
         let Some(place) = scene.ball(index, part) else { return };
+        for outline in &scene.stylus {
+            let c = &self.context;
+            c.begin_path();
+            self.outline(&outline.map(|[x, y]| camera.pixel([place[0] + x, place[1] + y])));
+            c.set_fill_style_str(&self.theme.highlight);
+            c.set_stroke_style_str(&self.theme.highlight);
+            c.set_global_alpha(0.12);
+            c.fill();
+            c.set_global_alpha(0.7);
+            c.set_line_width(1.0);
+            self.dash(&[]);
+            c.stroke();
+        }
         let (ball, radius) = (camera.pixel(place), (scene.radius * camera.scale).max(3.0));
         self.context.set_global_alpha(0.25);
         self.disc(ball, radius, &self.theme.highlight);

@@ -1,6 +1,7 @@
 //! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
 
 pub mod program;
+pub mod stylus;
 pub mod tops;
 
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
@@ -186,6 +187,8 @@ pub struct Scene {
     pub unit: Option<f64>,
     /// Radius of the ball, mm.
     pub radius: f64,
+    /// The stylus above its ball, about the ball centre.
+    pub stylus: Vec<[Spot; 4]>,
     /// The work origin.
     pub origin: Spot,
     /// Names of the axes and where they point in the picture.
@@ -345,6 +348,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         beyond: Vec::new(),
         unit: Some(1.0),
         radius: setup.radius,
+        stylus: Vec::new(),
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
         centre_lines: circles.and_then(|c| c.line).zip(actual.line).map(|(nominal, real)| {

@@ -74,6 +74,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
         beyond,
         unit: moves.scale,
         radius: 0.0,
+        stylus: Vec::new(),
         origin: spot(Vec3::ZERO),
         axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
         centre_lines: None,

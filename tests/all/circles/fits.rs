@@ -84,7 +84,8 @@ fn uncertainties_agree_with_draws() {
             .zip(&path.touches)
             .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
             .collect();
-        let rows = touchpath::part::evaluate(&path, &scattered, 0.001);
+        let rows =
+            touchpath::part::evaluate(&path, &scattered, touchpath::part::Scatter { repeatability: 0.001, runout: None });
         for (sum, code) in sums.iter_mut().zip(codes) {
             let off = rows.iter().find(|r| r.code == code).unwrap().value.unwrap() - value(&plan, code);
             *sum = (sum.0 + off, sum.1 + off * off);

@@ -40,7 +40,7 @@ fn linuxcnc_runs_the_cycle() {
         let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
         let scale = checked.scale;
         let triggers: Vec<_> = ends.iter().map(|p| Some(touchpath::geom::Vec3::from_array(*p) * scale)).collect();
-        let rows = touchpath::part::evaluate(&path, &triggers, 0.001);
+        let rows = touchpath::part::evaluate(&path, &triggers, touchpath::part::Scatter { repeatability: 0.001, runout: None });
         for (code, printed) in &ran.prints {
             let row = rows.iter().find(|r| r.code == *code).unwrap_or_else(|| panic!("{name}: {code}"));
             let unit = if row.unit == touchpath::formula::Unit::Length { scale } else { 1.0 };

@@ -266,11 +266,12 @@ fn the_tool_section_says_which_length_acts_on_the_tool_axis() {
 #[test]
 fn rapids_stay_protected() {
     let job = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
+    let job = with(&with(&job, "feeds.approach", number(1500.0)), "feeds.return", number(1500.0));
     let job = with(&job, "feeds.longLink", Value::Null);
     let plan = planned(&job);
-    assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && f.message.contains("5000 mm/min")));
+    assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && f.message.contains("2000 mm/min")));
     assert!(!plan.program.text.contains("G0 "));
-    assert_eq!(plan.program.text.matches("F5000").count(), plan.moves.iter().filter(|m| m.feed == "rapid").count());
+    assert_eq!(plan.program.text.matches("F2000").count(), plan.moves.iter().filter(|m| m.feed == "rapid").count());
 }
 
 /// A program becomes the job again: the header says it, the blocks agree, and the path is the same.

@@ -145,6 +145,7 @@ fn row(code: &str, meaning: &'static str, unit: Unit, value: f64) -> ResultRow {
         value: Some(value),
         deviation: None,
         uncertainty: None,
+        uncertainty_runout: None,
         limits: None,
         verdict: None,
         truth: None,

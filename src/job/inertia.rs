@@ -1,0 +1,110 @@
+//! Whether the axes stop in time after a contact, and whether a touch reaches its feed before it.
+
+use crate::control::{Form, Request};
+use crate::form::Checker;
+use crate::geom::Vec3;
+use crate::job::Job;
+use crate::path::{Feed, Move, Path, Purpose};
+use crate::text::text;
+
+/// Holds every touch and every watched move against what the machine needs to stop and to reach its feed.
+pub fn report_inertia(job: &Job, request: &Request<'_>, checker: &mut Checker) {
+    report_touches(job, request, checker);
+    report_starts(job, request, checker);
+    report_positioning(job, request, checker);
+}
+
+/// Whether the touches run at the feed that the job says: a cycle of the control's own has its own measuring feed, but 1411 takes F.
+fn feed_is_known(job: &Job, path: &Path) -> bool {
+    job.form == Form::Moves || path.feeds.is_some()
+}
+
+/// A touch at a feed from which the axes do not stop before the stylus breaks.
+fn report_touches(job: &Job, request: &Request<'_>, checker: &mut Checker) {
+    let (machine, path, feed) = (job.machine, request.path, request.feeds.work);
+    let way = machine.stopping_way(feed);
+    if path.touches.is_empty() || !feed_is_known(job, path) || way <= machine.deflection {
+        return;
+    }
+    let message = text!(
+        "Touches at {feed}/min: the axes need {way} to stop after a contact, but the stylus takes only {deflection}. Use {most}/min or less",
+        checker.length(feed),
+        checker.length(way),
+        checker.length(machine.deflection),
+        rounded_down(checker, machine.fastest_stop())
+    );
+    checker.error("stops-too-late", field_of(path, Feed::Work), message);
+}
+
+/// A touch that is still accelerating at its nominal contact: the probe is calibrated at the full feed.
+fn report_starts(job: &Job, request: &Request<'_>, checker: &mut Checker) {
+    let (machine, path, feed) = (job.machine, request.path, request.feeds.work);
+    if !feed_is_known(job, path) {
+        return;
+    }
+    let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
+    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < machine.run_up(feed)) else {
+        return;
+    };
+    let message = text!(
+        "Touch {touch} begins {way} before its nominal contact, but the axes need {run_up} to reach {feed}/min: it triggers while they still accelerate. Use {most}/min or less, or begin farther away",
+        k + 1,
+        checker.length(way),
+        checker.length(machine.run_up(feed)),
+        checker.length(feed),
+        rounded_down(checker, machine.fastest_reached(way))
+    );
+    checker.warning("not-at-feed", field_of(path, Feed::Work), message);
+}
+
+/// Watched positioning so fast that a contact breaks the stylus all the same: one finding a feed.
+fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
+    if !job.post.watches || !job.protected {
+        return;
+    }
+    let (machine, path) = (job.machine, request.path);
+    let mut from = path.start;
+    for step in &path.moves {
+        let Some(rate) = watched_rate(job, request, from.replace(step.to), step) else { continue };
+        let (way, field) = (machine.stopping_way(rate), field_of(path, step.feed));
+        // What is said of the touches is said of every move at their feed.
+        if way <= machine.deflection || checker.has_at("stops-too-late", field) {
+            continue;
+        }
+        let message = text!(
+            "Positioning at {feed}/min: the axes need {way} to stop after a contact, but the stylus takes only {deflection}. Use {most}/min or less",
+            checker.length(rate),
+            checker.length(way),
+            checker.length(machine.deflection),
+            rounded_down(checker, machine.fastest_stop())
+        );
+        checker.warning("stops-too-late", field, message);
+    }
+}
+
+/// The feed of a positioning move that the program itself makes, mm/min. In a cycle of the control's own it makes the approach and the return.
+fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let made = job.form == Form::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
+    (made && step.purpose == Purpose::Position).then(|| (job.post.rate)(request, from, step)).flatten()
+}
+
+/// The path of the job's field that says a feed.
+fn field_of(path: &Path, feed: Feed) -> &'static str {
+    match (path.feeds.is_some(), feed) {
+        (true, Feed::Work) => "cycle.probe.feed",
+        (true, _) => "cycle.probe.rapid",
+        (false, Feed::Approach) => "feeds.approach",
+        (false, Feed::LongLink) => "feeds.longLink",
+        (false, Feed::Work) => "feeds.work",
+        (false, Feed::Retract) => "feeds.retract",
+        (false, Feed::Return) => "feeds.return",
+        (false, Feed::Rapid) => "feeds",
+    }
+}
+
+/// A feed as it may be typed: two significant digits, and never more than it is.
+fn rounded_down(checker: &Checker, feed: f64) -> String {
+    let own = feed / checker.scale;
+    let step = 10f64.powi(own.log10().floor() as i32 - 1);
+    checker.length((own / step).floor() * step * checker.scale)
+}

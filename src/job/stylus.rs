@@ -1,0 +1,113 @@
+//! Whether the shank and the probe body clear the part, and what of that is not known.
+
+use crate::form::Checker;
+use crate::geom::AXIS_NAMES;
+use crate::job::Job;
+use crate::part::{self, Above, Run, Struck};
+use crate::path::{Path, Purpose, Surface};
+use crate::text::{Text, text};
+
+/// Where the stylus meets the nominal part above its ball, or else the virtual one. `nominal` and `actual` are what happens to the ball on both.
+pub fn report_stylus(job: &Job, path: &Path, nominal: &Run, actual: Option<(&[Surface], &Run)>, checker: &mut Checker) {
+    let struck = |surfaces: &[Surface], run: &Run| part::struck(path, surfaces, &job.shape, job.setup.radius, run);
+    if let Some(struck) = struck(&path.surfaces, nominal) {
+        let field = match struck.part {
+            Above::Shank => "stylus.shank",
+            Above::Body => "stylus.length",
+        };
+        return report_struck(job, path, &path.surfaces, struck, field, checker);
+    }
+    let Some((surfaces, run)) = actual else { return };
+    if let Some(struck) = struck(surfaces, run) {
+        report_struck(job, path, surfaces, struck, "part", checker);
+    }
+}
+
+/// Names the move, what meets the part, and what would clear it.
+fn report_struck(job: &Job, path: &Path, surfaces: &[Surface], struck: Struck, field: &str, checker: &mut Checker) {
+    let step = &path.moves[struck.index];
+    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(struck.center[i]))).collect();
+    let what = match step.purpose {
+        Purpose::Position => text!("positioning"),
+        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
+        Purpose::Touch(k) => text!("touch {touch}", k + 1),
+    };
+    let [shank, length] = [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
+    let (part, remedy) = match struck.part {
+        Above::Shank => (
+            text!("the shank"),
+            text!("it is thicker ({shank}) than the ball ({ball})", shank, checker.length(2.0 * job.setup.radius)),
+        ),
+        Above::Body => (
+            text!("the probe body"),
+            text!(
+                "this stylus takes the ball centre {length} below the top side at most, and the path goes {depth} below it",
+                length,
+                checker.rounded_up(highest(path, surfaces) - lowest(path))
+            ),
+        ),
+    };
+    let message = text!(
+        "Move {move} (step {step}, {purpose}): {part} meets the part with the ball centre at {place}: {remedy}",
+        struck.index + 1,
+        step.step,
+        what,
+        part,
+        place.join(", "),
+        remedy
+    );
+    checker.error("shank-collision", field, message);
+}
+
+/// What is not given, and so is not checked: one note, where the path goes deeper than a ball, or nothing says how deep it goes.
+pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
+    let shape = &job.shape;
+    let known = shape.length.is_some() && shape.shank.is_some() && shape.body.is_some();
+    if path.moves.is_empty() || !path.surfaces.iter().any(|surface| is_beside(path, surface)) {
+        return;
+    }
+    let message: Text = match (path.top, shape.length) {
+        (Some(top), _) => {
+            let depth = top - lowest(path);
+            if known || depth <= 2.0 * job.setup.radius {
+                return;
+            }
+            text!(
+                "The ball centre goes {depth} below the top side. To have shank and probe body checked against the part, give stylus length, shank diameter and body diameter",
+                checker.length(depth)
+            )
+        }
+        (None, Some(length)) if known => text!(
+            "The cycle does not say how high the part stands: it must end less than {length} above the lowest ball centre, or the probe body meets it",
+            checker.length(length)
+        ),
+        (None, _) => text!(
+            "The cycle does not say how high the part stands above the touches: whether the probe body clears it is not checked"
+        ),
+    };
+    checker.info("stylus-not-known", "stylus.length", message);
+}
+
+/// Whether a surface stands beside the stylus, and not below it.
+fn is_beside(path: &Path, surface: &Surface) -> bool {
+    match surface {
+        Surface::Flat(wall) => wall.normal.dot(path.frame.w) < 0.999,
+        Surface::Round(_) => true,
+        Surface::Unknown => false,
+    }
+}
+
+/// Height of the lowest ball centre of a path.
+fn lowest(path: &Path) -> f64 {
+    path.moves.iter().map(|step| step.to.dot(path.frame.w)).fold(f64::INFINITY, f64::min)
+}
+
+/// Height of the highest top side.
+fn highest(path: &Path, surfaces: &[Surface]) -> f64 {
+    let tops = surfaces.iter().filter_map(|surface| match surface {
+        Surface::Flat(wall) if wall.has_top => Some(wall.point.dot(path.frame.w)),
+        Surface::Round(round) => Some(round.center.dot(path.frame.w)),
+        Surface::Flat(_) | Surface::Unknown => None,
+    });
+    tops.fold(f64::NEG_INFINITY, f64::max)
+}

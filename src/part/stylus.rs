@@ -1,0 +1,162 @@
+//! The stylus above its ball: shank and probe body, cylinders along the tool axis, swept against the same bodies as the ball.
+//!
+//! No surface of a feature overhangs, so the material only gets narrower upwards. A cylinder therefore meets it first, if at all, with the disc at
+//! its lower end, and how far it goes up does not count: the shank meets what its lower end meets, at the height of the ball centre. A shank no
+//! thicker than the ball is within it there, and meets nothing that the ball does not.
+
+use crate::geom::Vec3;
+use crate::part::Run;
+use crate::part::contact::{Body, SKIN};
+use crate::path::{Path, Purpose, Round, Surface};
+
+/// The stylus above its ball: diameters and length in mm, none where it is not known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// From the ball centre up to the probe body.
+    pub length: Option<f64>,
+    /// Diameter of the stylus above the ball.
+    pub shank: Option<f64>,
+    /// Diameter of the probe body above the stylus.
+    pub body: Option<f64>,
+}
+
+/// What is above the ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Above {
+    /// The stylus itself, from the ball centre up.
+    Shank,
+    /// The probe body, from the end of the stylus up.
+    Body,
+}
+
+/// Where the stylus meets the part above its ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Struck {
+    /// The move.
+    pub index: usize,
+    /// The ball centre then.
+    pub center: Vec3,
+    /// What meets the part.
+    pub part: Above,
+}
+
+/// The lower end of a cylinder.
+#[derive(Clone, Copy, Debug)]
+struct Disc {
+    part: Above,
+    radius: f64,
+    /// How far above the ball centre.
+    rise: f64,
+}
+
+impl Shape {
+    /// What can meet a part that a ball of this radius does not meet, as far as it is known. The body can only be held against a top side that is
+    /// known: a wall whose end is not known would always be in its way.
+    fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
+        let shank = self.shank.map(|shank| Disc { part: Above::Shank, radius: shank / 2.0, rise: 0.0 });
+        let body =
+            self.body.zip(self.length).map(|(body, length)| Disc { part: Above::Body, radius: body / 2.0, rise: length });
+        shank.filter(|shank| shank.radius > ball + SKIN).into_iter().chain(body.filter(|_| topped)).collect()
+    }
+}
+
+/// The first place where the stylus meets the part above its ball, on the way that the ball has run: a ball of this radius (mm).
+pub fn struck(path: &Path, surfaces: &[Surface], shape: &Shape, ball: f64, run: &Run) -> Option<Struck> {
+    let discs = shape.discs(ball, path.top.is_some());
+    if discs.is_empty() {
+        return None;
+    }
+    let up = path.frame.w;
+    let bodies: Vec<Body> = (0..surfaces.len()).filter_map(|first| Body::beginning(surfaces, up, first)).collect();
+    let rounds: Vec<&Round> =
+        surfaces.iter().filter_map(|s| if let Surface::Round(round) = s { Some(round) } else { None }).collect();
+    let first = |disc: &Disc, from: Vec3, to: Vec3| {
+        let [from, to] = [from, to].map(|p| p + up * disc.rise);
+        let flat = bodies.iter().filter_map(|body| meet_flat(body, up, disc.radius, from, to));
+        let round = rounds.iter().filter_map(|round| meet_round(round, up, disc.radius, from, to));
+        flat.chain(round).min_by(f64::total_cmp)
+    };
+    let mut at = path.start;
+    for (index, step) in path.moves.iter().enumerate() {
+        if run.collision.is_some_and(|(collides, _)| collides == index) {
+            return None;
+        }
+        let mut from = at.unwrap_or(step.to);
+        let ends = match step.purpose {
+            Purpose::Touch(k) => vec![run.triggers[k].unwrap_or(step.to - path.touches[k].vector * path.touches[k].search)],
+            Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
+        };
+        for to in ends {
+            let met = discs.iter().filter_map(|disc| Some((first(disc, from, to)?, disc.part)));
+            if let Some((fraction, part)) = met.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                return Some(Struck { index, center: from + (to - from) * fraction, part });
+            }
+            from = to;
+        }
+        at = Some(from);
+    }
+    None
+}
+
+/// Which part of a way, as fractions of it, runs below a height.
+fn below(top: f64, [begin, end]: [f64; 2]) -> Option<[f64; 2]> {
+    let limit = top - SKIN;
+    let crossing = || (begin - limit) / (begin - end);
+    match (begin < limit, end < limit) {
+        (true, true) => Some([0.0, 1.0]),
+        (true, false) => Some([0.0, crossing()]),
+        (false, true) => Some([crossing(), 1.0]),
+        (false, false) => None,
+    }
+}
+
+/// The fraction of the way at which a level disc meets a body of flat faces. Along slopes a move is taken to run at the height of its lower end,
+/// where the material is widest.
+fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
+    let heights = [from, to].map(|p| p.dot(up));
+    let (prism, top) = body.cut(up, heights[0].min(heights[1]))?;
+    let [begin, end] = top.map_or(Some([0.0, 1.0]), |top| below(top, heights))?;
+    let [a, b] = [begin, end].map(|t| from + (to - from) * t);
+    prism.meet(radius, a, b).map(|(t, ..)| begin + (end - begin) * t)
+}
+
+/// The fraction of the way at which a level disc meets a hole or a stud.
+fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
+    let [begin, end] = below(round.center.dot(up), [from, to].map(|p| p.dot(up)))?;
+    let flat = |t: f64| {
+        let p = from + (to - from) * t - round.center;
+        p - up * p.dot(up)
+    };
+    let (start, way) = (flat(begin), flat(end) - flat(begin));
+    let free = round.radius - radius;
+    let met = if !round.hole {
+        enters(start, way, round.radius + radius)
+    } else if start.length() <= free + SKIN {
+        leaves(start, way, free)
+    } else {
+        // Around a hole there is material as far as its plate reaches.
+        enters(start, way, round.plate.unwrap_or(round.radius) + radius)
+    };
+    met.map(|t| begin + (end - begin) * t)
+}
+
+/// When a point comes nearer to the axis than `limit`.
+fn enters(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
+    let limit = limit - SKIN;
+    if start.length() < limit {
+        return Some(0.0);
+    }
+    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
+    let root = b * b - a * c;
+    let t = (-b - root.max(0.0).sqrt()) / a;
+    (b < 0.0 && root > 0.0 && t <= 1.0).then_some(t)
+}
+
+/// When a point comes farther from the axis than `limit`.
+fn leaves(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
+    if (start + way).length() <= limit + SKIN {
+        return None;
+    }
+    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
+    Some(crate::num::within((-b + (b * b - a * c).max(0.0).sqrt()) / a, 0.0, 1.0))
+}
