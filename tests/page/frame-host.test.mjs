@@ -131,7 +131,7 @@ test("a portal sets the job, reads it, receives its events and saves the program
 test("a control that the portal had set was lost with the next job that names none", async () => {
   await open();
   await connect();
-  const bore = { format: 1, cycle: { type: "hole", diameter: 2 } };
+  const bore = { format: 1, cycle: { type: "hole" } };
   const state = async (/** @type {string} */ set) => {
     assert.equal(await on(`frame.set(${set})`), undefined);
     const { job, plan, findings } = /** @type {any} */ (await on("frame.get()"));

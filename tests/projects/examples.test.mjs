@@ -5,7 +5,7 @@ import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { join } from "node:path";
-import { test } from "node:test";
+import { after, test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { unzipSync } from "fflate";
 import { at } from "../../scripts/lib.mjs";
@@ -110,9 +110,14 @@ export const plan = <touch-path onplan-change={(event) => event.detail.plan.noth
   assert.equal(ran.status, 0, ran.stdout + ran.stderr);
 });
 
+/** The services that run: a test that fails leaves none behind. @type {Set<import("node:child_process").ChildProcess>} */
+const running = new Set();
+after(() => running.forEach((child) => child.kill("SIGKILL")));
+
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string} */ own, /** @type {Record<string, string>} */ settings = {}) {
   const child = spawn("node", ["server.js"], { cwd: own, env: { ...process.env, PORT: "0", ...settings } });
+  running.add(child);
   let said = "";
   const address = await new Promise((done, fail) => {
     child.stdout.on("data", (chunk) => {
@@ -191,9 +196,12 @@ async function halfOpen(
     const socket = connect(Number(port), hostname, () =>
       socket.write(`POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n${begun}`),
     );
-    return socket.on("error", () => undefined);
+    // What it is answered is read, and with it that the connection ends.
+    return socket.on("error", () => undefined).resume();
   });
-  await Promise.all(sockets.map((socket) => once(socket, "connect")));
+  const either = (/** @type {import("node:net").Socket} */ socket) =>
+    new Promise((done) => ["connect", "close"].map((event) => socket.once(event, done)));
+  await Promise.all(sockets.map(either));
   await new Promise((done) => setTimeout(done, 200));
   return sockets;
 }
@@ -250,23 +258,26 @@ test("a text of 200,000 levels was a fault of the service: it is a job that is r
 
 test("the service answers too many at once with 503, and does not wait for a body that never comes", async () => {
   const own = project("busy", ["fastify"], "service");
-  const { address, end } = await service(own, { MOST_AT_ONCE: "2", PATIENCE: "1000" });
+  const { address, end } = await service(own, { MOST_AT_ONCE: "2", PATIENCE: "3000" });
   const { hostname, port } = new URL(address);
-  const { defaultJob } = await import("touchpath");
-  const body = JSON.stringify(defaultJob("hole"));
-  const request = `POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
-  // Requests one behind the other, of whose answers none is read: those that wait count.
-  const greedy = connect(Number(port), hostname, () => greedy.write(request.repeat(200))).pause();
+  // Long answers, one behind the other, of which nothing is read: they wait, and count.
+  const body = JSON.stringify(Object.fromEntries(Array.from({ length: 300 }, (_, i) => [`unknown${i}`, i])));
+  const request = `POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
+  const greedy = connect(Number(port), hostname, () => greedy.write(request.repeat(300))).pause();
   greedy.on("error", () => undefined);
   const plain = () =>
-    fetch(`${address}/plan`, { method: "POST", body, headers: { "content-type": "application/json" } });
+    fetch(`${address}/check`, { method: "POST", body: "{}", headers: { "content-type": "application/json" } });
   let late = await plain();
-  for (let i = 0; i < 50 && late.status === 200; i++) late = await plain();
+  for (let i = 0; i < 100 && late.status === 200; i++) {
+    await new Promise((done) => setTimeout(done, 50));
+    late = await plain();
+  }
   assert.deepEqual(
     [late.status, late.headers.get("retry-after"), await late.json()],
     [503, "1", { error: "too many requests at once" }],
   );
   assert.equal((await fetch(`${address}/health`)).status, 200, "who watches it is always answered");
+  greedy.destroy();
   // Requests that wait behind each other on connections that break off do not count for ever.
   greedy.destroy();
   for (let i = 0; i < 5; i++)
