@@ -112,7 +112,9 @@ export const plan = <touch-path onplan-change={(event) => event.detail.plan.noth
 
 /** The services that run: a test that fails leaves none behind. @type {Set<import("node:child_process").ChildProcess>} */
 const running = new Set();
-after(() => running.forEach((child) => child.kill("SIGKILL")));
+after(() => {
+  for (const child of running) child.kill("SIGKILL");
+});
 
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string} */ own, /** @type {Record<string, string>} */ settings = {}) {
