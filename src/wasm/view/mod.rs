@@ -17,8 +17,8 @@ use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
 use crate::view::scene::{self, Projection, Scene, Spot};
-use crate::wasm::input::decoded;
 use crate::wasm::Last;
+use crate::wasm::input::decoded;
 
 /// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
 #[wasm_bindgen]
