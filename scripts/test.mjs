@@ -1,6 +1,7 @@
 // Sets up what a machine lacks and runs every test. `setup` only sets up; `check` builds, then checks format, lints and types.
 import { spawnSync } from "node:child_process";
-import { readdirSync } from "node:fs";
+import { readdirSync, rmSync } from "node:fs";
+import { dirname } from "node:path";
 import { build } from "./build.mjs";
 import {
   at,
@@ -30,14 +31,18 @@ const tests = (/** @type {string} */ folder) =>
 const patient = ["--test", "--test-timeout=900000"];
 const npx = (/** @type {string[]} */ ...args) => run("npx", ["--no-install", ...args]);
 
+/** How many tests must have passed, by the command. wasm-pack skips a test file that has no fitting mode without failing: the tests are counted. */
+const LEAST = { "test --node": 7, "test --headless --chrome": 7 };
+
 /**
- * wasm-pack skips a test file that has no fitting mode without failing: the tests are counted.
+ * A command of wasm-pack.
  * @param {Record<string, string | undefined>} env
- * @param {number} least
  * @param {string[]} args
  */
-function wasmPackTest(env, least, ...args) {
-  const done = spawnSync("wasm-pack", ["test", ...args], {
+function wasmPack(env, ...args) {
+  const command = args.join(" ");
+  const least = LEAST[/** @type {keyof typeof LEAST} */ (command)] ?? 0;
+  const done = spawnSync("wasm-pack", args, {
     cwd: root,
     encoding: "utf8",
     env: { ...process.env, ...env },
@@ -49,9 +54,7 @@ function wasmPackTest(env, least, ...args) {
     0,
   );
   if (done.status !== 0 || passed < least) {
-    console.error(
-      `\nFailed: wasm-pack test ${args.join(" ")}: exit ${done.status}, ${passed} tests passed, ${least} expected`,
-    );
+    console.error(`\nFailed: wasm-pack ${command}: exit ${done.status}, ${passed} tests passed, ${least} expected`);
     summary();
     process.exit(1);
   }
@@ -105,24 +108,14 @@ if (only !== "setup") {
   });
 }
 if (tools && !only) {
-  const env = { ...pathWith(tools.wasmPack, tools.bindgen), CHROMEDRIVER: tools.chromium.driver };
-  await stage("WebAssembly tests in Node", () =>
-    wasmPackTest(env, 6, "--node", "--mode", "no-install", "--test", "wasm_node"),
-  );
-  await stage("WebAssembly tests in Chromium", () =>
-    wasmPackTest(
-      env,
-      7,
-      "--headless",
-      "--chrome",
-      "--chromedriver",
-      tools.chromium.driver,
-      "--mode",
-      "no-install",
-      "--test",
-      "wasm_browser",
-    ),
-  );
+  // As anyone types them. What wasm-pack looks for it finds on the path: chromedriver, and wasm-bindgen of the version in Cargo.lock.
+  const env = pathWith(tools.wasmPack, tools.bindgen, dirname(tools.chromium.driver));
+  await stage("WebAssembly tests in Node", () => wasmPack(env, "test", "--node"));
+  await stage("WebAssembly tests in Chromium", () => wasmPack(env, "test", "--headless", "--chrome"));
+  await stage("wasm-pack's own package", () => {
+    wasmPack(env, "build");
+    rmSync(at("pkg"), { recursive: true });
+  });
   await stage("Package tests", () => run("node", [...patient, ...tests("package")]));
   const { chromium, firefox, webkit } = tools;
   const browser = {

@@ -19,9 +19,11 @@ export interface TouchPathEvents {
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
 }
 
-/** The attributes that are inputs, in the order in which they take effect. */
+/** The attributes that are inputs. */
 const INPUTS = ["job", "cycle", "post", "units"] as const;
 type Input = (typeof INPUTS)[number];
+/** What is set at one time: what a job leaves out, the others say. */
+type Inputs = Partial<Record<Input, unknown>>;
 
 /** The attributes that are words, and which there are. One that is not known changes nothing. */
 const WORDS = { theme: ["light", "dark", "auto"], panels: PANEL_NAMES, storage: ["none", "local"] } as const;
@@ -63,8 +65,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @tag touch-path
  * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
  * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
- * @attr {string} post - The control, by the `id` of a post in the catalog.
- * @attr {"mm" | "inch"} units - The units; the values are converted.
+ * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
+ * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
  * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
@@ -103,9 +105,9 @@ export class TouchPath extends Base {
   private readonly inside: ElementInternals;
   private attempt = new Attempt();
   private loading = false;
-  /** What the attributes said before there was anything to put it into, and what was set since, in its order. */
-  private readonly waiting = new Map<Input, unknown>();
-  private readonly later: [Input, unknown][] = [];
+  /** What the attributes said before there was anything to put it into, and what was set since. */
+  private readonly waiting: Inputs = {};
+  private readonly later: Inputs = {};
   /** What the attributes that are words say, or last said that is known. */
   private readonly words = new Map<Wordy, string>();
   /** What the browser puts back into a form. */
@@ -173,25 +175,25 @@ export class TouchPath extends Base {
     return this.store?.cycle.type;
   }
 
-  set cycle(value: Cycle["type"] | undefined) {
+  set cycle(value: Cycle["type"] | null | undefined) {
     this.put("cycle", value);
   }
 
-  /** The control, by the id of a post in the catalog. */
+  /** The control of the job, by the id of a post in the catalog. Set, it is that of the present job and of every later one that names none; `null` asks for none. */
   get post(): string | undefined {
     return this.store?.get("control.post") as string | undefined;
   }
 
-  set post(value: string | undefined) {
+  set post(value: string | null | undefined) {
     this.put("post", value);
   }
 
-  /** The units of the job. Set, they convert its values. */
+  /** The units of the job. Set, they convert its values, and are those of every later job that names none; `null` asks for none. */
   get units(): Units | undefined {
     return this.store?.units;
   }
 
-  set units(value: Units | undefined) {
+  set units(value: Units | null | undefined) {
     this.put("units", value);
   }
 
@@ -302,11 +304,17 @@ export class TouchPath extends Base {
     for (const [name, value] of Object.entries(state)) {
       if (value === undefined) continue;
       if (!isWordy(name)) {
-        const refusal = store.outside.refusal(name as Input | "lang" | "readonly", value);
+        const refusal = store.outside.refusal(name as Input | "lang" | "readonly", value, state);
         if (refusal) found.push(refusal);
       } else if (!isKnown(name, value)) found.push(store.outside.unknown(name, WORDS[name], name === "panels"));
     }
     return found;
+  }
+
+  /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
+  take({ job, cycle, post, units }: Inputs): void {
+    for (const [input, value] of Object.entries({ post, units, cycle, job })) this.put(input as Input, value);
+    if (job && cycle && !this.store?.outside.refusal("cycle", cycle)) this.put("cycle", cycle);
   }
 
   private get shadow(): ShadowRoot {
@@ -320,8 +328,8 @@ export class TouchPath extends Base {
       const local = this.storage === "local";
       const store = new Store({ local });
       this.store = store;
-      for (const input of INPUTS) if (this.waiting.has(input)) this.use(input, this.waiting.get(input));
-      for (const [input, value] of this.later) this.use(input, value);
+      this.take(this.waiting);
+      this.take(this.later);
       for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
       this.first = structuredClone(store.draft);
       if (this.restored !== undefined) this.use("job", this.restored);
@@ -386,12 +394,12 @@ export class TouchPath extends Base {
     );
   }
 
-  /** Takes an input as soon as there is something to put it into. */
-  private put(input: Input, value: unknown, attributes?: Map<Input, unknown>): void {
-    if (value === undefined || value === null) return;
-    if (this.store) this.use(input, value);
-    else if (attributes) attributes.set(input, value);
-    else this.later.push([input, value]);
+  /** Takes an input as soon as there is something to put it into. Undefined says nothing, null that nothing is asked for any more. */
+  private put(input: Input, value: unknown, early = this.later): void {
+    if (value === undefined || (value === null && input === "job")) return;
+    if (!this.store) early[input] = value;
+    else if (value !== null) this.use(input, value);
+    else if (input !== "job") this.store.outside.release(input);
     // A form that is sent before anything is loaded sends what it was given.
     if (!this.store && input === "job") {
       this.inside.setFormValue(textOf(value));

@@ -18,7 +18,7 @@ export const isObject = (value: unknown): value is Draft =>
 const isScalar = (value: unknown) => value === null || typeof value !== "object";
 const isPoint = (value: unknown) => Array.isArray(value) && value.length === 3 && value.every(isScalar);
 /** Left out, or null: the default stands in. */
-const isOut = (value: unknown) => value === undefined || value === null;
+export const isOut = (value: unknown) => value === undefined || value === null;
 
 /** Why the form cannot show a job, as a sentence that names the path; null where it can. A leaf may hold any wrong scalar. */
 export function misfit(job: unknown, catalog: Catalog): Said | null {

@@ -1,14 +1,21 @@
-// What the page around the element puts in, and which jobs were sent to it.
-import { type Cycle, type Finding, type Said, say } from "./core/browser.js";
-import { alike, complete, type Draft } from "./job.js";
+// What the page around the element puts in and asks for, and which jobs were sent to it.
+import { type Cycle, convertUnits, defaultJob, type Finding, type Said, say } from "./core/browser.js";
+import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import type { Store, Units } from "./store.js";
 import { w } from "./words.js";
 
 /** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
 const ECHO = 1000;
 
-type Input = "job" | "cycle" | "post" | "units";
+export type Input = "job" | "cycle" | "post" | "units";
 type Setting = "lang" | "readonly";
+
+/** What the page around asks for. It holds for every job that does not name its own. */
+export interface Asked {
+  cycle?: Cycle["type"];
+  post?: string;
+  units?: Units;
+}
 
 /** Where in the job an input stands. */
 const PATHS: Readonly<Record<string, string>> = { cycle: "cycle.type", post: "control.post", units: "units" };
@@ -17,9 +24,18 @@ function refused(input: string, code: string, ...said: Said): Finding {
   return { level: "error", code, path: PATHS[input] ?? "", message: say(said), said };
 }
 
+/** A job without its control, with all else that it says of it. */
+function unnamed(job: Draft): Draft {
+  const control: Draft = { ...(job.control as Draft) };
+  delete control.post;
+  delete control.form;
+  return { ...job, control };
+}
+
 export class Outside {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
+  private asked: Asked = {};
 
   constructor(private readonly store: Store) {}
 
@@ -33,10 +49,72 @@ export class Outside {
     this.sentJobs = [];
   }
 
-  /** Why an input or a setting cannot be taken; null where it can. Nothing is changed. */
-  refusal(input: Input | Setting, value: unknown): Finding | null {
+  /** The control that the page around asks for. */
+  get post(): string | undefined {
+    return this.asked.post;
+  }
+
+  /** A job with what the page around asks for in the place of what it does not name. What is no object stays what it is. */
+  filled(job: unknown, { cycle, post, units }: Asked = this.asked): unknown {
+    if (!isObject(job)) return job;
+    const whole: Draft = { ...job };
+    if (units && job.units === undefined) whole.units = units;
+    if (cycle && isOut(job.cycle)) whole.cycle = { type: cycle };
+    else if (cycle && isObject(job.cycle) && job.cycle.type === undefined) whole.cycle = { ...job.cycle, type: cycle };
+    if (!post || !(isOut(job.control) || isObject(job.control))) return whole;
+    const control: Draft = { ...(job.control as Draft | null | undefined) };
+    if (control.post !== undefined) return whole;
+    const { type } = isObject(whole.cycle) ? whole.cycle : {};
+    const forms = this.store.formsOf(post, String(type));
+    const form = control.form === undefined && forms.length > 0 && !forms.includes("moves") ? { form: forms[0] } : {};
+    whole.control = { ...control, ...form, post };
+    return whole;
+  }
+
+  /** The default job of a cycle, for the control and in the units that the page around asks for. */
+  fresh(type: Cycle["type"]): Draft {
+    const { post, units } = this.asked;
+    const job = structuredClone(defaultJob(type)) as unknown as Draft;
+    const whole = this.filled(post ? unnamed(job) : job);
+    return units ? (convertUnits(whole, units) as unknown as Draft) : (whole as Draft);
+  }
+
+  /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */
+  ofText(job: Draft, findings: Finding[]): Draft {
+    return this.asked.post && findings.some(({ code }) => code === "not-in-dump") ? unnamed(job) : job;
+  }
+
+  /** Warnings where the job names another control, or other units, than the page around asks for. */
+  differences(): Finding[] {
+    const { asked, store } = this;
+    const found: Finding[] = [];
+    const note = (code: string, path: string, ...said: Said) =>
+      found.push({ level: "warning", code, path, message: say(said), said });
+    const [wanted, named] = [store.postOf(asked.post), store.post];
+    if (wanted && named && wanted !== named)
+      note(
+        "other-control",
+        "control.post",
+        w("The page around asks for {asked}, and this job names {named}: the program is for {named}"),
+        wanted.title,
+        named.title,
+      );
+    const { units } = store.draft;
+    if (asked.units && (units === "mm" || units === "inch") && units !== asked.units)
+      note(
+        "other-units",
+        "units",
+        w("The page around asks for {asked}, and this job is in {named}: the program is in {named}"),
+        asked.units,
+        units,
+      );
+    return found;
+  }
+
+  /** Why an input or a setting cannot be taken; null where it can. Nothing is changed. `asked`: what else is asked for at the same time. */
+  refusal(input: Input | Setting, value: unknown, asked: Asked = {}): Finding | null {
     try {
-      if (input === "job") return this.read(value).refusal ?? null;
+      if (input === "job") return this.read(value, asked).refusal ?? null;
       if (input === "readonly")
         return typeof value === "boolean"
           ? null
@@ -73,10 +151,14 @@ export class Outside {
       if (input === "job") return this.take(value);
       const refusal = this.refusal(input, value);
       if (refusal) return refusal;
+      this.asked = { ...this.asked, [input]: value };
+      const { revision } = store;
       if (input === "cycle") store.choose(value as Cycle["type"]);
       else if (input === "units") store.setUnits(value as Units);
       else if (value !== store.get("control.post"))
         store.put("control", { ...store.controlOf(value), workOffset: store.get("control.workOffset") });
+      // What is asked for may be what the job has already.
+      if (store.revision === revision) store.reconsider();
       return null;
     } catch {
       return refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input);
@@ -85,8 +167,18 @@ export class Outside {
     }
   }
 
-  /** A job as the host gives it, or why it cannot be shown. */
-  private read(value: unknown): { job?: Draft; refusal?: Finding } {
+  /** The page around asks for none any more; the job stays as it is. */
+  release(input: keyof Asked): void {
+    if (this.asked[input] === undefined) return;
+    const { [input]: _, ...rest } = this.asked;
+    this.asked = rest;
+    this.store.byUser = false;
+    this.store.reconsider();
+    this.store.byUser = true;
+  }
+
+  /** A job as the host gives it, with what is asked for, or why it cannot be shown. */
+  private read(value: unknown, asked: Asked = {}): { job?: Draft; refusal?: Finding } {
     const { store } = this;
     let job = value;
     if (typeof value === "string") {
@@ -99,6 +191,7 @@ export class Outside {
     }
     // What has no JSON, as a BigInt or an object inside itself, no form could send: it throws.
     JSON.stringify(job);
+    job = this.filled(job, { ...this.asked, ...asked });
     const problem = store.unusable(job);
     if (problem)
       return {

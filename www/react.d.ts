@@ -6,9 +6,9 @@ import type { Cycle, Job, PostId } from "./types.js";
 /** The properties of `<touch-path>` in React 19, which sets properties and listens to events by itself. */
 export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPath>, TouchPath> & {
   job?: Job | string | null;
-  cycle?: Cycle["type"];
-  post?: PostId;
-  units?: "mm" | "inch";
+  cycle?: Cycle["type"] | null;
+  post?: PostId | null;
+  units?: "mm" | "inch" | null;
   theme?: "light" | "dark" | "auto";
   readonly?: boolean;
   panels?: string;

@@ -283,11 +283,13 @@ export class Store extends Entries {
       this.tell([w("This is a cycle of {control}; the program for {other} makes its moves"), title(own), title(now)]);
   }
 
-  /** The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. */
+  /**
+   * The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. The
+   * control that the page around asks for stays: where it does not take the cycle, the job has an error.
+   */
   private takeControl(type: string, usual: Draft): void {
     const old = this.draft.control as Draft;
-    const takes =
-      [old, this.beforeControl, usual].find((one) => one && this.formsOf(one.post, type).length > 0) ?? usual;
+    const takes = [old, this.beforeControl, usual].find((one) => one && this.serves(one.post, type)) ?? usual;
     const forms = this.formsOf(takes.post, type);
     const form = forms.includes(takes.form as Form) ? takes.form : (forms[0] ?? takes.form);
     if (takes.post === old.post) this.draft.control = { ...old, form };
@@ -296,6 +298,11 @@ export class Store extends Entries {
       this.beforeControl = old;
       this.draft.control = { ...old, post: takes.post, form, workOffset };
     }
+  }
+
+  /** Whether a control takes a cycle, or the page around asks for it. */
+  private serves(post: unknown, type: string): boolean {
+    return post === this.outside.post || this.formsOf(post, type).length > 0;
   }
 
   /** The control that the job was for before this one. */
@@ -319,7 +326,7 @@ export class Store extends Entries {
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
-    this.draft = complete(job, this.catalog);
+    this.draft = complete(this.outside.filled(job) as Draft, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
     this.typed.clear();
@@ -350,9 +357,10 @@ export class Store extends Entries {
   open({ imported, findings }: Reading): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
-    const problem: Said | null = imported.trace ? [w("this program says no job")] : this.unusable(imported.job);
+    const problem: Said | null =
+      imported.kind === "moves" ? [w("this program says no job")] : this.unusable(imported.job);
     if (problem) throw this.refusal([w("Nothing was changed: {problem}"), problem], findings);
-    this.load(imported.job as unknown as Draft);
+    this.load(this.outside.ofText(imported.job as unknown as Draft, imported.findings));
   }
 
   /** What is said of a text that is too long to be read. */
@@ -367,7 +375,7 @@ export class Store extends Entries {
 
   /** Back to the defaults of the present cycle. */
   reset(): void {
-    this.load(structuredClone(defaultJob(this.cycle.type)) as unknown as Draft);
+    this.load(this.outside.fresh(this.cycle.type));
   }
 
   /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
@@ -391,7 +399,7 @@ export class Store extends Entries {
     const job = { ...structuredClone(draft), ...structuredClone(taken), units: preset.units };
     const problem = this.unusable(job);
     if (problem) throw this.refusal([w("Nothing was changed: this preset cannot be used: {problem}"), problem]);
-    const whole = complete(job, this.catalog);
+    const whole = complete(this.outside.filled(job) as Draft, this.catalog);
     const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
     for (const key of Object.keys(taken)) {
@@ -481,6 +489,11 @@ export class Store extends Entries {
     return this.findings.filter((f) => f.path === path);
   }
 
+  /** What is asked of the job has changed, and not the job. */
+  reconsider(): void {
+    this.changed();
+  }
+
   private changed(): void {
     this.compute();
     this.keep();
@@ -499,7 +512,7 @@ export class Store extends Entries {
     this.revision++;
     try {
       this.plan = plan(this.draft as unknown as Job);
-      this.findings = this.plan.findings;
+      this.findings = [...this.plan.findings, ...this.outside.differences()];
       this.shown = structuredClone(this.draft);
       this.stale = false;
       this.planned = this.document;
@@ -507,7 +520,8 @@ export class Store extends Entries {
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
       if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
     } catch (thrown) {
-      this.findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
+      const findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
+      this.findings = [...findings, ...this.outside.differences()];
       this.stale = true;
       if (this.planned !== this.document) {
         // The plan of another document says nothing of this one, not even of how it was.

@@ -1,11 +1,13 @@
-// Touchpath as a service: POST /plan, /check and /import; GET /openapi.json and /health. PORT, HOST, MOST_AT_ONCE and LONGEST_BODY set it up.
+// Touchpath as a service: POST /plan, /check and /import; GET /openapi.json and /health. PORT, HOST, LONGEST_BODY, MOST_AT_ONCE, MOST_CONNECTIONS and
+// PATIENCE set it up.
 import Fastify from "fastify";
 import { check, importJob, JobError, jobSchema, plan, version } from "touchpath";
 
 const setting = (name, otherwise) => Number(process.env[name] ?? otherwise);
-/** Bytes of a body, requests at once, and milliseconds for a body to come. */
+/** Bytes of a body, requests at once, connections, and milliseconds for a request to come. */
 const LONGEST_BODY = setting("LONGEST_BODY", 2_000_000);
 const MOST_AT_ONCE = setting("MOST_AT_ONCE", 64);
+const MOST_CONNECTIONS = setting("MOST_CONNECTIONS", 1024);
 const PATIENCE = setting("PATIENCE", 10_000);
 
 const app = Fastify({
@@ -13,12 +15,17 @@ const app = Fastify({
   requestTimeout: PATIENCE,
   connectionTimeout: 2 * PATIENCE,
   forceCloseConnections: "idle",
+  // Node looks for requests that do not come only so often, by itself every 30 s.
+  http: { headersTimeout: PATIENCE, connectionsCheckingInterval: Math.max(PATIENCE / 10, 100) },
 });
+app.server.maxConnections = MOST_CONNECTIONS;
 
-// More at once than this would only wait for each other: further requests are refused with 503 and may be repeated.
+// More at once than this would only wait for each other: further requests are refused with 503 and may be repeated. A request counts when all of it is
+// there: one that never comes holds nobody up.
 let underWay = 0;
-app.addHook("onRequest", async (request, reply) => {
-  if (request.url === "/health") return;
+app.addHook("preValidation", async (request, reply) => {
+  // Of a connection that is gone already there will be no end to hear of.
+  if (request.url === "/health" || request.raw.socket.destroyed) return;
   if (underWay >= MOST_AT_ONCE)
     return reply.code(503).header("retry-after", "1").send({ error: "too many requests at once" });
   underWay++;

@@ -45,7 +45,6 @@ impl Value {
     }
 }
 
-#[cfg(not(target_arch = "wasm32"))]
 impl From<&serde_json::Value> for Value {
     fn from(json: &serde_json::Value) -> Self {
         use serde_json::Value as Json;

@@ -216,8 +216,6 @@ mod tests {
         assert_eq!(entries("Int[-1]=7 Flt[-50]=3 Flt[x]=1 [-3] Flt[99999999999]=1").len(), 2);
     }
 
-    // serde_json is for native builds only: in a browser JSON.parse makes the value.
-    #[cfg(not(target_arch = "wasm32"))]
     #[test]
     fn json_is_read_as_json() {
         let read = |text: &str| -> Vec<(i32, f64)> {

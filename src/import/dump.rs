@@ -114,7 +114,7 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
         let silent = text!("A dump does not give the stylus: the default ball is used");
         checker.info("not-in-dump", "stylus", silent);
     }
-    Imported { job, trace: None, findings: checker.findings() }
+    Imported::Job { job, findings: checker.findings() }
 }
 
 fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) -> Option<Value> {
@@ -279,8 +279,6 @@ fn on_the_surface(
     job: &mut Value,
     checker: &mut Checker,
 ) -> Vec<Pick> {
-    // The default ball's radius, where the dump does not tell the ball.
-    const RADIUS: f64 = 3.0;
     let both = !used.is_empty() && original.len() == used.len();
     let radii: Vec<f64> = used.iter().zip(&original).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
     let radius = tidy(radii.iter().sum::<f64>() / radii.len().max(1) as f64);
@@ -308,9 +306,18 @@ fn on_the_surface(
                 "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
             )
         };
-        let message = text!("{why}: the used points are corrected for the default 6 mm ball", why);
+        // The job's ball is the form's default, where the dump does not give one.
+        let diameter = match job.get("stylus").and_then(|stylus| stylus.get("diameter")) {
+            Some(Value::Number(diameter)) => *diameter,
+            _ => 0.0,
+        };
+        let message = text!(
+            "{why}: the used points are corrected for the default ball, {diameter}",
+            why,
+            format!("{} mm", crate::num::in_full(diameter))
+        );
         checker.warning("ball-unknown", "stylus.diameter", message);
-        return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * RADIUS, ..pick }).collect();
+        return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * (diameter / 2.0), ..pick }).collect();
     }
     if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
         let message =

@@ -1,38 +1,60 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
 use crate::control::iso::lines::next_line;
-use crate::form::{Checker, Value, printable};
+use crate::cycle::CycleDef;
+use crate::form::{Checker, Field, Finding, Kind, Value, printable};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::{Units, convert_units, default_job_in};
+use crate::job::{Units, convert_units, default_job_in, section_defaults_in};
 use crate::text::text;
 
-/// Which parameter is which key of the cycle, and its default on the control.
-const PARAMETERS: &[(u32, &str, f64)] = &[
-    (1100, "point1[0]", 0.0),
-    (1101, "point1[1]", 0.0),
-    (1102, "point1[2]", 0.0),
-    (1116, "diameter1", 0.0),
-    (1103, "point2[0]", 0.0),
-    (1104, "point2[1]", 0.0),
-    (1105, "point2[2]", 0.0),
-    (1117, "diameter2", 0.0),
-    (1115, "geometryType", 0.0),
-    (423, "probePoints", 4.0),
-    (325, "startingAngle", 0.0),
-    (1119, "angularLength", 360.0),
-    (320, "setUpClearance", 0.0),
-    (260, "clearanceHeight", 100.0),
-    (1125, "clearanceHeightMode", 2.0),
-    (309, "errorReaction", 0.0),
-    (1126, "alignRotaryAxis", 0.0),
-    (1120, "transferPosition", 0.0),
-    (1121, "confirmRotation", 0.0),
-];
-/// Parameters that GLOBAL DEF may set, and the key that says so.
-const PREDEFINED: &[(u32, &str)] = &[(320, "setUpClearancePredef"), (260, "clearanceHeightPredef")];
-const EXTRUSION: &[(u32, &str, f64)] =
-    &[(1140, "direction", 3.0), (1145, "points", 1.0), (1146, "length", 0.0), (1149, "modal", 0.0)];
+/// The cycle of a program without a header.
+const TYPE: &str = "probing-two-circles";
+/// The form inside its form that 1493 fills.
+const EXTRUSION: &str = "extrusion";
+
+/// A parameter of a block.
+#[derive(Debug)]
+struct Parameter {
+    number: u32,
+    /// Its key in the form: `point1[0]`.
+    key: String,
+    /// The key of the flag that is set where GLOBAL DEF gives its value; none where a number must stand.
+    predefined: Option<&'static str>,
+}
+
+/// The parameters of a form in the order of its fields. A point is three parameters, one after the other.
+fn parameters(fields: &[Field]) -> Vec<Parameter> {
+    let number = |field: &Field| field.code.strip_prefix('Q')?.parse::<u32>().ok();
+    let predefined = |field: &Field| {
+        let flag = |f: &&Field| f.key.strip_suffix("Predef") == Some(field.key);
+        fields.iter().find(flag).map(|flag| flag.key)
+    };
+    let mut all = Vec::new();
+    for field in fields {
+        let Some(first) = number(field) else { continue };
+        let predefined = predefined(field);
+        if field.kind == Kind::NominalPoint {
+            all.extend((0..3).map(|axis| Parameter {
+                number: first + axis,
+                key: format!("{}[{axis}]", field.key),
+                predefined,
+            }));
+        } else {
+            all.push(Parameter { number: first, key: field.key.to_owned(), predefined });
+        }
+    }
+    all
+}
+
+fn cycle() -> &'static CycleDef {
+    crate::cycle::find(TYPE).expect("the cycle is registered")
+}
+
+/// The fields of 1493.
+fn extrusion_fields() -> &'static [Field] {
+    cycle().sections.iter().find(|section| section.key == EXTRUSION).expect("the cycle has the form").fields
+}
 
 /// Whether a text is a Klartext program.
 pub fn recognises(text: &str) -> bool {
@@ -41,15 +63,14 @@ pub fn recognises(text: &str) -> bool {
 
 /// Makes a job of a program whose header says it. Where its blocks were changed, what they say counts; the rest is the header's.
 pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
-    let Ok(said) = program::import(text) else { return import(text) };
-    if !said.findings.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
-        return Ok(said);
+    let Ok((mut job, said)) = program::read(text) else { return import(text) };
+    if !said.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
+        return Ok(Imported::Job { job, findings: said });
     }
     let mut checker = Checker::default();
-    let blocks = import(text)?;
-    let (mut job, read) = (said.job, blocks.job);
+    let (read, notes) = read(text)?;
     // Blocks that do not say their units are in those of the header.
-    let unsaid = blocks.findings.iter().any(|f| f.code == "units-unknown");
+    let unsaid = notes.iter().any(|f| f.code == "units-unknown");
     let units = if unsaid { Units::of(&job) } else { Units::of(&read) };
     if units != Units::of(&job) {
         job = convert_units(&job, units.word())?;
@@ -59,11 +80,13 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         );
         checker.warning("units-differ", "units", message);
     }
-    let mut keys: Vec<String> = PARAMETERS
+    let mut keys: Vec<String> = parameters(cycle().fields)
         .iter()
-        .map(|(_, key, _)| format!("cycle.{}", key.split('[').next().unwrap_or(key)))
-        .chain(PREDEFINED.iter().map(|(_, key)| format!("cycle.{key}")))
-        .chain(["cycle.extrusion", "control.tool", "name", "plane"].map(str::to_owned))
+        .flat_map(|one| [Some(one.key.split('[').next().unwrap_or(&one.key)), one.predefined])
+        .flatten()
+        .chain([EXTRUSION])
+        .map(|key| format!("cycle.{key}"))
+        .chain(["control.tool", "name", "plane"].map(str::to_owned))
         .collect();
     keys.dedup();
     for key in keys {
@@ -77,20 +100,26 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     let findings = checker
         .findings()
         .into_iter()
-        .chain(blocks.findings.into_iter().filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")))
+        .chain(notes.into_iter().filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")))
         .collect();
-    Ok(Imported { job, trace: None, findings })
+    Ok(Imported::Job { job, findings })
 }
 
 /// Makes a job of a program. Any comments, decimal points or commas, Q or QS, block numbers or none; other blocks are passed
 /// over with a note. What a program does not say (stylus, touch probe table, where the stylus stands) gets the defaults.
 pub fn import(text: &str) -> Result<Imported, JobError> {
+    read(text).map(|(job, findings)| Imported::Job { job, findings })
+}
+
+/// The job of a program's blocks, and what must be reported of them.
+fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let blocks = blocks(text);
     let units = if says_inch(&blocks) { Units::Inch } else { Units::Mm };
-    let mut job = default_job_in("probing-two-circles", units).expect("the cycle is registered");
+    let mut job = default_job_in(TYPE, units).expect("the cycle is registered");
     set(&mut job, "units", Value::Text(units.word().to_owned()));
     let mut reader = Reader {
         job,
+        units,
         checker: Checker::default(),
         extrusion: Value::Null,
         found: 0,
@@ -116,6 +145,7 @@ fn says_inch(blocks: &[String]) -> bool {
 /// What was read so far.
 struct Reader {
     job: Value,
+    units: Units,
     checker: Checker,
     extrusion: Value,
     /// How many cycles 1411.
@@ -202,20 +232,9 @@ impl Reader {
             self.checker.warning("several-cycles", "", message);
             return;
         }
-        for (key, value) in values(block, PARAMETERS, "1411", &mut self.checker) {
-            let predefined = PREDEFINED.iter().find(|(n, _)| PARAMETERS.iter().any(|(m, k, _)| m == n && *k == key));
-            match (predefined, value) {
-                (Some((number, flag)), Value::Flag(_)) => {
-                    set(&mut self.job, &format!("cycle.{flag}"), Value::Flag(true));
-                    let message = text!(
-                        "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The form's number only serves the picture",
-                        number.to_string()
-                    );
-                    self.checker.warning("predefined", format!("cycle.{key}"), message);
-                }
-                (_, value) => set(&mut self.job, &format!("cycle.{key}"), value),
-            }
-        }
+        let mut form = self.job.get("cycle").cloned().expect("a default job has a cycle");
+        fill(&mut form, block, cycle().fields, "1411", &mut self.checker);
+        set(&mut self.job, "cycle", form);
     }
 
     /// It acts on the cycle that follows it.
@@ -223,10 +242,8 @@ impl Reader {
         if self.found > 0 {
             return;
         }
-        self.extrusion = Value::Map(Vec::new());
-        for (key, value) in values(block, EXTRUSION, "1493", &mut self.checker) {
-            set(&mut self.extrusion, key, value);
-        }
+        self.extrusion = section_defaults_in(extrusion_fields(), self.units);
+        fill(&mut self.extrusion, block, extrusion_fields(), "1493", &mut self.checker);
     }
 
     fn iso(&mut self, words: &[&str]) {
@@ -243,8 +260,9 @@ impl Reader {
         }
     }
 
-    fn finish(self, blocks: &[String]) -> Result<Imported, JobError> {
-        let Reader { mut job, mut checker, extrusion, found, passed_over, plane_said, transformed, moves, spins } = self;
+    fn finish(self, blocks: &[String]) -> Result<(Value, Vec<Finding>), JobError> {
+        let Reader { mut job, units: _, mut checker, extrusion, found, passed_over, plane_said, transformed, moves, spins } =
+            self;
         let states = |block: &str| block.starts_with("BEGIN PGM") && (block.ends_with(" MM") || block.ends_with(" INCH"));
         let stated = blocks.iter().any(|block| states(&block.to_ascii_uppercase()));
         if found > 0 && !stated && !says(blocks, "G70") && !says(blocks, "G71") {
@@ -291,7 +309,7 @@ impl Reader {
             "A program does not give the stylus, the touch probe table (SET_UP, DIST, F, FMAX) or the start: the defaults are used, with the start no lower than the clearance height"
         );
         checker.info("not-in-program", "stylus", unknown);
-        Ok(Imported { job, trace: None, findings: checker.findings() })
+        Ok((job, checker.findings()))
     }
 }
 
@@ -440,30 +458,68 @@ fn without_number(line: &str) -> &str {
     }
 }
 
-/// The parameters of a block as keys and values, those it does not name with the control's default.
-fn values<'a>(block: &str, known: &'a [(u32, &'a str, f64)], cycle: &str, checker: &mut Checker) -> Vec<(&'a str, Value)> {
-    let given = assignments(block, cycle, checker);
+/// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default.
+fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &mut Checker) {
+    let known = parameters(fields);
+    let given = assignments(block);
     for (number, _) in &given {
-        if !known.iter().any(|(n, ..)| n == number) {
+        if !known.iter().any(|one| one.number == *number) {
             let message = text!("Cycle {cycle} has no Q{number}: it is passed over", cycle.to_string(), number.to_string());
             checker.warning("unknown-parameter", "", message);
         }
     }
-    known
-        .iter()
-        .map(|(number, key, default)| {
-            let value = given.iter().rev().find(|(n, _)| n == number).map(|(_, value)| value.clone());
-            if value.is_none() {
-                let message = text!("Q{number} is not given: the form's default is taken", number.to_string());
-                checker.warning("missing-parameter", format!("cycle.{key}"), message);
+    for Parameter { number, key, predefined } in known {
+        let path = format!("cycle.{}{key}", if cycle == "1493" { "extrusion." } else { "" });
+        let default = || shown_value(form, &key);
+        match (given.iter().rev().find(|(n, _)| *n == number).map(|(_, value)| value), predefined) {
+            (Some(Given::Value(value)), _) => set(form, &key, value.clone()),
+            (Some(Given::Predef), Some(flag)) => {
+                set(form, flag, Value::Flag(true));
+                let message = text!(
+                    "Q{number} is PREDEF: its value is in the control's GLOBAL DEF. The form's number only serves the picture",
+                    number.to_string()
+                );
+                checker.warning("predefined", path, message);
             }
-            (*key, value.unwrap_or(Value::Number(*default)))
-        })
-        .collect()
+            (Some(_), _) => {
+                let message = text!(
+                    "Q{number} of cycle {cycle} is not a number: the form's default, {value}, is used",
+                    number.to_string(),
+                    cycle.to_owned(),
+                    default()
+                );
+                checker.warning("not-a-number", path, message);
+            }
+            (None, _) => {
+                let message =
+                    text!("Q{number} is not given: the form's default, {value}, is used", number.to_string(), default());
+                checker.warning("missing-parameter", path, message);
+            }
+        }
+    }
+}
+
+/// The number that a form has at a key such as `point1[0]`.
+fn shown_value(form: &Value, key: &str) -> String {
+    let (name, axis) = key.split_once('[').unwrap_or((key, ""));
+    let value = match (form.get(name), axis.trim_end_matches(']').parse::<usize>()) {
+        (Some(Value::List(items)), Ok(axis)) => items.get(axis),
+        (value, _) => value,
+    };
+    if let Some(Value::Number(x)) = value { crate::num::in_full(*x) } else { String::new() }
+}
+
+/// What stands behind `Q…=`.
+#[derive(Debug)]
+enum Given {
+    Value(Value),
+    Predef,
+    /// Neither a number, nor a text in quotes, nor PREDEF.
+    Unreadable,
 }
 
 /// Every `Q1116=+10` and `QS1116="10H7"` of a block.
-fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Value)> {
+fn assignments(block: &str) -> Vec<(u32, Given)> {
     let mut found = Vec::new();
     let mut rest = block;
     while let Some(at) = rest.find(['Q', 'q']) {
@@ -480,21 +536,13 @@ fn assignments(block: &str, cycle: &str, checker: &mut Checker) -> Vec<(u32, Val
         };
         rest = &value[(text.len() + 2 * usize::from(quoted)).min(value.len())..];
         let plain = text.replace(',', ".");
-        match crate::num::read(&plain) {
-            Some(x) if !quoted && x.is_finite() => found.push((number, Value::Number(x))),
-            _ if quoted => found.push((number, Value::Text(plain))),
-            _ if PREDEFINED.iter().any(|(n, _)| *n == number) && plain.eq_ignore_ascii_case("PREDEF") => {
-                found.push((number, Value::Flag(true)));
-            }
-            _ => {
-                let message = text!(
-                    "Q{number} of cycle {cycle} is not a number: the form's default is taken",
-                    number.to_string(),
-                    cycle.to_owned()
-                );
-                checker.warning("not-a-number", "", message);
-            }
-        }
+        let given = match crate::num::read(&plain) {
+            _ if quoted => Given::Value(Value::Text(plain)),
+            Some(x) if x.is_finite() => Given::Value(Value::Number(x)),
+            _ if plain.eq_ignore_ascii_case("PREDEF") => Given::Predef,
+            _ => Given::Unreadable,
+        };
+        found.push((number, given));
     }
     found
 }

@@ -17,20 +17,52 @@ use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
 use crate::text::text;
 
-/// A job made of a text, and what had to be said about it.
+/// What was made of a text.
 #[derive(Debug)]
-pub struct Imported {
-    /// The job; `null` where a program of moves says none.
-    pub job: Value,
-    /// The moves of a program that says no job.
-    pub trace: Option<TraceRow>,
-    /// Notes: what was passed over, what could not be known.
-    pub findings: Vec<Finding>,
+pub enum Imported {
+    /// A job.
+    Job {
+        /// It may have errors: the check reports them.
+        job: Value,
+        /// What was ignored, and what could not be known.
+        findings: Vec<Finding>,
+    },
+    /// The moves of a program that holds no job.
+    Moves {
+        /// The moves, to draw.
+        trace: TraceRow,
+        /// What was ignored, and what could not be known.
+        findings: Vec<Finding>,
+    },
+}
+
+impl Imported {
+    /// The job; none of a program of moves.
+    pub fn job(&self) -> Option<&Value> {
+        match self {
+            Imported::Job { job, .. } => Some(job),
+            Imported::Moves { .. } => None,
+        }
+    }
+
+    /// The moves of a program that holds no job.
+    pub fn trace(&self) -> Option<&TraceRow> {
+        match self {
+            Imported::Job { .. } => None,
+            Imported::Moves { trace, .. } => Some(trace),
+        }
+    }
+
+    /// What was ignored, and what could not be known.
+    pub fn findings(&self) -> &[Finding] {
+        match self {
+            Imported::Job { findings, .. } | Imported::Moves { findings, .. } => findings,
+        }
+    }
 }
 
 /// Makes a job of a text: a job (JSON), a dump of CmdPrm codes (text, CSV, JSON, or as it was copied from a log), a program for any control
 /// that was written here, or a Klartext or ISO program with cycle 1411. Of any other program of moves the moves are read, without a job.
-#[cfg(not(target_arch = "wasm32"))]
 pub fn import(text: &str) -> Result<Imported, JobError> {
     check_length(text)?;
     let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -75,7 +107,7 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         let dump = codes.iter().any(|e| e.code == -1);
         // What says it is a job is taken as it is: nothing of a user's work is dropped, the check says what is wrong.
         if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || !dump) {
-            return Ok(Imported { job: json.clone(), trace: None, findings: crate::job::check(json) });
+            return Ok(Imported::Job { job: json.clone(), findings: crate::job::check(json) });
         }
         if dump {
             return dump::import(&codes);

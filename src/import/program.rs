@@ -10,7 +10,7 @@ use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
-use crate::form::{self, Checker, Value, printable};
+use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::{Imported, has_place, read_program, set};
 use crate::job::{FORMAT, JobError, Plan, SECTIONS};
 use crate::text::{Text, text};
@@ -49,6 +49,11 @@ pub fn says_job(text: &str) -> bool {
 
 /// Makes a job of a program whose header says it.
 pub fn import(text: &str) -> Result<Imported, JobError> {
+    read(text).map(|(job, findings)| Imported::Job { job, findings })
+}
+
+/// The job of a program's header, and what must be reported of the program.
+pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let mut checker = Checker::default();
     let said = header::read(text);
     let Some(mut job) = job_of(&said, &mut checker) else {
@@ -73,7 +78,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
                 "The header's job is for another control than the program: the blocks cannot be compared with that job's, and may have been changed"
             );
             checker.warning("program-differs", "control.post", message);
-            return Ok(Imported { job, trace: None, findings: checker.findings() });
+            return Ok((job, checker.findings()));
         }
         Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
             for fault in faults.iter().take(MOST_LISTED) {
@@ -103,7 +108,7 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         Err(_) => checker.warning("header-unsound", "", text!("The header's job has errors: see its findings")),
     }
     checker.info("part-not-in-program", "part", text!("A program does not say how the part lies: the nominal one is taken"));
-    Ok(Imported { job, trace: None, findings: checker.findings() })
+    Ok((job, checker.findings()))
 }
 
 fn with_line(line: Option<usize>, message: Text) -> Text {
@@ -332,18 +337,18 @@ fn probes(text: &str) -> bool {
 pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();
     let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
-    let mut read: Option<(&PostDef, Trace)> = None;
+    let mut found: Option<(&PostDef, Trace)> = None;
     for post in POSTS {
         match followed(post, text) {
             Some(Ok(trace)) if !trace.ends && !probes(text) => {}
-            Some(Ok(trace)) if read.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => read = Some((post, trace)),
+            Some(Ok(trace)) if found.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => found = Some((post, trace)),
             Some(Err(troubles)) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
                 least = Some((post, troubles));
             }
             _ => {}
         }
     }
-    if let Some((post, trace)) = read {
+    if let Some((post, trace)) = found {
         checker.info("no-job-in-program", "", text!("The program holds no job: its moves are read, but they give no job"));
         let mut findings = checker.findings();
         // Both readers take places as they are written.
@@ -353,7 +358,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
                 .into_iter()
                 .filter(|finding| finding.code == "places-transformed" || finding.code == "machine-places"),
         );
-        return Some(Ok(Imported { job: Value::Null, trace: Some(row(post, &trace)), findings }));
+        return Some(Ok(Imported::Moves { trace: row(post, &trace), findings }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;
     for trouble in troubles.iter().take(MOST_LISTED) {

@@ -15,6 +15,11 @@ pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
     cycle::find(key).map(|def| complete_job(def, units, true))
 }
 
+/// The defaults of the fields of a form inside a cycle's form, likewise.
+pub fn section_defaults_in(fields: &[Field], units: Units) -> Value {
+    Value::Map(default_values(fields, units, true))
+}
+
 fn complete_job(def: &CycleDef, units: Units, short: bool) -> Value {
     let default_values = |fields: &[Field]| default_values(fields, units, short);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];

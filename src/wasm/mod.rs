@@ -21,7 +21,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::describe;
 use crate::form::{Finding, Level, Value};
-use crate::import::{self, toolpath};
+use crate::import::{self, Imported, toolpath};
 use crate::job::{self, JobError, Planned};
 use crate::text::text;
 use crate::tool_length;
@@ -148,8 +148,8 @@ pub fn job_schema() -> JsValue {
     value_to_js(&describe::job_schema())
 }
 
-/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ job, findings }`; of a program
-/// of moves that says no job `{ job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
+/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ kind: "job", job, findings }`; of a program
+/// of moves that holds no job `{ kind: "moves", job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
 /// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
@@ -162,14 +162,21 @@ pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, 
     let value = (!codes.is_empty()).then(|| decoded(codes, json));
     let imported = import::import_with(&text, value.as_ref()).map_err(refused)?;
     let result = Object::new();
-    // A job in JSON is returned as it is, also where it holds more than a job can.
-    if value.as_ref() != Some(&imported.job) {
-        set(&result, "job", &value_to_js(&imported.job));
+    match &imported {
+        Imported::Job { job, .. } => {
+            set(&result, "kind", &JsValue::from_str("job"));
+            // A job in JSON is returned as it is, also where it holds more than a job can.
+            if value.as_ref() != Some(job) {
+                set(&result, "job", &value_to_js(job));
+            }
+        }
+        Imported::Moves { trace, .. } => {
+            set(&result, "kind", &JsValue::from_str("moves"));
+            set(&result, "job", &JsValue::NULL);
+            set(&result, "trace", &to_js(trace)?);
+        }
     }
-    if let Some(trace) = &imported.trace {
-        set(&result, "trace", &to_js(trace)?);
-    }
-    set(&result, "findings", &to_js(&imported.findings)?);
+    set(&result, "findings", &to_js(&imported.findings())?);
     Ok(result.into())
 }
 

@@ -341,7 +341,7 @@ fn a_haas_probes_below_the_limit_of_its_manual() {
 #[test]
 fn a_program_is_read_back_as_its_job() {
     for (name, job, plan) in plans() {
-        let read = touchpath::import::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let read = crate::common::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
         let warnings: Vec<_> = read.findings.iter().filter(|f| f.level != touchpath::form::Level::Info).collect();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let part = job.get("part").cloned().unwrap_or(Value::Map(Vec::new()));
@@ -353,7 +353,7 @@ fn a_program_is_read_back_as_its_job() {
         "control": { "post": "fanuc" } }"#;
     let text = crate::common::planned(&touchpath::job::from_json(circles).unwrap()).program.text;
     assert!(text.contains("CYCLE.DIAMETER1=20+H7") && text.contains("CYCLE.DIAMETER2=20H7"), "{text}");
-    let cycle = touchpath::import::import(&text).unwrap().job.get("cycle").unwrap().clone();
+    let cycle = crate::common::import(&text).unwrap().job.get("cycle").unwrap().clone();
     assert_eq!(cycle.get("diameter1"), Some(&Value::Text("20h7".to_owned())));
     assert_eq!(cycle.get("diameter2"), Some(&Value::Text("20H7".to_owned())));
 }

@@ -1,9 +1,9 @@
 //! Faults that were once put in on purpose and that no test saw. Each has one now.
 
+use crate::common::import;
 use crate::common::{interpret, interpret_from, job, number, planned, point, with};
 use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
 use touchpath::job::{check, default_job, evaluate, plan};
 
 fn text(t: &str) -> Value {

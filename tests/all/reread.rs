@@ -1,9 +1,9 @@
 //! Programs that were changed, broken or made up, read back: each failure that was seen, by name.
 
+use crate::common::import;
 use crate::common::{interpret_until_stop, job, number, planned, with};
 use touchpath::control::trace::Kind;
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
 use touchpath::job::{default_job, plan};
 
 fn program(post: &str) -> String {
@@ -304,7 +304,7 @@ fn a_motion_before_the_cycle_was_a_note() {
 #[test]
 fn a_feed_that_is_computed_from_a_trigger_was_refused() {
     let text = "G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 Z-10 F100\n#1=[10-#5063]\nG1 Z10 F[#1*20]\nM2\n";
-    let imported = touchpath::import::import(text).unwrap();
+    let imported = crate::common::import(text).unwrap();
     let moves = imported.trace.unwrap().moves;
     assert_eq!(moves.iter().map(|m| m.line).collect::<Vec<_>>(), [1, 2, 4]);
 }
@@ -314,7 +314,7 @@ fn a_feed_that_is_computed_from_a_trigger_was_refused() {
 fn blanks_between_words_are_passed_over_once() {
     for blank in ["  ", "\t", "\u{a0}", " \u{2003} ", "\t\u{a0}\t"] {
         let text = format!("G21{blank}G17{blank}G90\nG0{blank}X1{blank}Y2{blank}Z[1{blank}+{blank}2]\nG1 X5 F100\nM2\n");
-        let imported = touchpath::import::import(&text).unwrap_or_else(|e| panic!("{blank:?}: {e}"));
+        let imported = crate::common::import(&text).unwrap_or_else(|e| panic!("{blank:?}: {e}"));
         let moves = imported.trace.unwrap().moves;
         assert_eq!(moves[0].to, [Some(1.0), Some(2.0), Some(3.0)], "{blank:?}");
         // Hundreds of thousands of characters in a line: nothing in the text probes, and the search for it ends.
@@ -329,7 +329,7 @@ fn a_second_work_offset_was_followed_without_a_word() {
     let program =
         |offset: &str| format!("G21 G17 G90\nG54\nG0 X0 Y0 Z10\nG38.2 Z-10 F100\nG0 Z10\n{offset}\nG38.2 Z-10 F100\nM2\n");
     for (offset, codes) in [("G54", vec!["no-job-in-program"]), ("G55", vec!["no-job-in-program", "places-transformed"])] {
-        let imported = touchpath::import::import(&program(offset)).unwrap();
+        let imported = crate::common::import(&program(offset)).unwrap();
         assert_eq!(imported.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), codes, "{offset}");
         assert_eq!(imported.trace.unwrap().moves.len(), 4, "{offset}");
     }

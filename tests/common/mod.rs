@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use proptest::prelude::*;
-use touchpath::form::Value;
-use touchpath::job::{Plan, from_json, plan};
+use touchpath::form::{Finding, Value};
+use touchpath::import::{Imported, TraceRow};
+use touchpath::job::{JobError, Plan, from_json, plan};
 
 /// The jobs of the repository: name and value.
 pub fn jobs() -> Vec<(String, Value)> {
@@ -48,6 +49,22 @@ pub fn planned(job: &Value) -> Plan {
 /// A job from JSON text.
 pub fn job(text: &str) -> Value {
     from_json(text).expect("JSON")
+}
+
+/// What was made of a text, flat: `job` is null of a program of moves.
+#[derive(Debug)]
+pub struct Read {
+    pub job: Value,
+    pub trace: Option<TraceRow>,
+    pub findings: Vec<Finding>,
+}
+
+/// Reads a text.
+pub fn import(text: &str) -> Result<Read, JobError> {
+    Ok(match touchpath::import::import(text)? {
+        Imported::Job { job, findings } => Read { job, trace: None, findings },
+        Imported::Moves { trace, findings } => Read { job: Value::Null, trace: Some(trace), findings },
+    })
 }
 
 /// The same job with another value at a path such as `cycle.width1`.

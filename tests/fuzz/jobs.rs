@@ -1,10 +1,10 @@
 //! Whole jobs, and the laws that each must hold.
 
+use crate::common::import;
 use touchpath::control::POSTS;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::export_table;
 use touchpath::form::{Default, Field, Kind, Level, Value};
-use touchpath::import::import;
 use touchpath::job::{Plan, SECTIONS, check, convert_units, plan};
 
 use crate::Tally;

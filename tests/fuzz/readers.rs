@@ -1,8 +1,9 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
+use crate::common::import;
 use touchpath::describe::export_table;
 use touchpath::form::Value;
-use touchpath::import::{import, read_program};
+use touchpath::import::read_program;
 use touchpath::job::{Plan, evaluate, plan};
 
 use crate::draw::Draw;

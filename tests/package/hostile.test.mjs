@@ -160,6 +160,42 @@ test("texts count in what a job can hold, and halves of characters stay where th
   assert.deepEqual(codes(emoji).sort(), ["name-changed name", "unknown-key cycle.ß", "unknown-key é"]);
 });
 
+/** A text of so many levels around a value. */
+const nested = (/** @type {number} */ levels, inner = "1", [open = "", close = ""] = ['{"a":', "}"]) =>
+  open.repeat(levels) + inner + close.repeat(levels);
+
+test("a job of 200,000 levels came back as an object that no JSON can be written of: it is refused", () => {
+  const refused = (/** @type {string} */ text) => {
+    try {
+      JSON.stringify(importJob(text));
+      return null;
+    } catch (thrown) {
+      assert.ok(thrown instanceof JobError, String(thrown));
+      JSON.stringify(thrown.findings);
+      return thrown.findings[0]?.code;
+    }
+  };
+  for (const text of [
+    nested(200_000),
+    nested(200_000, "1", ["[", "]"]),
+    nested(200_000, "1", ['[{"a":', "}]"]),
+    `{"format":1,"cycle":{"type":"hole"},"x":${nested(200_000)}}`,
+    `{"CmdPrm.Int[-1]":7,"x":${nested(200_000)}}`,
+    nested(101),
+  ])
+    assert.equal(refused(text), "nested-too-deeply", text.slice(0, 40));
+  for (const text of ["{".repeat(200_000), "[".repeat(200_000), '{"a":'.repeat(200_000), "(".repeat(200_000)])
+    assert.equal(refused(text), "nothing-to-import", text.slice(0, 40));
+  assert.equal(refused(`G38.2 Z${"[".repeat(200_000)}`), "not-understood");
+  // Braces in a text are none, nor is what stands after a quote that is marked; 100 levels are read.
+  const name = `${'\\"{['.repeat(50_000)}`;
+  const kept = { format: 1, name, cycle: { type: "hole" }, mine: JSON.parse(nested(99)) };
+  assert.deepEqual(importJob(JSON.stringify(kept)).job, kept);
+  assert.equal(refused("x".repeat(1_900_000)), "nothing-to-import");
+  const long = { format: 1, name: "x".repeat(1_900_000), cycle: { type: "hole" } };
+  assert.deepEqual(importJob(JSON.stringify(long)).job, long);
+});
+
 /** Every job of the tests that has a plan. */
 const jobs = readdirSync(new URL("../jobs/", import.meta.url)).map((name) =>
   JSON.parse(readFileSync(new URL(`../jobs/${name}`, import.meta.url), "utf8")),

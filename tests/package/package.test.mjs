@@ -84,14 +84,16 @@ test("every job of the repository plans as the crate plans it", async () => {
 test("jobs and programs are imported", async () => {
   const { defaultJob, importJob, plan, JobError } = await import("touchpath");
   const job = defaultJob("internal-rectangle-protected");
-  assert.deepEqual(importJob(JSON.stringify(job)).job, job);
+  const own = importJob(JSON.stringify(job));
+  assert.deepEqual(own, { kind: "job", job, findings: own.findings });
   const broken = { ...job, overtravel: -1, mine: "kept" };
   const back = importJob(JSON.stringify(broken));
   assert.deepEqual(back.job, broken, "nothing of a user's work is dropped");
   assert.deepEqual(back.findings.map((f) => f.code).sort(), ["out-of-range", "unknown-key"]);
   const circles = defaultJob("probing-two-circles");
   const text = plan(circles).program.text;
-  assert.equal(plan(importJob(text).job).program.text, text);
+  const read = importJob(text);
+  assert.ok(read.kind === "job" && plan(read.job).program.text === text);
   for (const nothing of ["", "G1 X0", "{", "7", undefined]) {
     assert.throws(() => importJob(/** @type {string} */ (nothing)), JobError);
   }
@@ -104,16 +106,17 @@ test("a program of moves that says no job gives its moves", async () => {
     job.control.post = post;
     job.control.header = "short";
     const { program, moves } = plan(job);
-    const { job: none, trace, findings } = importJob(program.text);
-    assert.equal(none, null, post);
+    const imported = importJob(program.text);
+    assert.ok(imported.kind === "moves" && imported.job === null, post);
+    const { trace, findings } = imported;
     assert.deepEqual(
       findings.map((f) => f.code),
       ["no-job-in-program"],
     );
     // The first place is reached in steps.
-    const touches = trace?.moves.filter((m) => m.kind === "touch") ?? [];
+    const touches = trace.moves.filter((m) => m.kind === "touch");
     assert.equal(touches.length, 4, post);
-    assert.deepEqual(trace?.moves.at(-1)?.to, moves.at(-1)?.to, post);
+    assert.deepEqual(trace.moves.at(-1)?.to, moves.at(-1)?.to, post);
     assert.deepEqual(
       touches.map((m) => m.line),
       moves.flatMap((m, i) => (m.kind === "touch" ? [program.moveLines[i]] : [])),
@@ -148,7 +151,8 @@ test("a dump becomes the job again, and so does a program for SINUMERIK", async 
     }
     job.control.post = "sinumerik";
     const { text } = plan(job).program;
-    assert.equal(plan(importJob(text).job).program.text, text, type);
+    const read = importJob(text);
+    assert.ok(read.kind === "job" && plan(read.job).program.text === text, type);
   }
 });
 
@@ -275,9 +279,13 @@ whole.cycle.properties = { wcsMode: 1 };
 whole.cycle.touches = [{ point: [0, 0, 0], vector: [1, 0, 0] }];
 const posts: PostId[] = catalog().posts.map((post) => post.id);
 console.log(whole, posts, PROTOCOL satisfies 1);
-const read: Job = importJob("x").job;
+const read = importJob("x");
+const taken: Job | null = read.job;
+const drawn: number = read.kind === "moves" ? read.trace.moves.length : read.job.cycle.type.length;
+// @ts-expect-error a program of moves has no job
+const lie: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
-console.log(circles, read, found, to, rows, results, columns, all, version());
+console.log(circles, taken, drawn, lie, found, to, rows, results, columns, all, version());
 // @ts-expect-error a feed is a number or null
 const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
 // @ts-expect-error there is no such cycle

@@ -393,6 +393,151 @@ test("a form gets the job and its validity, and puts it back", async () => {
   assert.ok(after.valid);
 });
 
+/** The control and the units of every element of the page, of its job and of its program, and which of the findings speak of them. */
+const asked = () =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("touch-path")].map(({ post, units, plan, findings }) => [
+      post,
+      units,
+      plan?.program.post,
+      plan && (/\bG20\b/.test(plan.program.text) ? "inch" : "mm"),
+      ...findings
+        .filter(({ code }) => code.startsWith("other-"))
+        .map(({ code, level, path }) => [code, level, path].join()),
+    ]),
+  );
+const BORE = { format: 1, name: "BORE", cycle: { type: "hole", diameter: 2 } };
+
+test("a control and units that the page asks for were lost with the first job that names none", async () => {
+  const bore = JSON.stringify(BORE);
+  await open(
+    `<touch-path post="fanuc" units="inch"></touch-path><touch-path post="fanuc" units="inch" job='${bore}'></touch-path><touch-path job='${bore}' units="inch" post="fanuc"></touch-path>`,
+    LISTEN,
+  );
+  await set("job", BORE);
+  await page.evaluate(async (job) => {
+    for (const [first, second] of [
+      ["post", "job"],
+      ["job", "post"],
+    ]) {
+      const element = document.createElement("touch-path");
+      for (const name of [first, second, "units"])
+        Object.assign(element, { [String(name)]: { job, post: "fanuc", units: "inch" }[String(name)] });
+      document.body.append(element);
+      await element.ready;
+    }
+  }, BORE);
+  // 2 inch, as a job in inch has it.
+  assert.deepEqual(await asked(), Array(5).fill(["fanuc", "inch", "fanuc", "inch"]));
+  const sizes = await page.evaluate(() =>
+    [...document.querySelectorAll("touch-path")].map(({ job }) => job?.cycle.type === "hole" && job.cycle.diameter),
+  );
+  // In which units the job is read depends on what was asked for before it: set after it, units convert.
+  assert.deepEqual(sizes, [2, 2, 2, 2, 2]);
+  // Every door through which a job comes in.
+  const file = (/** @type {string} */ name, /** @type {string} */ text) =>
+    page
+      .locator("touch-path")
+      .first()
+      .locator("#file")
+      .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  await file("web.json", '{"format":1,"cycle":{"type":"web"}}');
+  await page.waitForFunction(() => document.querySelector("touch-path")?.cycle === "web");
+  assert.deepEqual((await asked())[0], ["fanuc", "inch", "fanuc", "inch"]);
+  await on((element) => element.store.reset());
+  assert.deepEqual((await asked())[0], ["fanuc", "inch", "fanuc", "inch"], "the defaults");
+  const { defaultJob, exportTable } = await import("touchpath");
+  await file("dump.txt", exportTable(defaultJob("groove"), "text"));
+  await page.waitForFunction(() => document.querySelector("touch-path")?.cycle === "groove");
+  // A dump is read in mm.
+  assert.deepEqual((await asked())[0], ["fanuc", "mm", "fanuc", "mm", "other-units,warning,units"]);
+  await set("job", { format: 1, units: "inch", cycle: { type: "boss" }, control: { workOffset: 2 } });
+  assert.deepEqual((await asked())[0], ["fanuc", "inch", "fanuc", "inch"]);
+  assert.equal(await on((element) => element.job.control.workOffset), 2);
+});
+
+test("a job that names another control than the page asks for says so, to the user and to the page", async () => {
+  await open('<touch-path post="fanuc" units="mm"></touch-path>', LISTEN);
+  await heard();
+  await set("job", { ...BORE, units: "inch", control: { post: "linuxcnc" } });
+  const both = ["other-control,warning,control.post", "other-units,warning,units"];
+  assert.deepEqual((await asked())[0], ["linuxcnc", "inch", "linuxcnc", "inch", ...both]);
+  const event = (await heard()).findLast(([name]) => name === "finding");
+  assert.deepEqual(
+    event?.[1].findings
+      .filter((/** @type {any} */ f) => f.code.startsWith("other-"))
+      .map((/** @type {any} */ f) => f.message),
+    [
+      `The page around asks for ${await title("fanuc")}, and this job names LinuxCNC: the program is for LinuxCNC`,
+      "The page around asks for mm, and this job is in inch: the program is in inch",
+    ],
+  );
+  await page.locator("#tab-checks").click();
+  await page.getByText("this job names LinuxCNC").first().waitFor();
+  // Asked for again, it is taken: the job changes.
+  await set("post", "fanuc");
+  await set("units", "mm");
+  assert.deepEqual((await asked())[0], ["fanuc", "mm", "fanuc", "mm"]);
+  assert.equal(await on((element) => element.job.cycle.diameter), 50.8, "the part is the same");
+  // The user's choice is a job that names another one, too, and goes with the attribute.
+  await field("control.post").selectOption("haas");
+  assert.deepEqual((await asked())[0]?.slice(2), ["haas", "mm", both[0]]);
+  await on((element) => element.removeAttribute("post"));
+  assert.deepEqual((await asked())[0]?.slice(2), ["haas", "mm"]);
+  const later = { format: 1, cycle: { type: "hole" } };
+  await set("job", { ...later, name: "LATER" });
+  assert.deepEqual((await asked())[0]?.slice(2), ["linuxcnc", "mm"], "nothing is asked for any more");
+  await set("post", "mazak");
+  await set("job", { ...later, name: "LAST" });
+  assert.deepEqual((await asked())[0]?.slice(2), ["linuxcnc", "mm"], "what is not known is not asked for");
+});
+
+test("a cycle that the control does not take made a program for another control: it has an error", async () => {
+  await open('<touch-path post="heidenhain" cycle="hole"></touch-path>');
+  const state = () =>
+    on((element) => [
+      element.post,
+      element.plan,
+      element.findings.map((/** @type {any} */ f) => f.code).includes("form-unsupported"),
+    ]);
+  assert.deepEqual(await state(), ["heidenhain", null, true]);
+  await field("cycle.type").selectOption("probing-two-circles");
+  assert.deepEqual(await on((element) => [element.post, element.plan.program.post]), ["heidenhain", "heidenhain"]);
+  await field("cycle.type").selectOption("boss");
+  assert.deepEqual(await state(), ["heidenhain", null, true]);
+});
+
+/** The title of a control. */
+async function title(/** @type {string} */ id) {
+  const { catalog } = await import("touchpath");
+  return String(catalog().posts.find((post) => post.id === id)?.title);
+}
+
+test("put into the page again, an element left a listener behind each time", async () => {
+  await open("<touch-path cycle=hole></touch-path>");
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  const listeners = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    return metrics.find((m) => m.name === "JSEventListeners")?.value ?? Number.NaN;
+  };
+  const again = (/** @type {number} */ count) =>
+    page.evaluate(async (count) => {
+      const element = /** @type {HTMLElement} */ (document.querySelector("touch-path"));
+      for (let i = 0; i < count; i++) {
+        element.remove();
+        document.body.append(element);
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      }
+    }, count);
+  await again(5);
+  const before = await listeners();
+  await again(40);
+  const after = await listeners();
+  assert.ok(after < before + 20, `${before}, ${after}`);
+});
+
 test("200 times into the page and out of it leave nothing behind", async () => {
   await open("<touch-path cycle=hole></touch-path>");
   const session = await page.context().newCDPSession(page);

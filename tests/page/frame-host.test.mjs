@@ -128,6 +128,44 @@ test("a portal sets the job, reads it, receives its events and saves the program
   );
 });
 
+test("a control that the portal had set was lost with the next job that names none", async () => {
+  await open();
+  await connect();
+  const bore = { format: 1, cycle: { type: "hole" } };
+  const state = async (/** @type {string} */ set) => {
+    assert.equal(await on(`frame.set(${set})`), undefined);
+    const { job, plan, findings } = /** @type {any} */ (await on("frame.get()"));
+    const codes = findings
+      .map((/** @type {any} */ f) => f.code)
+      .filter((/** @type {string} */ c) => c.startsWith("other-"));
+    return [job.control.post, job.units, plan.program.post, ...codes];
+  };
+  const json = JSON.stringify(bore);
+  assert.deepEqual(await state('{ post: "fanuc", units: "inch" }'), ["fanuc", "inch", "fanuc"]);
+  assert.deepEqual(await state(`{ job: ${json} }`), ["fanuc", "inch", "fanuc"]);
+  assert.deepEqual(await state(`{ job: ${json}, post: "haas" }`), ["haas", "inch", "haas"]);
+  const other = JSON.stringify({ ...bore, name: "OTHER", units: "mm", control: { post: "sinumerik" } });
+  assert.deepEqual(await state(`{ job: ${other} }`), ["sinumerik", "mm", "sinumerik", "other-control", "other-units"]);
+  assert.deepEqual(await state('{ post: "sinumerik", units: "mm" }'), ["sinumerik", "mm", "sinumerik"]);
+  // What is set at one time has no order: the cycle beside a job is its cycle.
+  assert.deepEqual(await state(`{ job: { format: 1, name: "C" }, cycle: "groove" }`), ["sinumerik", "mm", "sinumerik"]);
+  assert.equal(/** @type {any} */ (await on("frame.get()")).job.cycle.type, "groove");
+});
+
+test("any origin was an origin to connect to: it is refused, and nothing is sent", async () => {
+  await open();
+  for (const any of ["*", "/", "", "null", "about:blank", "data:text/html,x", undefined]) {
+    const heard = await page.evaluate(() => /** @type {any} */ (window).heard.length);
+    assert.match(
+      await connect({ origin: any }),
+      /FrameError: .* is no origin: it must be that of the frame/,
+      String(any),
+    );
+    assert.equal(await page.evaluate(() => /** @type {any} */ (window).heard.length), heard);
+  }
+  assert.match(await connect({ origin: `${origin(0)}/` }), /^\d+\./, "an address has its origin");
+});
+
 test("a portal sets the language, and what is none is refused", async () => {
   await open();
   await connect();

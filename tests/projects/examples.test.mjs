@@ -1,10 +1,11 @@
 // The examples, each with the package from its tarball: a portal, React, Vue, a service.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { join } from "node:path";
-import { test } from "node:test";
+import { after, test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { unzipSync } from "fflate";
 import { at } from "../../scripts/lib.mjs";
@@ -109,9 +110,16 @@ export const plan = <touch-path onplan-change={(event) => event.detail.plan.noth
   assert.equal(ran.status, 0, ran.stdout + ran.stderr);
 });
 
+/** The services that run: a test that fails leaves none behind. @type {Set<import("node:child_process").ChildProcess>} */
+const running = new Set();
+after(() => {
+  for (const child of running) child.kill("SIGKILL");
+});
+
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string} */ own, /** @type {Record<string, string>} */ settings = {}) {
   const child = spawn("node", ["server.js"], { cwd: own, env: { ...process.env, PORT: "0", ...settings } });
+  running.add(child);
   let said = "";
   const address = await new Promise((done, fail) => {
     child.stdout.on("data", (chunk) => {
@@ -146,7 +154,8 @@ test("the service: plans, findings, limits, its own description, and an end with
   assert.deepEqual(await post("/check", JSON.stringify(wrong)), { status: 200, body: check(wrong) });
   for (const nothing of ["null", "7", "[]", '"x"']) assert.equal((await post("/plan", nothing)).status, 422, nothing);
   const text = plan(/** @type {any} */ ({ ...job, control: { ...job.control, post: "sinumerik" } })).program.text;
-  assert.equal((await post("/import", text, "text/plain")).body.job.cycle.type, "groove");
+  const read = (await post("/import", text, "text/plain")).body;
+  assert.deepEqual([read.kind, read.job.cycle.type], ["job", "groove"]);
   for (const [path, body, type, status] of /** @type {[string, string, string, number][]} */ ([
     ["/plan", "{", "application/json", 400],
     ["/plan", "", "application/json", 400],
@@ -178,33 +187,101 @@ test("the service: plans, findings, limits, its own description, and an end with
   await assert.rejects(fetch(`${address}/health`), "it is gone");
 });
 
+/** Opens connections and begins a request on each, of which no more comes. */
+async function halfOpen(
+  /** @type {string} */ address,
+  /** @type {number} */ count,
+  begun = "content-length: 100\r\n\r\n{",
+) {
+  const { hostname, port } = new URL(address);
+  const sockets = Array.from({ length: count }, () => {
+    const socket = connect(Number(port), hostname, () =>
+      socket.write(`POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n${begun}`),
+    );
+    // What it is answered is read, and with it that the connection ends.
+    return socket.on("error", () => undefined).resume();
+  });
+  const either = (/** @type {import("node:net").Socket} */ socket) =>
+    new Promise((done) => ["connect", "close"].map((event) => socket.once(event, done)));
+  await Promise.all(sockets.map(either));
+  await new Promise((done) => setTimeout(done, 200));
+  return sockets;
+}
+
+test("64 requests whose bodies never came closed the service to everybody else", async () => {
+  const own = project("slow", ["fastify"], "service");
+  const { address, end } = await service(own, { PATIENCE: "2000", MOST_CONNECTIONS: "300" });
+  const { defaultJob } = await import("touchpath");
+  const planned = async () =>
+    (
+      await fetch(`${address}/plan`, {
+        method: "POST",
+        body: JSON.stringify(defaultJob("hole")),
+        headers: { "content-type": "application/json" },
+      })
+    ).status;
+  const begun = Date.now();
+  const sockets = [
+    ...(await halfOpen(address, 100)),
+    ...(await halfOpen(address, 50, "x-more: ")),
+    ...(await halfOpen(address, 50, "transfer-encoding: chunked\r\n\r\n1")),
+  ];
+  assert.equal(await planned(), 200);
+  assert.equal((await fetch(`${address}/health`)).status, 200);
+  // They are shown out when their time is over, and not half a minute later.
+  await Promise.all(sockets.map((socket) => socket.destroyed || once(socket, "close")));
+  assert.ok(Date.now() - begun < 10_000, `${Date.now() - begun} ms`);
+  // More connections than are taken are closed, and room comes back.
+  const many = await halfOpen(address, 320);
+  await Promise.all(many.map((socket) => socket.destroyed || once(socket, "close")));
+  assert.equal(await planned(), 200);
+  assert.deepEqual(await end(), [0, true]);
+});
+
+test("a text of 200,000 levels was a fault of the service: it is a job that is refused", async () => {
+  const own = project("deep", ["fastify"], "service");
+  const { address, end } = await service(own);
+  const post = async (/** @type {string} */ path, /** @type {string} */ body, type = "application/json") => {
+    const answer = await fetch(address + path, { method: "POST", body, headers: { "content-type": type } });
+    return [
+      answer.status,
+      .../** @type {any} */ ((await answer.json()).findings?.map((/** @type {any} */ f) => f.code) ?? []),
+    ];
+  };
+  const deep = `${'{"a":'.repeat(200_000)}1${"}".repeat(200_000)}`;
+  assert.deepEqual(await post("/import", deep, "text/plain"), [422, "nested-too-deeply"]);
+  assert.deepEqual(await post("/import", "{".repeat(200_000), "text/plain"), [422, "nothing-to-import"]);
+  assert.equal((await post("/plan", deep))[0], 422);
+  assert.equal((await post("/plan", `{"format":1,"cycle":{"type":"hole"},"x":${deep}}`))[0], 422);
+  assert.equal((await post("/check", deep))[0], 200);
+  assert.equal((await post("/plan", "{".repeat(200_000)))[0], 400);
+  assert.deepEqual(await end(), [0, true]);
+});
+
 test("the service answers too many at once with 503, and does not wait for a body that never comes", async () => {
   const own = project("busy", ["fastify"], "service");
-  const { address, end } = await service(own, { MOST_AT_ONCE: "2", PATIENCE: "1000" });
+  const { address, end } = await service(own, { MOST_AT_ONCE: "2", PATIENCE: "3000" });
   const { hostname, port } = new URL(address);
-  /** Begins a request and leaves it there. */
-  const hang = () =>
-    new Promise((done) => {
-      const socket = connect(Number(port), hostname, () => {
-        socket.write(
-          "POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{",
-        );
-        setTimeout(() => done(socket), 100);
-      });
-      socket.on("error", () => undefined);
-    });
-  const sockets = await Promise.all([hang(), hang()]);
-  const late = await fetch(`${address}/plan`, {
-    method: "POST",
-    body: "{}",
-    headers: { "content-type": "application/json" },
-  });
+  // Long answers, one behind the other, of which nothing is read: they wait, and count.
+  const body = JSON.stringify(Object.fromEntries(Array.from({ length: 300 }, (_, i) => [`unknown${i}`, i])));
+  const request = `POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
+  const greedy = connect(Number(port), hostname, () => greedy.write(request.repeat(300))).pause();
+  greedy.on("error", () => undefined);
+  const plain = () =>
+    fetch(`${address}/check`, { method: "POST", body: "{}", headers: { "content-type": "application/json" } });
+  let late = await plain();
+  for (let i = 0; i < 100 && late.status === 200; i++) {
+    await new Promise((done) => setTimeout(done, 50));
+    late = await plain();
+  }
   assert.deepEqual(
     [late.status, late.headers.get("retry-after"), await late.json()],
     [503, "1", { error: "too many requests at once" }],
   );
   assert.equal((await fetch(`${address}/health`)).status, 200, "who watches it is always answered");
+  greedy.destroy();
   // Requests that wait behind each other on connections that break off do not count for ever.
+  greedy.destroy();
   for (let i = 0; i < 5; i++)
     await new Promise((done) => {
       const socket = connect(Number(port), hostname, () => {
@@ -216,13 +293,7 @@ test("the service answers too many at once with 503, and does not wait for a bod
       });
       socket.on("error", () => undefined);
     });
-  await Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
-  const { defaultJob } = await import("touchpath");
-  const after = await fetch(`${address}/plan`, {
-    method: "POST",
-    body: JSON.stringify(defaultJob("hole")),
-    headers: { "content-type": "application/json" },
-  });
-  assert.equal(after.status, 200);
+  await Promise.all((await halfOpen(address, 2)).map((socket) => socket.destroyed || once(socket, "close")));
+  assert.equal((await plain()).status, 200);
   assert.deepEqual(await end(), [0, true]);
 });

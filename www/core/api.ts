@@ -1,5 +1,6 @@
 import { type Coded, coded, same } from "./coded.js";
 import { columns, FEEDS, findingsOf, KINDS, meaningsOf, type Packed, planOf, programOf, tableOf } from "./plan.js";
+import { say } from "./said.js";
 import type {
   Catalog,
   Cycle,
@@ -84,7 +85,7 @@ export interface Api {
   evaluate(job: Job, measured: Measured): ResultRow[];
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
-  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. A program of moves that says no job has its moves in `trace`, and `job` is `null`. Throws `JobError` where no job can be made of it. */
+  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
   importJob(text: string): Imported;
   /**
    * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to 20 million characters. What jumps, calls or computes is passed over, and said in
@@ -220,7 +221,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
       const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
       // What is a job in JSON is that job, with all that stands in it: then the module gives none.
-      return { ...{ job: json as Job }, ...imported };
+      return imported.kind === "job" ? { ...imported, job: imported.job ?? (json as Job) } : imported;
     },
     readProgram: (text, dialect) => {
       if (typeof text !== "string") {
@@ -250,12 +251,40 @@ const LONGEST_TEXT = 2_000_000;
 /** The longest program whose moves are read, likewise. */
 const LONGEST_PROGRAM = 20_000_000;
 
-/** What a text says as JSON; undefined where it is none. */
+/** The deepest JSON that is read as a job, in levels: what lies deeper can be neither copied nor written as JSON again. A job has six. */
+const DEEPEST_JSON = 100;
+
+const TOO_DEEP = "This JSON has more than {most} levels: no job has so many";
+
+/** What a text says as JSON; undefined where it is none. Throws `JobError` where it is nested too deeply. */
 function parsed(text: unknown): unknown {
   if (typeof text !== "string" || text.length > LONGEST_TEXT) return undefined;
+  let json: unknown;
   try {
-    return JSON.parse(text.replace(/^\ufeff/, ""));
+    json = JSON.parse(text.replace(/^\ufeff/, ""));
   } catch {
     return undefined;
   }
+  if (levels(text) > DEEPEST_JSON) {
+    const said: Said = [TOO_DEEP, String(DEEPEST_JSON)];
+    throw new JobError(say(said), [{ level: "error", code: "nested-too-deeply", path: "", message: say(said), said }]);
+  }
+  return json;
+}
+
+/** How many lists and objects of a JSON text lie in each other. */
+function levels(json: string): number {
+  let depth = 0;
+  let most = 0;
+  let quoted = false;
+  for (let i = 0; i < json.length; i++) {
+    const sign = json[i];
+    if (quoted) {
+      if (sign === "\\") i++;
+      else quoted = sign !== '"';
+    } else if (sign === '"') quoted = true;
+    else if (sign === "{" || sign === "[") most = Math.max(most, ++depth);
+    else if (sign === "}" || sign === "]") depth--;
+  }
+  return most;
 }

@@ -9,9 +9,11 @@ interface Element extends HTMLElement {
   readonly plan: unknown;
   readonly findings: Finding[];
   refusals(state: Record<string, unknown>): Finding[];
+  take(inputs: Record<string, unknown>): void;
 }
 
-const INPUTS = ["job", "cycle", "post", "units", "theme", "lang", "panels"] as const;
+const WORDS = ["theme", "lang", "panels"] as const;
+const KEYS = ["job", "cycle", "post", "units", "readonly", ...WORDS];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;
@@ -83,7 +85,7 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
   } else if (data.type !== "set") error("A message is of type set or get");
   else if (!isObject(data.state)) error("A message of type set has a state, an object");
   else {
-    const unknown = Object.keys(data.state).filter((key) => key !== "readonly" && !INPUTS.includes(key as "job"));
+    const unknown = Object.keys(data.state).filter((key) => !KEYS.includes(key));
     if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
     else {
       // All of it or nothing: a portal that is refused need not ask what of its state was taken.
@@ -103,12 +105,8 @@ function set(state: FrameState): Finding[] {
     if (detail.refused) refused.push(...detail.findings);
   };
   element.addEventListener("finding", note);
-  for (const input of INPUTS) {
-    const value = state[input];
-    if (value === undefined) continue;
-    if (input === "theme" || input === "lang" || input === "panels") element.setAttribute(input, String(value));
-    else (element as unknown as Record<string, unknown>)[input] = value;
-  }
+  element.take({ ...state });
+  for (const word of WORDS) if (state[word] !== undefined) element.setAttribute(word, String(state[word]));
   if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);
   element.removeEventListener("finding", note);
   return refused;

@@ -21,7 +21,7 @@ const PATIENCE = 15_000;
 
 /** How a portal connects. */
 export interface ConnectOptions {
-  /** The origin that the frame is served from. A frame of another origin gets no message. */
+  /** The origin that the frame is served from: `https://touchpath.example`, never `*`. A frame of another origin gets no message. */
   origin: string;
   /** Whether the portal saves programs itself; else the frame hands them out as files. */
   saves?: boolean;
@@ -139,6 +139,16 @@ export class Frame extends EventTarget {
   }
 }
 
+/** The origin of an address; empty where it has none. */
+function originOf(address: unknown): string {
+  try {
+    const { origin } = new URL(String(address));
+    return origin === "null" ? "" : origin;
+  } catch {
+    return "";
+  }
+}
+
 /** Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. */
 export function connect(
   iframe: HTMLIFrameElement,
@@ -147,6 +157,10 @@ export function connect(
   return new Promise((done, fail) => {
     // What `querySelector` did not find.
     if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
+    // `*` and `/` mean something else to the browser: any origin, and this page's own.
+    const own = originOf(origin);
+    if (!own)
+      throw new FrameError(`${origin} is no origin: it must be that of the frame, such as https://touchpath.example`);
     let port: MessagePort | null = null;
     const end = () => {
       clearInterval(asking);
@@ -154,7 +168,7 @@ export function connect(
       removeEventListener("message", refused);
     };
     const refused = ({ source, data, origin: from }: MessageEvent) => {
-      if (source !== iframe.contentWindow || from !== origin || data?.type !== "refused") return;
+      if (source !== iframe.contentWindow || from !== own || data?.type !== "refused") return;
       end();
       port?.close();
       fail(new FrameError(`The frame refuses: ${data.reason}`));
@@ -175,12 +189,7 @@ export function connect(
         done(new Frame(channel.port1, data.version, patience));
       };
       const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
-      try {
-        iframe.contentWindow?.postMessage(hello, origin, [channel.port2]);
-      } catch (thrown) {
-        end();
-        fail(new FrameError(`${origin} is no origin: ${thrown instanceof Error ? thrown.message : thrown}`));
-      }
+      iframe.contentWindow?.postMessage(hello, own, [channel.port2]);
     };
     addEventListener("message", refused);
     const asking = setInterval(ask, 500);

@@ -51,12 +51,10 @@ export interface Programmed {
   findings: Finding[];
 }
 
-/** What was made of a text. Look at `trace` first: a program of moves that says no job has its moves there, and `job` is `null` then. */
-export interface Imported {
-  job: Job;
-  trace?: TraceRow;
-  findings: Finding[];
-}
+/** What was made of a text: a job, or the moves of a program that holds no job. `findings` says what was ignored, and what could not be known. */
+export type Imported =
+  | { kind: "job"; job: Job; findings: Finding[] }
+  | { kind: "moves"; job: null; trace: TraceRow; findings: Finding[] };
 
 /** What is asked of LENTOAX; what is left out is the standard case. */
 export interface LentoaxQuery {

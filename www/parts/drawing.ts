@@ -33,8 +33,10 @@ export class Drawing {
     private readonly over?: HTMLCanvasElement,
   ) {
     // The browser may lose what a canvas shows, and the state it was drawn with.
-    canvas.addEventListener("contextrestored", () => this.dress());
+    canvas.addEventListener("contextrestored", this.restored);
   }
+
+  private readonly restored = () => this.dress();
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
   use<T>(work: (view: View) => T): T {
@@ -85,6 +87,8 @@ export class Drawing {
   }
 
   free(): void {
+    // The canvas may have another drawing later.
+    this.canvas.removeEventListener("contextrestored", this.restored);
     this.rest();
     this.drop();
   }

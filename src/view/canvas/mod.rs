@@ -12,7 +12,7 @@ use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, BAR_CORNER, Camera};
+use crate::view::camera::{AXES_CORNER, Camera};
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;

@@ -6,7 +6,6 @@ mod drag;
 use std::cell::Cell;
 use std::rc::Rc;
 
-use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 use crate::form::{Checker, Value};
@@ -18,8 +17,8 @@ use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
 use crate::view::scene::{self, Projection, Scene, Spot};
+use crate::wasm::Last;
 use crate::wasm::input::decoded;
-use crate::wasm::{Last, set};
 
 /// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
 #[wasm_bindgen]

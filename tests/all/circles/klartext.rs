@@ -1,10 +1,10 @@
 //! The block of 1411 as HEIDENHAIN controls have it: read as it stands, and written again.
 
 use super::{holes, text};
+use crate::common::import;
 use crate::common::{law, number, number_at, planned, point, with};
 use proptest::prelude::*;
 use touchpath::form::Value;
-use touchpath::import::import;
 use touchpath::job::plan;
 
 /// The example of the manual, block by block.
@@ -74,6 +74,66 @@ fn other_ways_to_write_the_block_are_read() {
     let codes: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
     assert!(codes.contains(&"unknown-parameter") && codes.contains(&"missing-parameter") && codes.contains(&"passed-over"));
     assert!(import("nothing at all").is_err() && import("").is_err() && import("{").is_err());
+}
+
+/// Without Q1100 the first point was X0 Y0 Z0, and the finding spoke of the form's default, which is another one. The numbers here are
+/// typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
+#[test]
+fn a_parameter_that_is_not_given_has_the_forms_default() {
+    let defaults: [(u32, &str, f64); 19] = [
+        (1100, "point1[0]", -30.0),
+        (1101, "point1[1]", 0.0),
+        (1102, "point1[2]", -10.0),
+        (1116, "diameter1", 20.0),
+        (1103, "point2[0]", 30.0),
+        (1104, "point2[1]", 0.0),
+        (1105, "point2[2]", -10.0),
+        (1117, "diameter2", 20.0),
+        (1115, "geometryType", 0.0),
+        (423, "probePoints", 4.0),
+        (325, "startingAngle", 0.0),
+        (1119, "angularLength", 360.0),
+        (320, "setUpClearance", 0.0),
+        (260, "clearanceHeight", 100.0),
+        (1125, "clearanceHeightMode", 2.0),
+        (309, "errorReaction", 0.0),
+        (1126, "alignRotaryAxis", 0.0),
+        (1120, "transferPosition", 0.0),
+        (1121, "confirmRotation", 0.0),
+    ];
+    let extrusion = [
+        (1140, "extrusion.direction", 3.0),
+        (1145, "extrusion.points", 1.0),
+        (1146, "extrusion.length", 0.0),
+        (1149, "extrusion.modal", 0.0),
+    ];
+    let at = |job: &Value, key: &str| {
+        let (name, axis) = key.split_once('[').unwrap_or((key, ""));
+        let value = name.split('.').try_fold(job.get("cycle").unwrap(), |value, key| value.get(key)).unwrap();
+        match (value, axis.trim_end_matches(']').parse::<usize>()) {
+            (Value::List(items), Ok(axis)) => items[axis].clone(),
+            (value, _) => value.clone(),
+        }
+    };
+    let bare = import("0 BEGIN PGM A MM\n1 TCH PROBE 1493\n2 TCH PROBE 1411\n3 END PGM A MM\n").unwrap();
+    let missing: Vec<(&str, &str)> =
+        bare.findings.iter().filter(|f| f.code == "missing-parameter").map(|f| (f.path.as_str(), f.message.as_str())).collect();
+    assert_eq!(missing.len(), defaults.len() + extrusion.len());
+    for (number, key, default) in extrusion.into_iter().chain(defaults) {
+        assert_eq!(at(&bare.job, key), touchpath::form::Value::Number(default), "Q{number}");
+        let message = format!("Q{number} is not given: the form's default, {default}, is used");
+        assert!(missing.contains(&(format!("cycle.{key}").as_str(), message.as_str())), "{message}: {missing:#?}");
+    }
+    // One that is given is no default, and the others stay the form's.
+    let one = import("TCH PROBE 1411 ~\nQ1101=+7 ~\nQ1116=abc").unwrap();
+    assert_eq!((at(&one.job, "point1[0]"), at(&one.job, "point1[1]")), (number(-30.0), number(7.0)));
+    assert_eq!(at(&one.job, "diameter1"), number(20.0));
+    let unread: Vec<_> = one.findings.iter().filter(|f| f.path == "cycle.diameter1").map(|f| f.code.as_str()).collect();
+    assert_eq!(unread, ["not-a-number"], "it is reported once");
+    // In inch the defaults are those of the form in inch: 30 mm are 1.1811 inch.
+    let inch = import("0 BEGIN PGM A INCH\n1 TCH PROBE 1411\n2 END PGM A INCH\n").unwrap();
+    let Value::Number(x) = at(&inch.job, "point1[0]") else { panic!() };
+    assert!((x + 30.0 / 25.4).abs() < 0.01, "{x}");
 }
 
 /// Emit, import, emit: the same bytes.

@@ -1,8 +1,8 @@
 //! How a program begins, gets from one touch to the next, and ends.
 
 use super::{cycle, errors, text, warnings};
+use crate::common::import;
 use crate::common::{job, number, planned, with};
-use touchpath::import::import;
 use touchpath::job::{check, default_job};
 
 // The first block dives into the feature, and the program ends inside it.

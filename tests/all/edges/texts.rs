@@ -1,10 +1,10 @@
 //! Headers, dumps and programs as texts, and their numbers.
 
 use super::{cycle, errors, text, warnings};
+use crate::common::import;
 use crate::common::{job, number, planned, point, with};
 use touchpath::describe::{catalog, export_table};
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
 use touchpath::job::{check, default_job, plan};
 
 #[test]

@@ -1,12 +1,12 @@
 //! Dumps of the parameters become the job again, however they are written.
 
 use super::{dumped_job, numbered, value};
+use crate::common::import;
 use crate::common::{job, law, number, planned, with};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
 use touchpath::job::{check, default_job, plan};
 
 /// Everything but order.

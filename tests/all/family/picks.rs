@@ -1,12 +1,12 @@
 //! Picked touches: they replace the dimensions, and what makes no feature is refused.
 
 use super::{cycle, dumped_job, near, picked, value};
+use crate::common::import;
 use crate::common::{job, law, number, planned, with};
 use proptest::prelude::*;
 use touchpath::cycle::CYCLES;
 use touchpath::describe::export_table;
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
 use touchpath::job::{check, plan};
 
 const POCKET: [([f64; 3], [f64; 3]); 4] = [

@@ -278,7 +278,7 @@ fn rapids_stay_protected() {
 #[test]
 fn a_program_is_read_back_as_its_job() {
     for (name, job, plan) in plans() {
-        let imported = touchpath::import::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let imported = crate::common::import(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
         let warnings: Vec<_> = imported.findings.iter().filter(|f| f.level != Level::Info).collect();
         assert!(warnings.is_empty(), "{name}: {warnings:?}");
         let back = planned(&with(&imported.job, "part", job.get("part").cloned().unwrap_or(Value::Map(Vec::new()))));
@@ -295,7 +295,7 @@ fn a_program_that_was_changed_is_told() {
     let (_, _, plan) = plans().into_iter().find(|(name, ..)| name == "pocket-sinumerik").unwrap();
     let text = &plan.program.text;
     let said = |text: &str| -> Vec<String> {
-        match touchpath::import::import(text) {
+        match crate::common::import(text) {
             Ok(imported) => imported.findings.into_iter().filter(|f| f.level != Level::Info).map(|f| f.code).collect(),
             Err(error) => error.findings.into_iter().map(|f| f.code).collect(),
         }
@@ -333,17 +333,17 @@ fn a_program_that_was_changed_is_told() {
     assert_eq!(said(&format!("%_N_POCKET_MPF\n;$PATH=/_N_MPF_DIR\n{text}")), [""; 0]);
     assert_eq!(said(&text.replacen("STOPRE", "STOPP", 2)), ["not-understood", "not-understood"]);
     // Without its job it is a program of moves.
-    let moves = touchpath::import::import(&text.replace("cycle.type=", "cycle_type=")).unwrap();
+    let moves = crate::common::import(&text.replace("cycle.type=", "cycle_type=")).unwrap();
     assert_eq!(moves.job, Value::Null);
     assert_eq!(moves.trace.unwrap().moves.iter().filter(|m| m.kind == touchpath::control::trace::Kind::Touch).count(), 4);
     // A program of version 0.1.0 says a value a line.
     let old = "; job cycle.type = hole\n; job cycle.diameter = 30\n; job control.post = sinumerik\nG71\nG90\nM30\n";
-    let imported = touchpath::import::import(old).unwrap();
+    let imported = crate::common::import(old).unwrap();
     assert_eq!(crate::common::number_at(&imported.job, "cycle.diameter", 0.0), 30.0);
     // Only what a job has a place for is read; no number that is none; and the version is looked at.
     let header = "; Made by Touchpath 99.0.0 from this job\n; job cycle.type=hole cycle.diameter=inf __proto__.x=1 cycle.origin=[1,2,3]\n\
                   ; job cycle.touches[16].point=[1,2,3] a[999][999].b=1 cycle.origin[7]=1 constructor=1 feeds.longLink=inf\nG71\nG90\nM30\n";
-    let imported = touchpath::import::import(header).unwrap();
+    let imported = crate::common::import(header).unwrap();
     let Value::Map(entries) = &imported.job else { panic!() };
     assert_eq!(entries.iter().map(|(k, _)| k.as_str()).collect::<Vec<_>>(), ["format", "cycle", "feeds"]);
     assert_eq!(
@@ -376,5 +376,5 @@ fn a_program_that_was_changed_is_told() {
     }
     // Texts of others that only mention it are theirs.
     let klartext = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 Q1100=0 Q1101=0 Q1102=0 ; was CYCLE977\n2 END PGM A MM\n";
-    assert!(touchpath::import::import(klartext).is_ok());
+    assert!(crate::common::import(klartext).is_ok());
 }

@@ -1,5 +1,6 @@
 // What the command does with one job: text in, texts out. No files, no streams, no exit codes.
 import {
+  catalog,
   check,
   evaluate,
   exportTable,
@@ -29,6 +30,8 @@ export interface Task {
 /** A job's text and where it stands. */
 export interface Item {
   source: string;
+  /** The folders that its output keeps. */
+  place: string;
   text: string;
   /** Why there is no text; the findings of it then. */
   refused?: string;
@@ -37,32 +40,66 @@ export interface Item {
 /** What became of it. */
 export interface Outcome {
   source: string;
+  place: string;
   /** The job's name, and what its output is called after it; `null` where there is no output. */
   output: { name: string; ending: string; text: string } | null;
+  /** The control of the job, by the id of its post; `null` where it is not known. */
+  control: string | null;
   findings: Finding[];
   /** Whether there is no output, or there would have been none. */
   failed: boolean;
 }
+type Done = Omit<Outcome, "source" | "place">;
 
 /** Does the task. Never throws for anything that stands in the text. */
-export function perform(task: Task, item: Item): Outcome {
-  const { source, text } = item;
+export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
-    if (item.refused !== undefined) throw new JobError(item.refused, [problem("too-long", item.refused)]);
-    if (task.command === "import") return imported(source, text);
-    const job = read(text, task);
-    if (task.command === "check") {
-      const findings = check(job);
-      return { source, output: null, findings, failed: findings.some((f) => f.level === "error") };
-    }
-    const { ending, out, findings } = made(task, job as Job);
-    return { source, output: { name: String((job as Job).name ?? ""), ending, text: out }, findings, failed: false };
+    return { source, place, ...done(task, item) };
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
     const findings =
       thrown instanceof JobError && thrown.findings.length > 0 ? thrown.findings : [problem("unreadable", message)];
-    return { source, output: null, findings, failed: true };
+    return { source, place, output: null, control: null, findings, failed: true };
   }
+}
+
+function done(task: Task, { text, refused }: Pick<Item, "text" | "refused">): Done {
+  if (refused !== undefined) throw new JobError(refused, [problem("too-long", refused)]);
+  if (task.command === "import") return imported(text);
+  const { job, overruled } = read(text, task);
+  const control = controlOf(job);
+  if (task.command === "check") {
+    const findings = [...check(job), ...overruled];
+    return { output: null, control, findings, failed: findings.some((f) => f.level === "error") };
+  }
+  try {
+    const { ending, out, findings } = made(task, job as Job);
+    const name = String((job as Job).name ?? "");
+    return { output: { name, ending, text: out }, control, findings: [...findings, ...overruled], failed: false };
+  } catch (thrown) {
+    if (!(thrown instanceof JobError)) throw thrown;
+    return { output: null, control, findings: [...thrown.findings, ...overruled], failed: true };
+  }
+}
+
+/** The control that a job names, or else the one that a job is for where it names none. */
+function controlOf(job: unknown): string | null {
+  if (typeof job !== "object" || job === null) return null;
+  const { control } = job as { control?: { post?: unknown } | null };
+  const post = control?.post;
+  if (post === undefined) return usual();
+  return typeof post === "string" ? post : null;
+}
+
+let usualControl: string | null = null;
+
+/** The control of a job that names none. */
+function usual(): string {
+  if (usualControl === null) {
+    const fields = catalog().sections.find(({ path }) => path === "control")?.fields ?? [];
+    usualControl = String(fields.find(({ key }) => key === "post")?.default);
+  }
+  return usualControl;
 }
 
 const problem = (code: string, message: string): Finding => ({
@@ -94,8 +131,8 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
   return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings: plan(job).findings };
 }
 
-/** The job of a text; what is no JSON is a job that is refused. */
-function read(text: string, task: Task): unknown {
+/** The job of a text, for the control that the task says; what is no JSON is a job that is refused. */
+function read(text: string, { post, form }: Task): { job: unknown; overruled: Finding[] } {
   let job: unknown;
   try {
     job = JSON.parse(text.replace(/^\uFEFF/, ""));
@@ -103,26 +140,32 @@ function read(text: string, task: Task): unknown {
     const why = `This is not JSON: ${thrown instanceof Error ? thrown.message : thrown}`;
     throw new JobError(why, [problem("not-json", why)]);
   }
-  if (typeof job !== "object" || job === null || (task.post === undefined && task.form === undefined)) return job;
+  if (typeof job !== "object" || job === null || (post === undefined && form === undefined))
+    return { job, overruled: [] };
   const { control } = job as { control?: unknown };
-  const own = typeof control === "object" && control !== null ? control : {};
-  const wanted = {
-    ...(task.post === undefined ? {} : { post: task.post }),
-    ...(task.form === undefined ? {} : { form: task.form }),
-  };
-  return { ...job, control: { ...own, ...wanted } };
+  // What is no section is left to the check.
+  if (control !== undefined && control !== null && (typeof control !== "object" || Array.isArray(control)))
+    return { job, overruled: [] };
+  const own = (control ?? {}) as { post?: unknown };
+  const wanted = { ...(post === undefined ? {} : { post }), ...(form === undefined ? {} : { form }) };
+  const names = post !== undefined && own.post !== undefined && own.post !== post;
+  const message = `The job names the control ${String(own.post)}: --post makes it for ${post}`;
+  const overruled: Finding[] = names
+    ? [{ ...problem("other-control", message), level: "warning", path: "control.post" }]
+    : [];
+  return { job: { ...job, control: { ...own, ...wanted } }, overruled };
 }
 
-function imported(source: string, text: string): Outcome {
-  const { job, findings, trace } = importJob(text);
-  if (trace || !job) {
+function imported(text: string): Done {
+  const { job, findings } = importJob(text);
+  if (job === null) {
     const none = "This program says no job, only moves: there is no job to write";
-    return { source, output: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
+    return { output: null, control: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
   }
   const name = typeof job.name === "string" ? job.name : "";
   return {
-    source,
     output: { name, ending: ".json", text: `${JSON.stringify(job, null, 2)}\n` },
+    control: controlOf(job),
     findings,
     failed: findings.some((f) => f.level === "error"),
   };

@@ -1,13 +1,13 @@
 #!/usr/bin/env node
 // The command: jobs in, programs, tables, pictures and findings out. Exit codes: 0 good, 1 findings, 2 wrong use or what the system refuses.
 import { createReadStream } from "node:fs";
-import { mkdir, stat, writeFile } from "node:fs/promises";
-import { availableParallelism } from "node:os";
-import { basename, extname, resolve } from "node:path";
+import { stat } from "node:fs/promises";
+import { availableParallelism, constants } from "node:os";
+import { basename, dirname, extname, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
-import { programStem } from "../names.js";
 import { catalog, type Finding, jobSchema, version } from "../node.js";
+import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
@@ -29,12 +29,15 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 
   --post P        for this control, in the place of the job's own
   --form F        moves or cycle, in the place of the job's own
-  -o, --out DIR   into files there, named after the jobs; existing files are replaced
+  -o, --out DIR   into files there, named after the jobs, in folders as those of the jobs; existing files are replaced
+  --flat          with -o: all files into DIR itself
   --ndjson        one job per line in, one outcome per line out
   --jobs N        on N threads; by default one per core for jobs by the line, else 1
   --json          findings and errors as JSON
   -h, --help      this;  -V, --version
 
+With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
+source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, 2 wrong use.
 `;
 
@@ -42,15 +45,13 @@ const COMMANDS = ["plan", "check", "table", "import", "evaluate", "svg", "schema
 type Command = (typeof COMMANDS)[number];
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
-/** Wrong use, or what the system refuses: exit code 2. */
-class Refused extends Error {}
-
 const OPTIONS = {
   post: { type: "string" },
   form: { type: "string" },
   format: { type: "string" },
   view: { type: "string" },
   out: { type: "string", short: "o" },
+  flat: { type: "boolean" },
   jobs: { type: "string" },
   ndjson: { type: "boolean" },
   json: { type: "boolean" },
@@ -75,6 +76,7 @@ function taskOf(command: Task["command"], values: Values): Task {
       throw new Refused(`--${option} is for ${commands.join(", ")}`);
   };
   only("out", "plan", "table", "svg", "import", "evaluate");
+  if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
   only("format", "table", "evaluate");
   only("view", "svg");
   const jobs = ["plan", "check", "table", "svg", "evaluate"];
@@ -115,6 +117,14 @@ async function filesOf(names: string[]): Promise<string[]> {
   return [...new Set(files)];
 }
 
+/** The folders of a file as its output keeps them: those below the present folder; of a file elsewhere all but the way up. */
+function placeOf(file: string): string {
+  if (file === "-") return "";
+  const folders = relative(process.cwd(), dirname(resolve(file))).split(sep);
+  const isDrive = (folder: string) => process.platform === "win32" && folder.endsWith(":");
+  return folders.filter((folder) => folder !== ".." && !isDrive(folder)).join(sep);
+}
+
 const isLines = (file: string, values: Values) =>
   values.ndjson === true || [".ndjson", ".jsonl"].includes(extname(file));
 const streamOf = (file: string) => (file === "-" ? process.stdin : createReadStream(file));
@@ -125,13 +135,14 @@ async function* itemsOf(files: string[], values: Values, progress: Progress): As
   const refused = `At most ${longest} characters are read`;
   for (const file of files) {
     const source = file === "-" ? "standard input" : file;
+    const place = placeOf(file);
     try {
       if (isLines(file, values)) {
         for await (const { number, text, tooLong } of linesOf(progress.through(streamOf(file)), longest)) {
           if (text.trim() === "" && !tooLong) continue;
-          yield { source: `${source}:${number}`, text, ...(tooLong ? { refused } : {}) };
+          yield { source: `${source}:${number}`, place, text, ...(tooLong ? { refused } : {}) };
         }
-      } else yield { source, ...(await whole(file, longest, refused, progress)) };
+      } else yield { source, place, ...(await whole(file, longest, refused, progress)) };
     } catch (thrown) {
       throw new Refused(`${source} cannot be read: ${(thrown as Error).message}`);
     }
@@ -144,7 +155,7 @@ async function whole(
   longest: number,
   refused: string,
   progress?: Progress,
-): Promise<Omit<Item, "source">> {
+): Promise<Omit<Item, "source" | "place">> {
   const chunks: Buffer[] = [];
   let size = 0;
   for await (const chunk of progress?.through(streamOf(file)) ?? streamOf(file)) {
@@ -180,39 +191,37 @@ async function textOf(file: string): Promise<string> {
 const said = (source: string, { level, path, message, code }: Finding) =>
   `${source}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
 
-/** Puts the outputs into files of a folder. Two of the same name get two names, and no job is written over: nothing is lost. */
-class Folder {
-  private readonly taken = new Set<string>();
-  private made = false;
+/** How many findings there are of each level that matters, for people. */
+function counted(findings: Finding[]): string {
+  const count = (level: Finding["level"]) => {
+    const { length } = findings.filter((finding) => finding.level === level);
+    return length === 0 ? [] : [`${length} ${level}${length === 1 ? "" : "s"}`];
+  };
+  return [...count("error"), ...count("warning")].map((words) => `, ${words}`).join("");
+}
 
-  constructor(
-    private readonly folder: string,
-    /** The files that the jobs come from, as whole paths. */
-    private readonly inputs: Set<string>,
-  ) {}
+/** What became of a job, in one line: its file, with the SHA-256 of it, the control and the findings. */
+function outcomeLine(
+  { source, control, findings }: Outcome,
+  file: string | null,
+  hash: string | null,
+  json: boolean,
+): string {
+  if (json) return `${JSON.stringify({ source, file, hash, control, findings })}\n`;
+  const made = file === null ? "no file" : `${file} (${control ?? "no control"}, sha256 ${hash})`;
+  return `${source}: ${made}${counted(findings)}\n`;
+}
 
-  /** Makes the folder, where that is not done: after the first job was read, so that a mistake in the arguments leaves none behind. */
-  async make(): Promise<void> {
-    if (this.made) return;
-    await mkdir(this.folder, { recursive: true }).catch((thrown: Error) => {
-      throw new Refused(`${this.folder} cannot be made: ${thrown.message}`);
-    });
-    this.made = true;
+/** The findings of a job, for people or as JSON. */
+async function report(task: Task, values: Values, { source, output, findings, failed }: Outcome): Promise<void> {
+  const to = task.command === "check" ? process.stdout : process.stderr;
+  if (values.json) {
+    if (task.command === "check" || findings.length > 0) await write(to, `${JSON.stringify({ source, findings })}\n`);
+    return;
   }
-
-  async put({ name, ending, text }: NonNullable<Outcome["output"]>): Promise<void> {
-    const plain = programStem(name, text);
-    let file = `${plain}${ending}`;
-    for (let n = 2; this.taken.has(file.toLowerCase()); n++) file = `${plain}-${n}${ending}`;
-    this.taken.add(file.toLowerCase());
-    const path = resolve(this.folder, file);
-    if (this.inputs.has(path)) throw new Refused(`${file} would be written over the file that was read`);
-    try {
-      await writeFile(path, text);
-    } catch (thrown) {
-      throw new Refused(`${file} cannot be written: ${(thrown as Error).message}`);
-    }
-  }
+  for (const finding of findings)
+    if (task.command === "check" || finding.level !== "info" || (failed && !output))
+      await write(to, said(source, finding));
 }
 
 /** Hands out what became of every job; whether there was an error in any. */
@@ -221,35 +230,52 @@ async function handOut(
   values: Values,
   outcomes: AsyncIterable<Outcome>,
   byLine: boolean,
-  inputs: Set<string>,
   progress: Progress,
 ): Promise<boolean> {
-  const folder = values.out === undefined ? null : new Folder(values.out, inputs);
   let failed = false;
   for await (const outcome of outcomes) {
     failed ||= outcome.failed;
-    await folder?.make();
     progress.count();
-    const { source, output, findings } = outcome;
     // What is written stands on a line of its own.
-    if (!folder || findings.length > 0) progress.clear();
-    if (folder && output) await folder.put(output);
-    if (byLine && !folder) {
+    progress.clear();
+    const { source, output, findings } = outcome;
+    if (byLine) {
       const text =
         task.command === "check" ? {} : { [task.command === "plan" ? "program" : "output"]: output?.text ?? null };
       await write(process.stdout, `${JSON.stringify({ source, ...text, findings })}\n`);
-    } else {
-      if (!folder && output) await write(process.stdout, output.text);
-      const to = task.command === "check" ? process.stdout : process.stderr;
-      if (values.json) {
-        if (task.command === "check" || findings.length > 0)
-          await write(to, `${JSON.stringify({ source, findings })}\n`);
-      } else
-        for (const finding of findings)
-          if (task.command === "check" || finding.level !== "info" || (outcome.failed && !output))
-            await write(to, said(source, finding));
+      continue;
     }
+    if (output) await write(process.stdout, output.text);
+    await report(task, values, outcome);
   }
+  return failed;
+}
+
+/** Puts the output of every job into a file of its own, all of them or none, and says of every job what became of it; whether there was an error in any. */
+async function fileAway(
+  task: Task,
+  values: Values,
+  outcomes: AsyncIterable<Outcome>,
+  byLine: boolean,
+  folder: Folder,
+  progress: Progress,
+): Promise<boolean> {
+  const json = byLine || values.json === true;
+  let failed = false;
+  for await (const outcome of outcomes) {
+    failed ||= outcome.failed;
+    await folder.make();
+    progress.count();
+    const { source, place, output, findings } = outcome;
+    const [file, hash] = output ? await folder.put(source, place, output) : [null, null];
+    await folder.note(outcomeLine(outcome, file, hash, json));
+    if (json || findings.length === 0) continue;
+    progress.clear();
+    await report(task, values, outcome);
+  }
+  await folder.finish();
+  progress.clear();
+  for await (const lines of folder.noted()) await write(process.stdout, lines);
   return failed;
 }
 
@@ -296,13 +322,27 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     throw new Refused("--jobs is a whole number from 1 to 64");
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
+  const folder = values.out === undefined ? null : await folderOf(values.out, files, values.flat === true);
   try {
-    const inputs = new Set(files.map((file) => resolve(file)));
     const outcomes = performAll(task, itemsOf(files, values, progress), threads);
-    return (await handOut(task, values, outcomes, byLine, inputs, progress)) ? 1 : 0;
+    const failed = folder
+      ? await fileAway(task, values, outcomes, byLine, folder, progress)
+      : await handOut(task, values, outcomes, byLine, progress);
+    return failed ? 1 : 0;
   } finally {
     progress.end();
+    folder?.leave();
   }
+}
+
+/** The folder of the outputs. However the process ends, but for a kill that cannot be seen, nothing is left aside. */
+async function folderOf(out: string, files: string[], flat: boolean): Promise<Folder> {
+  const inputs = await Promise.all(files.filter((file) => file !== "-").map(fileAt));
+  const folder = new Folder(out, new Set(inputs.filter((input) => input !== null)), flat);
+  process.on("exit", () => folder.leave());
+  for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"] as const)
+    process.on(signal, () => process.exit(128 + constants.signals[signal]));
+  return folder;
 }
 
 /** Ends with one line about what went wrong. */
