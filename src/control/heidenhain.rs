@@ -33,6 +33,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: None,
+    typed_write: None,
 };
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {

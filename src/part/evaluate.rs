@@ -1,6 +1,6 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Formula, ResultRow, Role, Unit};
+use crate::formula::{Dual, Formula, ResultRow, Role, Unit, Variable};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
@@ -10,11 +10,7 @@ use crate::text::{Text, text};
 /// The results for ball centres at these triggers, each touch scattering by `repeatability` (one sigma, mm) along its
 /// probing direction.
 pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> Vec<ResultRow> {
-    let samples = samples(path, triggers);
-    let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
-    // A sample of n touches scatters by 1/√n of one.
-    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
-    let values = path.formula.evaluate(&points, &directions);
+    let values = values(path, triggers);
     path.formula
         .results
         .iter()
@@ -34,6 +30,36 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], repeatability: f64) -> V
             }
         })
         .collect()
+}
+
+/// The results that a control computed by itself: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
+/// nominal part.
+pub fn stated(path: &Path, radius: f64, repeatability: f64, values: &[Option<f64>]) -> Vec<ResultRow> {
+    let nominal: Vec<Option<Vec3>> = path.touches.iter().map(|touch| Some(touch.contact(radius))).collect();
+    let mut rows = evaluate(path, &nominal, repeatability);
+    for ((row, def), value) in rows.iter_mut().zip(&path.formula.results).zip(values) {
+        row.value = value.map(tidy);
+        row.deviation = value.map(|value| tidy(value - def.reference));
+        row.uncertainty = row.uncertainty.filter(|_| value.is_some());
+    }
+    rows
+}
+
+/// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; none where nothing was.
+pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
+    let Some(datum) = &path.formula.datum else { return [None; 3] };
+    let values = values(path, triggers);
+    let of = |variable: Variable| Some(values[variable.index()].value).filter(|value| value.is_finite());
+    datum.place.map(|place| place?.measured.and_then(of))
+}
+
+/// The value of every assignment of the formula.
+fn values(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Dual> {
+    let samples = samples(path, triggers);
+    let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
+    // A sample of n touches scatters by 1/√n of one.
+    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
+    path.formula.evaluate(&points, &directions)
 }
 
 /// One point of the formula.

@@ -5,8 +5,8 @@ mod evaluate;
 mod measured;
 
 pub use contact::{Contact, Obstacles};
-pub use evaluate::{add_truth, evaluate, write_offset};
-pub use measured::{Measured, read as read_measured};
+pub use evaluate::{add_truth, datum, evaluate, stated, write_offset};
+pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
 
 use crate::geom::{Rigid, Vec3};
 use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};

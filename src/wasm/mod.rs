@@ -123,6 +123,12 @@ pub fn evaluate(codes: &[f64], text: &str, measured: &[f64], measured_text: &str
     to_js(&job::evaluate(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
 }
 
+/// What follows from what a machine really measured: `{ results, points, block, findings }`.
+#[wasm_bindgen]
+pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
+    to_js(&job::measure(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
+}
+
 /// The parameter table as text: `csv`, `json` or `text`.
 #[wasm_bindgen(js_name = exportTable)]
 pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {

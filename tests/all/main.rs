@@ -24,3 +24,4 @@ mod safety;
 mod sinumerik;
 mod table;
 mod toolpath;
+mod wayback;
