@@ -177,7 +177,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("uncertain-result", "A result scatters by many times as much as a single touch."),
     ("unclear-line", "A line of measured values could be one of them, and cannot be read as the others are."),
     ("units-differ", "The blocks of a program are in other units than the job in its header, which was converted."),
-    ("units-found", "A log does not say whether it is in mm or in inch: it is read in the one that is in reach of the touches."),
+    (
+        "units-found",
+        "A log does not say whether it is in mm or in inch: it is read in the one that is in reach of the touches.",
+    ),
     ("units-unclear", "Whether a log is in mm or in inch is not clear."),
     ("units-unknown", "The text does not say its units: mm is taken."),
     ("unknown-code", "A dump has a code that its cycle does not know."),

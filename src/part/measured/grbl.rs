@@ -92,7 +92,8 @@ impl Log {
     fn drop_echoes(&mut self, checker: &mut Checker) {
         let touched: Vec<(usize, Option<Vec3>, &str)> = self.touched().collect();
         let Some(first) = touched.first().map(|(.., prefix)| *prefix) else { return };
-        let of = |kind: &str| touched.iter().filter(|(.., prefix)| *prefix == kind).map(|(_, place, _)| *place).collect::<Vec<_>>();
+        let of =
+            |kind: &str| touched.iter().filter(|(.., prefix)| *prefix == kind).map(|(_, place, _)| *place).collect::<Vec<_>>();
         let own = of(first);
         let echoed = own.len() < touched.len() && touched.iter().all(|(.., prefix)| of(prefix) == own);
         if !echoed {
@@ -113,11 +114,19 @@ impl Log {
     }
 }
 
-/// One report a touch is needed; after a miss none follows.
+/// One report a touch is needed. A miss ends a program, so that it is the last one.
 fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     let (given, touches) = (log.touches.len(), expected.path.touches.len());
-    let missed_last = log.touched().last().is_some_and(|(_, place, _)| place.is_none());
-    if given == touches || (given < touches && missed_last) {
+    let miss = log.touched().position(|(_, place, _)| place.is_none());
+    if let Some((number, ..)) = miss.filter(|at| at + 1 < given).and_then(|at| log.touched().nth(at)) {
+        let message = text!(
+            "The touch in line {line} missed, which ends a program, and further touches follow: give the log of one run only",
+            number
+        );
+        checker.error("unclear-line", "measured", message);
+        return;
+    }
+    if given == touches || (given < touches && miss.is_some()) {
         return;
     }
     let message = if given > touches {
@@ -192,12 +201,16 @@ fn placed(
                 return None;
             }
             (false, true) => {
-                let message = text!("The log does not say $13: the reports are read in inch, since in mm they are out of reach of the touches");
+                let message = text!(
+                    "The log does not say $13: the reports are read in inch, since in mm they are out of reach of the touches"
+                );
                 checker.info("units-found", "measured", message);
                 INCH
             }
             (true, false) if inch_job => {
-                let message = text!("The log does not say $13: the reports are read in mm, since in inch they are out of reach of the touches");
+                let message = text!(
+                    "The log does not say $13: the reports are read in mm, since in inch they are out of reach of the touches"
+                );
                 checker.info("units-found", "measured", message);
                 1.0
             }
@@ -223,7 +236,8 @@ fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
 fn say_missed(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     for ((touch, ..), (number, place, _)) in expected.path.searches().zip(log.touched()) {
         if place.is_none() {
-            let message = text!("Touch {touch} made no contact (line {line}): results that need it are unknown", touch + 1, number);
+            let message =
+                text!("Touch {touch} made no contact (line {line}): results that need it are unknown", touch + 1, number);
             checker.warning("touch-missed", format!("measured[{touch}]"), message);
         }
     }

@@ -46,7 +46,8 @@ pub enum Item {
 /// Everything that a line says, in its order but for the reports, which come first.
 pub fn items(line: &str) -> Vec<Item> {
     let line = &*without_comments(line);
-    let mut found: Vec<Item> = line.match_indices("PRB:").map(|(at, key)| touch(&line[..at], &line[at + key.len()..])).collect();
+    let mut found: Vec<Item> =
+        line.match_indices("PRB:").map(|(at, key)| touch(&line[..at], &line[at + key.len()..])).collect();
     settings(line, &mut found);
     status(line, &mut found);
     let plain = without_reports(line);

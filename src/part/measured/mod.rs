@@ -92,7 +92,8 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
     let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);
     if log.is_some() {
         // A sender names other values, too.
-        results = lines.iter().find(|(_, line)| results::known(&line::without_comments(line), expected)).map(|(number, _)| *number);
+        results =
+            lines.iter().find(|(_, line)| results::known(&line::without_comments(line), expected)).map(|(number, _)| *number);
     }
     let mut forms = [log, results, letters].into_iter().flatten();
     if let (Some(one), Some(other)) = (forms.next(), forms.next()) {

@@ -63,8 +63,12 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
             take(checker, (number, pair), defs, &mut values);
         }
     }
-    let missing: Vec<&str> =
-        defs.iter().zip(&values).filter(|(def, value)| def.variable.is_some() && value.is_none()).map(|(def, _)| def.code).collect();
+    let missing: Vec<&str> = defs
+        .iter()
+        .zip(&values)
+        .filter(|(def, value)| def.variable.is_some() && value.is_none())
+        .map(|(def, _)| def.code)
+        .collect();
     if !missing.is_empty() {
         let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
         checker.warning("result-missing", "measured", message);
@@ -94,7 +98,11 @@ fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), defs: &[Result
         return;
     };
     let Some(value) = pair.value else {
-        checker.error("not-a-number", "measured", text!("Line {line}: {code} is not followed by a finite number", number, def.code.to_owned()));
+        checker.error(
+            "not-a-number",
+            "measured",
+            text!("Line {line}: {code} is not followed by a finite number", number, def.code.to_owned()),
+        );
         return;
     };
     match values[at] {

@@ -21,7 +21,9 @@ pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Op
             Item::Changes | Item::Moves if i > last => {
                 return Some(text!("line {line} moves the machine or changes an offset after the touches", *number));
             }
-            Item::Travels if ended && i > last => return Some(text!("line {line} moves the machine after the end of the program", *number)),
+            Item::Travels if ended && i > last => {
+                return Some(text!("line {line} moves the machine after the end of the program", *number));
+            }
             Item::Stands { place, work } if i > last => stands = Some((*number, *place, *work)),
             _ => {}
         }

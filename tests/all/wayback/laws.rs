@@ -4,7 +4,7 @@ use crate::common::{law, point, with};
 use crate::laws::whole_job;
 use proptest::prelude::*;
 use touchpath::form::Value;
-use touchpath::job::{Triple, evaluate, measure, plan, planned};
+use touchpath::job::{ResultRow, Triple, evaluate, measure, plan, planned};
 
 /// As grbl prints it, in mm or in inch.
 fn report(place: Triple, inch: bool) -> (String, Triple) {
@@ -85,33 +85,29 @@ fn a_log_gives_what_its_points_give() {
     assert!(blocks.get() > 30, "only {} blocks", blocks.get());
 }
 
-/// Printed results, with as many decimals as a control prints, give rows with these values.
+/// Printed results give rows with these values, as points would.
 #[test]
 fn printed_results_give_their_rows() {
-    law(300, 60, (whole_job(), any::<bool>()), |(job, capitals)| {
+    law(600, 100, (whole_job(), any::<bool>()), |(job, dprnt)| {
         let Ok(predicted) = plan(&job) else { return Ok(false) };
         let planned = planned(&job).unwrap();
         let defs = planned.path.formula.results.iter().filter(|def| def.variable.is_some());
-        let rows: Vec<_> = defs.filter_map(|def| predicted.results.iter().find(|row| row.code == def.code)).collect();
-        let Some(text) = rows
-            .iter()
-            .map(|row| {
-                let line = format!("{}={:.6}\n", row.code, row.value?);
-                Some(if capitals { line.to_uppercase().replace('.', " ").replacen("= ", "=", 1).replace("  ", " ") } else { line })
-            })
-            .collect::<Option<String>>()
-            .filter(|text| !text.is_empty())
-        else {
+        let rows = defs.filter_map(|def| predicted.results.iter().find(|row| row.code == def.code && row.value.is_some()));
+        let rows: Vec<&ResultRow> = rows.collect();
+        if rows.is_empty() {
             return Ok(false);
+        }
+        let printed = |row: &&ResultRow| match (dprnt, row.value.unwrap()) {
+            (true, x) => format!("{} = {x:10.6}\n", row.code.to_uppercase().replace('.', " ")),
+            (false, x) => format!("{}={x:.6}\n", row.code),
         };
-        // Only the point of a code may be a blank.
-        let text = if capitals { rows.iter().map(|row| format!("{} = {:10.6}\n", row.code.to_uppercase().replace('.', " "), row.value.unwrap())).collect() } else { text };
+        let text: String = rows.iter().map(printed).collect();
         let found = match measure(&job, &Value::Text(text.clone())) {
             Ok(found) => found,
             Err(error) => return Err(TestCaseError::fail(format!("{text}\n{:#?}", error.findings))),
         };
         prop_assert!(found.points.is_empty() && found.block.is_none());
-        for row in &rows {
+        for row in rows {
             let read = found.results.iter().find(|read| read.code == row.code).unwrap();
             prop_assert!((row.value.unwrap() - read.value.unwrap()).abs() < 1e-6);
             prop_assert!((row.deviation.unwrap() - read.deviation.unwrap()).abs() < 1e-6);
@@ -119,4 +115,34 @@ fn printed_results_give_their_rows() {
         }
         Ok(true)
     });
+}
+
+/// Whatever lines of a log are lost or there twice: it is refused, or gives the same points and no other block.
+#[test]
+fn a_log_with_lines_lost_or_twice_is_refused_or_gives_the_same() {
+    let pocket = super::pocket();
+    let answer = "[G54:-200.000,-150.000,-60.000]\n[G55:-10.000,0.000,0.000]\n[G92:0.000,0.000,0.000]\n[TLO:0.000]\n\
+        [PRB:0.000,0.000,0.000:0]\nok\n";
+    let log = format!("{answer}{}", super::UGS);
+    let whole = super::measured(&pocket, &log);
+    let lines: Vec<&str> = log.lines().collect();
+    let times = prop_oneof![1 => Just(0usize), 12 => Just(1), 1 => Just(2)];
+    law(2000, 300, proptest::collection::vec(times, lines.len()), |times| {
+        let text: String =
+            lines.iter().zip(&times).flat_map(|(line, n)| std::iter::repeat_n(format!("{line}\n"), *n)).collect();
+        let Ok(found) = measure(&pocket, &Value::Text(text.clone())) else { return Ok(false) };
+        prop_assert_eq!(&found.points, &whole.points, "{}", text);
+        prop_assert!(found.block.is_none() || found.block == whole.block, "{}\n{:?}", text, found.block);
+        Ok(true)
+    });
+}
+
+/// A touch is reported where its move stands: the touches of every job are made in their order, as texts with a point a line need it.
+#[test]
+fn touches_are_made_in_their_order() {
+    for (name, job) in crate::common::jobs() {
+        let Ok(plan) = plan(&job) else { continue };
+        let made: Vec<usize> = plan.moves.iter().filter(|m| m.kind == "touch").map(|m| m.touch.unwrap()).collect();
+        assert_eq!(made, (0..plan.touches.len()).collect::<Vec<_>>(), "{name}");
+    }
 }

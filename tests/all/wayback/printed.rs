@@ -74,7 +74,9 @@ fn printed_results_are_judged_as_measured_points_are() {
     let limited = rows.iter().find(|row| row.limits.is_some() && row.code == "Q966").expect("a limited diameter");
     let [low, high] = limited.limits.unwrap();
     let with_diameter = |x: f64| -> String {
-        let row = |row: &touchpath::job::ResultRow| format!("{}={}\n", row.code, if row.code == "Q966" { x } else { row.nominal.unwrap() });
+        let row = |row: &touchpath::job::ResultRow| {
+            format!("{}={}\n", row.code, if row.code == "Q966" { x } else { row.nominal.unwrap() })
+        };
         rows.iter().filter(|row| row.nominal.is_some() && !row.code.starts_with("form")).map(row).collect()
     };
     let verdict = |x: f64| {
