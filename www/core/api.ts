@@ -9,6 +9,7 @@ import type {
   Lentoax,
   LentoaxQuery,
   Measured,
+  Measurement,
   MoveColumns,
   Plan,
   ProgramMoves,
@@ -52,6 +53,7 @@ export interface Raw {
   table(codes: Float64Array, text: string, sink: Sink): void;
   meanings(codes: Float64Array, text: string, sink: Sink): void;
   evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
+  measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
   jobSchema(): unknown;
@@ -80,8 +82,13 @@ export interface Api {
    * `program` is `null`, and its findings say why.
    */
   programs(jobs: Iterable<Job>): IterableIterator<Programmed>;
-  /** The results from points that a machine really measured. Throws `JobError`. */
+  /** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
   evaluate(job: Job, measured: Measured): ResultRow[];
+  /**
+   * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
+   * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
+   */
+  measure(job: Job, measured: Measured): Measurement;
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. A program of moves that says no job has its moves in `trace`, and `job` is `null`. Throws `JobError` where no job can be made of it. */
@@ -201,6 +208,10 @@ export function dress(raw: Raw, instance: Instance): Api {
     evaluate: (job, measured) => {
       const points = coded(measured);
       return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
+    },
+    measure: (job, measured) => {
+      const points = coded(measured);
+      return on(job, (codes, text) => raw.measure(codes, text, points.codes, points.text));
     },
     moveColumns: (job) => {
       const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));

@@ -204,14 +204,14 @@ fn placed(
                 let message = text!(
                     "The log does not say $13: the reports are read in inch, since in mm they are out of reach of the touches"
                 );
-                checker.info("units-found", "measured", message);
+                checker.warning("units-found", "measured", message);
                 INCH
             }
             (true, false) if inch_job => {
                 let message = text!(
                     "The log does not say $13: the reports are read in mm, since in inch they are out of reach of the touches"
                 );
-                checker.info("units-found", "measured", message);
+                checker.warning("units-found", "measured", message);
                 1.0
             }
             _ => 1.0,

@@ -111,6 +111,19 @@ fn points_by_their_letters() {
     }
 }
 
+/// The output of LinuxCNC's interpreter as it comes: what the program prints stands among the calls. In it a touch runs to its end, 5 past the
+/// contact: the pocket is 10 wider.
+#[test]
+fn what_linuxcnc_prints_is_read_as_it_comes() {
+    let job = with(&pocket(), "control", crate::common::job(r#"{ "post": "linuxcnc", "protection": "none" }"#));
+    let output = crate::common::canonical(&plan(&job).unwrap().program.text).join("\n");
+    let found = measured(&job, &output);
+    near(value(&found, "center.x").unwrap(), 0.0);
+    near(value(&found, "width1").unwrap(), 90.0);
+    near(value(&found, "width2").unwrap(), 60.0);
+    assert!(found.findings.is_empty(), "{:?}", found.findings);
+}
+
 /// Codes are told apart however they are written.
 #[test]
 fn no_two_results_of_a_job_have_one_name() {
