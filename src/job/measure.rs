@@ -80,7 +80,7 @@ fn block(planned: &Planned, points: &[Option<Vec3>], stand: &Stand, checker: &mu
     let missing = datum.measured().iter().zip(&measured).any(|(wanted, value)| *wanted && value.is_none());
     let why = match (&stand.away, stand.offset) {
         _ if missing => Err(text!("a result that it needs is unknown")),
-        (Some(away), _) => Err(text!("the machine may not stand at the end of the program, {reason}", away.clone())),
+        (Some(away), _) => Err(text!("the machine may not stand at the end of the program ({reason})", away.clone())),
         (None, None) => {
             Err(text!("the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"))
         }

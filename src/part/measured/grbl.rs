@@ -241,9 +241,9 @@ fn say_missed(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
             checker.warning("touch-missed", format!("measured[{touch}]"), message);
         }
     }
-    let left = expected.path.touches.len() - log.touches.len();
-    if left > 0 {
-        let message = text!("The program stopped there: {count} touches were not made", left);
+    let (made, touches) = (log.touches.len(), expected.path.touches.len());
+    if made < touches {
+        let message = text!("The program stopped at the miss: {made} of its {touches} touches were made", made, touches);
         checker.warning("touch-missed", "measured", message);
     }
 }

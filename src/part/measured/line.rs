@@ -287,3 +287,47 @@ fn sent(words: &[(char, f64)], found: &mut Vec<Item>) {
         found.push(Item::Ended);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As grbl 1.1's interface document prints them.
+    #[test]
+    fn reports_say_what_they_say() {
+        let at = Vec3::new;
+        let status = "<Idle|MPos:5.000,2.000,0.000|Bf:15,128|FS:0,0|WCO:1.000,-2.500,0.000>";
+        assert_eq!(items(status), [Item::Shift(at(1.0, -2.5, 0.0)), Item::Stands { place: at(5.0, 2.0, 0.0), work: false }]);
+        assert_eq!(items("<Run|WPos:5.000,2.000,0.000|WCS:G59.1>"), [Item::Active { offset: 7, sent: false }]);
+        assert_eq!(items("[GC:G0 G55 G17 G21 G90 G94 M5 M9 T0 F0 S0]"), [Item::Active { offset: 2, sent: false }]);
+        assert_eq!(
+            items("[G54:1.000,2.000,-3.000] / [G92:0.000,0.000,0.500] / [TLO:-4.000] / ok"),
+            [
+                Item::Offset(1, at(1.0, 2.0, -3.0)),
+                Item::Added(at(0.0, 0.0, 0.5)),
+                Item::Length(at(0.0, 0.0, -4.0)),
+                Item::Answered
+            ]
+        );
+        assert_eq!(items("[G28:1.000,2.000,0.000]"), []);
+        assert_eq!(items("$13=1 (report inches, bool)"), [Item::Inches(true)]);
+        assert_eq!(items("$130=200.000"), []);
+        let touch = Item::Touch { place: at(0.0, 0.0, 1.492), contact: true, prefix: "<<<".to_owned() };
+        assert_eq!(items("<<< [PRB:0.000,0.000,1.492:1]"), [touch]);
+    }
+
+    /// A block counts wherever a sender puts it, prose does not.
+    #[test]
+    fn blocks_are_found_behind_any_prompt() {
+        for line in ["G55", ">>> G55", "[12:31:02] > n10 g55", "SEND: G55 ; second vise", "G55 < ok", "G21G55", ">G21G55:ok"] {
+            assert!(items(line).contains(&Item::Active { offset: 2, sent: true }), "{line}");
+        }
+        for line in ["$N0=G55", "Job in G55 done", "(G55)", "[echo: G55]", "G5.5", "G550"] {
+            assert!(!items(line).iter().any(|item| matches!(item, Item::Active { .. })), "{line}");
+        }
+        assert_eq!(items(">>> G38.2 Z-5 F100"), [Item::Probes]);
+        assert_eq!(items(">>> G10 L20 P1 X0"), [Item::Changes]);
+        assert_eq!(items(">>> $J=G91 X10 F500"), [Item::Moves]);
+        assert_eq!(items("ALARM:5"), [Item::Trouble]);
+    }
+}

@@ -157,6 +157,3 @@ fn unclear(checker: &mut Checker, number: usize, line: &str) {
     );
     checker.error("unclear-line", "measured", message);
 }
-
-#[cfg(test)]
-mod tests;
