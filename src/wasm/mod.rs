@@ -117,12 +117,6 @@ pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsVal
     job::convert_units(&decoded(codes, text), &units).map(|job| value_to_js(&job)).map_err(refused)
 }
 
-/// The results from what a machine really measured.
-#[wasm_bindgen]
-pub fn evaluate(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
-    to_js(&job::evaluate(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
-}
-
 /// What follows from what a machine really measured: `{ results, points, block, findings }`.
 #[wasm_bindgen]
 pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {

@@ -52,7 +52,6 @@ export interface Raw {
   plan(codes: Float64Array, text: string, sink: Sink): void;
   table(codes: Float64Array, text: string, sink: Sink): void;
   meanings(codes: Float64Array, text: string, sink: Sink): void;
-  evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
@@ -179,6 +178,10 @@ export function dress(raw: Raw, instance: Instance): Api {
       give(codes, text, sink);
       return sink;
     });
+  const measure = (job: Job, measured: Measured): Measurement => {
+    const values = coded(measured);
+    return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
+  };
   return {
     catalog: () => instance.call(() => raw.catalog()),
     defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
@@ -205,14 +208,8 @@ export function dress(raw: Raw, instance: Instance): Api {
         }
       }
     },
-    evaluate: (job, measured) => {
-      const points = coded(measured);
-      return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
-    },
-    measure: (job, measured) => {
-      const points = coded(measured);
-      return on(job, (codes, text) => raw.measure(codes, text, points.codes, points.text));
-    },
+    evaluate: (job, measured) => measure(job, measured).results,
+    measure,
     moveColumns: (job) => {
       const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));
       return {
