@@ -29,8 +29,8 @@ export function read(text: string): Reading {
 }
 
 /** grbl's report of a touch, and the answer to `$#`, which repeats the last one. */
-const REPORT = /\[PRB:[-+.,\d]+:[01]\]/g;
-const REPEATED = /\[TLO:[^\]]*\]\s*(?:\[TLR:[^\]]*\]\s*)?\[PRB:[^\]]*\]/g;
+const REPORT = /\[PRB:[-+.,\d]{5,200}:[01]\]/g;
+const REPEATED = /\[TLO:[^\]]{0,200}\]\s{0,9}(?:\[TLR:[^\]]{0,200}\]\s{0,9})?\[PRB:[^\]]{0,200}\]/g;
 
 /** The points of a text that is such a log. */
 function logged(text: string): number {

@@ -156,6 +156,9 @@ fn place<'a>(text: &'a str, ends: &[char]) -> Option<(Vec3, &'a str)> {
     (rest.is_empty() || rest.starts_with(ends)).then_some((Vec3::new(x, y, z), rest))
 }
 
+/// Of what stands in front of a report, so many characters are looked at.
+const LONGEST_PREFIX: usize = 60;
+
 /// A report of a touch, from what stands before and behind its `PRB:`.
 fn touch(before: &str, after: &str) -> Item {
     let read = || {
@@ -167,7 +170,8 @@ fn touch(before: &str, after: &str) -> Item {
         };
         let prefix = before.strip_suffix('[').unwrap_or(before);
         let whole = (end.starts_with(']') || !before.ends_with('[')) && !end.starts_with(|c: char| c.is_alphanumeric());
-        let prefix = prefix.chars().filter(|c| !c.is_ascii_digit()).collect::<String>().trim().to_owned();
+        let near = prefix.char_indices().rev().take(LONGEST_PREFIX).last().map_or(0, |(at, _)| at);
+        let prefix = prefix[near..].chars().filter(|c| !c.is_ascii_digit()).collect::<String>().trim().to_owned();
         whole.then_some(Item::Touch { place, contact, prefix })
     };
     read().unwrap_or(Item::Unreadable)
@@ -176,7 +180,7 @@ fn touch(before: &str, after: &str) -> Item {
 /// The answers to `$#`, `$G` and `$$`.
 fn settings(line: &str, found: &mut Vec<Item>) {
     for (at, _) in line.match_indices('[') {
-        let Some((body, _)) = line[at + 1..].split_once(']') else { continue };
+        let Some(body) = report(&line[at..], *b"[]").map(|end| &line[at + 1..at + end]) else { continue };
         let Some((key, rest)) = body.split_once(':') else { continue };
         let whole = || place(rest, &[]).map(|(place, _)| place);
         match key {
@@ -223,22 +227,25 @@ fn offset_number(digits: &str) -> Option<u8> {
     ["54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"].iter().position(|known| *known == digits).map(|i| i as u8 + 1)
 }
 
+/// Where the report ends that a text begins with; none where another one begins before.
+fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
+    let end = 1 + text.bytes().skip(1).position(|byte| byte == open || byte == close)?;
+    (text.as_bytes()[end] == close).then_some(end)
+}
+
 /// A line without what stands in brackets or is a status report.
 fn without_reports(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
     while let Some(at) = rest.find(['[', '<']) {
-        let (before, report) = rest.split_at(at);
+        let (before, from) = rest.split_at(at);
         out.push_str(before);
-        let close = if report.starts_with('[') { ']' } else { '>' };
-        let end = report.find(close).filter(|end| close == ']' || report[..*end].contains('|'));
-        match end {
-            Some(end) => rest = &report[end + 1..],
-            None => {
-                out.push(' ');
-                rest = &report[1..];
-            }
+        let bracket = from.starts_with('[');
+        let end = report(from, if bracket { *b"[]" } else { *b"<>" }).filter(|end| bracket || from[..*end].contains('|'));
+        if end.is_none() {
+            out.push(' ');
         }
+        rest = &from[end.unwrap_or(0) + 1..];
     }
     out + rest
 }

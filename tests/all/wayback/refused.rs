@@ -231,3 +231,40 @@ fn a_text_that_is_no_measurement_at_all_is_refused_in_words() {
         assert!(measure(&pocket(), &Value::Text(text.to_owned())).is_err(), "{text}");
     }
 }
+
+/// Every line is looked at once: none of these took longer than a moment, and some would take hours if a bracket were searched for its end.
+#[test]
+fn long_lines_of_brackets_do_not_hang() {
+    for part in [
+        "[",
+        "<",
+        "<Idle|",
+        "[TLO:",
+        "PRB:",
+        "[PRB:1,2,3:1] ",
+        "PRB:1,2,3:1 ",
+        "a=",
+        "a=1 ",
+        "X1",
+        "X",
+        "(",
+        "(a",
+        "G54 ",
+        "WCO:",
+        "WCO:1,2,3 ",
+        "1",
+        "1,",
+        "[PRB:1,2,3:1]\n",
+    ] {
+        let text = part.repeat(100_000 / part.len());
+        for text in [text.clone(), format!("[PRB:1,2,3:1]\n{text}")] {
+            let begun = std::time::Instant::now();
+            let _ = measure(&pocket(), &Value::Text(text));
+            assert!(begun.elapsed().as_secs() < 20, "{part}: {:?}", begun.elapsed());
+        }
+    }
+    let kinds: String = (0..60_000)
+        .map(|i| format!("{}[PRB:1,2,3:1]\n", "ab".chars().cycle().skip(i % 2).take(i % 97).collect::<String>()))
+        .collect();
+    assert!(measure(&pocket(), &Value::Text(kinds)).is_err());
+}
