@@ -549,7 +549,9 @@ test("the log of a sender gives results, and the block to type with a button tha
   await open("<touch-path cycle=hole post=grbl></touch-path>");
   // A hole of 40 and a ball of 6 in G55 at X100 Y50 Z-80, 0.5 off in X: contacts at 17 from the centre, where
   // X is 0 at a Y of √(17² − 0.5²) = 16.99264.
-  const log = ["117.5,50", "83.5,50", "100,66.99264", "100,33.00736"].map((xy) => `<<< [PRB:${xy},-90:1]\n<<< ok\n`).join("");
+  const log = ["117.5,50", "83.5,50", "100,66.99264", "100,33.00736"]
+    .map((xy) => `<<< [PRB:${xy},-90:1]\n<<< ok\n`)
+    .join("");
   await page.locator("#file").setInputFiles({ name: "run.log", mimeType: "text/plain", buffer: Buffer.from(log) });
   await page.getByText("4 measured points were taken from this log").waitFor();
   await page.getByText("Type $# and paste the answer").waitFor();
