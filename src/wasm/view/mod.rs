@@ -9,7 +9,6 @@ use std::rc::Rc;
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
-use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::Legend;
