@@ -8,7 +8,7 @@ export interface Reading {
   findings: Finding[];
   /** Its moves, where it is a program that says no job. */
   moves: ProgramMoves | null;
-  /** How many measured points it holds, where it is LinuxCNC's PROBEOPEN log and nothing else. */
+  /** How many measured points it holds, where it is LinuxCNC's PROBEOPEN log and nothing else, or a sender's log with grbl's reports of touches. */
   points: number;
 }
 
@@ -28,8 +28,13 @@ export function read(text: string): Reading {
   return { imported, findings, moves: moves && moves.kind.length > 1 ? moves : null, points: 0 };
 }
 
+/** grbl's report of a touch, and the answer to `$#`, which repeats the last one. */
+const REPORT = /\[PRB:[-+.,\d]{5,200}:[01]\]/g;
+const REPEATED = /\[TLO:[^\]]{0,200}\]\s{0,9}(?:\[TLR:[^\]]{0,200}\]\s{0,9})?\[PRB:[^\]]{0,200}\]/g;
+
 /** The points of a text that is such a log. */
 function logged(text: string): number {
+  if (text.includes("[PRB:")) return text.replace(REPEATED, "").match(REPORT)?.length ?? 0;
   const lines = text.split("\n").filter((line) => line.trim() !== "");
   const holds = (line: string) => {
     const numbers = line.trim().split(/\s+/);

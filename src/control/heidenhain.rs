@@ -37,6 +37,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: None,
+    typed_write: None,
 };
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {

@@ -167,7 +167,13 @@ pub struct PostDef {
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
+    /// Where its program cannot write a work offset and its user can: the block to type where the program has ended, from what was measured of the
+    /// datum (abscissa, ordinate and tool axis, mm) and the number of the work offset.
+    pub typed_write: Option<TypedWrite>,
 }
+
+/// See [`PostDef::typed_write`].
+pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 
 /// Reads a program: every line that is not understood is listed.
 pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;

@@ -30,6 +30,11 @@ impl std::default::Default for Checker {
 }
 
 impl Checker {
+    /// A checker for what belongs to a job whose units are known: so many mm, and the name.
+    pub fn in_units(scale: f64, unit: &'static str) -> Self {
+        Checker { scale, unit, ..Checker::default() }
+    }
+
     /// A section as it is called in a message.
     fn place(&self, path: &str) -> Part {
         if path.is_empty() { Text::words(self.whole).into() } else { path.to_owned().into() }

@@ -11,6 +11,7 @@ mod defaults;
 mod examine;
 mod inertia;
 mod lentoax;
+mod measure;
 mod picture;
 mod plan;
 mod rows;
@@ -20,6 +21,7 @@ mod units;
 
 pub use defaults::default_job;
 pub use lentoax::lentoax_query;
+pub use measure::Measurement;
 pub use picture::svg;
 pub use rows::{
     Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, ResultWords, SafetyRow, TouchPoint, Triple,
@@ -40,6 +42,7 @@ mod inside {
     pub use crate::job::defaults::{default_job_in, resolved, section_defaults_in};
     pub use crate::job::examine::{examine, proves, stages};
     pub use crate::job::lentoax::{MOST_STEPS, STEP_ANGLE};
+    pub use crate::job::measure::points;
     pub use crate::job::picture::Picture;
     pub use crate::job::plan::{Planned, minutes, plan_with_path, planned};
     pub use crate::job::sections::{Job, SECTIONS, size_reach};
@@ -82,14 +85,21 @@ pub fn plan(value: &Value) -> Result<Plan, JobError> {
     Ok(plan)
 }
 
-/// The results from ball centres that a machine really measured, one a touch, in the job's units:
-/// a list of `[X, Y, Z]`, or text with a point a line: X, Y, Z, or LinuxCNC's PROBEOPEN log.
+/// The results from what a machine really measured: those of [`measure`], and nothing beside them.
 pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobError> {
+    measure(value, measured).map(|measurement| measurement.results)
+}
+
+/// What follows from what a machine really measured: a list of ball centres `[X, Y, Z]`, one a touch, in the job's units; or a text. A text has
+/// - a point a line, X, Y, Z, or LinuxCNC's PROBEOPEN log;
+/// - or results as programs print them, `center.x=1.2345` a line;
+/// - or the log of a sender with grbl's `[PRB:…]`, and what says the work offset.
+pub fn measure(value: &Value, measured: &Value) -> Result<Measurement, JobError> {
     let mut checker = Checker::default();
     let Some(job) = Job::read(&mut checker, value) else {
         return Err(JobError { findings: checker.findings() });
     };
-    plan::evaluate(&job, measured, checker)
+    measure::of(&Planned::of(job), measured, checker)
 }
 
 /// A loose job from JSON text.

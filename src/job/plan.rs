@@ -168,7 +168,7 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
 }
 
 /// Gives results that are off by more than their limit a verdict, and gives those.
-fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
+pub(super) fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
     let mut off = path.formula.questions(&job.limits);
     off.retain(|question| {
         let row = rows.iter_mut().find(|row| row.code == question.code);
@@ -366,53 +366,6 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         header: job.header,
         numbered: OnceCell::new(),
     }
-}
-
-/// The results from measured points.
-pub fn evaluate(job: &Job, measured: &Value, mut checker: Checker) -> Result<Vec<ResultRow>, JobError> {
-    let path = path_of(job);
-    let before = checker.count();
-    let points = part::read_measured(&mut checker, measured);
-    if checker.count() == before && points.len() != path.touches.len() {
-        let message = text!(
-            "Points given: {count}, touches: {touches}. One ball centre a touch is needed, in their order",
-            points.len(),
-            path.touches.len()
-        );
-        checker.error("wrong-count", "measured", message);
-    }
-    for (k, (point, touch)) in points.iter().zip(&path.touches).enumerate() {
-        let Some(point) = point else { continue };
-        let contact = touch.contact(job.setup.radius);
-        let away = *point - contact;
-        // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
-        let in_front = away.dot(touch.vector);
-        let aside = (away - touch.vector * in_front).length();
-        let reach = touch.search + 1e-6;
-        if aside > reach || in_front < -reach || in_front > reach.max(way_to(&path, k) + 1e-6) {
-            let message = text!(
-                "Point {point} is {away} from the nominal contact of its touch, out of reach (it searches {search} past it): is it from this job, a ball centre, in order?",
-                k + 1,
-                checker.length(away.length()),
-                checker.length(touch.search)
-            );
-            checker.error("too-far", format!("measured[{k}]"), message);
-        }
-    }
-    if checker.failed() {
-        return Err(JobError { findings: checker.findings() });
-    }
-    let mut rows = part::evaluate(&path, &points, job.scatter());
-    job.cycle.judge(&job.setup, &path, &points, &mut rows);
-    judge_plausible(job, &path, &mut rows);
-    Ok(result_rows(job, &path, rows))
-}
-
-/// How far a touch goes to its nominal contact, mm.
-fn way_to(path: &Path, touch: usize) -> f64 {
-    let Some(i) = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch)) else { return 0.0 };
-    let from = if i > 0 { Some(path.moves[i - 1].to) } else { path.start };
-    from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
 fn report_run(planned: &Planned, checker: &mut Checker) {

@@ -1,6 +1,6 @@
 //! What the control makes of the triggers: values, deviations, uncertainties.
 
-use crate::formula::{Dual, Formula, ResultRow, Role, Unit};
+use crate::formula::{Dual, Formula, ResultRow, Role, Unit, Variable};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
 use crate::part::Lie;
@@ -19,10 +19,7 @@ pub struct Scatter {
 /// The results for ball centres at these triggers.
 pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec<ResultRow> {
     let samples = samples(path, triggers);
-    let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
-    // A sample of n touches scatters by 1/√n of one.
-    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
-    let values = path.formula.evaluate(&points, &directions);
+    let values = values(path, &samples);
     path.formula
         .results
         .iter()
@@ -57,6 +54,36 @@ fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     let whole = |k: usize| result.by_touch[k] * (samples[k].count as f64).sqrt();
     let along = |axis: Vec3| -> f64 { (0..samples.len()).map(|k| whole(k) * samples[k].direction.dot(axis)).sum() };
     tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
+}
+
+/// The results that a control computed by itself: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
+/// nominal part.
+pub fn stated(path: &Path, radius: f64, scatter: Scatter, values: &[Option<f64>]) -> Vec<ResultRow> {
+    let nominal: Vec<Option<Vec3>> = path.touches.iter().map(|touch| Some(touch.contact(radius))).collect();
+    let mut rows = evaluate(path, &nominal, scatter);
+    for ((row, def), value) in rows.iter_mut().zip(&path.formula.results).zip(values) {
+        row.value = value.map(tidy);
+        row.deviation = value.map(|value| tidy(value - def.reference));
+        row.uncertainty = row.uncertainty.filter(|_| value.is_some());
+        row.uncertainty_runout = row.uncertainty_runout.filter(|_| value.is_some());
+    }
+    rows
+}
+
+/// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; none where nothing was.
+pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
+    let Some(datum) = &path.formula.datum else { return [None; 3] };
+    let values = values(path, &samples(path, triggers));
+    let of = |variable: Variable| Some(values[variable.index()].value).filter(|value| value.is_finite());
+    datum.place.map(|place| place?.measured.and_then(of))
+}
+
+/// The value of every assignment of the formula.
+fn values(path: &Path, samples: &[Sample]) -> Vec<Dual> {
+    let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
+    // A sample of n touches scatters by 1/√n of one.
+    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
+    path.formula.evaluate(&points, &directions)
 }
 
 /// One point of the formula.

@@ -7,9 +7,9 @@ mod measured;
 mod stylus;
 
 pub use contact::{Contact, Obstacles};
-pub use evaluate::{Scatter, add_truth, evaluate, write_offset};
+pub use evaluate::{Scatter, add_truth, datum, evaluate, stated, write_offset};
 pub use inertia::Machine;
-pub use measured::{Measured, read as read_measured};
+pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
 pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};

@@ -117,10 +117,10 @@ pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsVal
     job::convert_units(&decoded(codes, text), &units).map(|job| value_to_js(&job)).map_err(refused)
 }
 
-/// The results from points that a machine really measured.
+/// What follows from what a machine really measured: `{ results, points, block, findings }`.
 #[wasm_bindgen]
-pub fn evaluate(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
-    to_js(&job::evaluate(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
+pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
+    to_js(&job::measure(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
 }
 
 /// The parameter table as text: `csv`, `json` or `text`.

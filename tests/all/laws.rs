@@ -43,7 +43,7 @@ fn form(fields: &'static [Field]) -> BoxedStrategy<Vec<(String, Value)>> {
 }
 
 /// A whole job of a cycle: every field of the cycle at random, every other field too. The control's form stays `moves`.
-fn whole_job() -> impl Strategy<Value = Value> {
+pub fn whole_job() -> impl Strategy<Value = Value> {
     (0..CYCLES.len()).prop_flat_map(|i| {
         let def: &'static CycleDef = CYCLES[i];
         let inner: Vec<_> = def.sections.iter().map(|s| (Just(s), form(s.fields), any::<bool>())).collect();

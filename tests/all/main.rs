@@ -28,3 +28,4 @@ mod sinumerik;
 mod stylus;
 mod table;
 mod toolpath;
+mod wayback;

@@ -111,8 +111,15 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
             }
         }
     }
-    for _ in 0..3 {
-        let _ = evaluate(job, &Value::Text(mutate(draw, &text)));
+    let reports: Vec<String> =
+        triggers.iter().map(|p| format!(">>> G38.2 X0 F9\n[PRB:{}:1]\nok", p.map(|x| format!("{x:.3}")).join(","))).collect();
+    let log = format!("G54\n$13=0\n<Idle|MPos:0.000,0.000,0.000|WCO:0.000,0.000,0.000>\n{}\n>>> M2\n", reports.join("\n"));
+    let printed: String =
+        plan.results.iter().map(|row| format!("{}={:.4}\n", row.code, row.value.unwrap_or_default())).collect();
+    for text in [text, log, printed] {
+        for _ in 0..3 {
+            let _ = evaluate(job, &Value::Text(mutate(draw, &text)));
+        }
     }
     Ok(())
 }

@@ -339,6 +339,22 @@ test("a dump becomes a job again, and measured points become results", () => {
   assert.match(few.stderr, /error/);
 });
 
+test("a log of grbl becomes results and the block to type; without the work offset it is asked for", () => {
+  // A pocket of 80 x 50 in G54 at X-200 Y-150 Z-60, touched 0.1 and 0.2 off: see tests/all/wayback.
+  const touches = ["-162.9,-150", "-236.9,-150", "-200,-127.8", "-200,-171.8"].map((at) => `[PRB:${at},-70:1]\nok\n`);
+  const pocket = /** @type {any} */ (job("internal-rectangle-protected"));
+  const name = file("grbl.json", { ...pocket, control: { post: "grbl" } });
+  const log = `G54\n<Idle|MPos:0,0,0|WCO:-200.000,-150.000,-60.000>\n${touches.join("")}`;
+  const { status, stdout, stderr } = run(["evaluate", name, file("run.log", log)]);
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /^center\.x +0\.0000 +0\.1000/m);
+  assert.match(stdout, /^Converted from machine coordinates by WCO in line 2: X-200 Y-150 Z-60 \(mm\)$/m);
+  assert.match(stdout, /\n\nG21 G10 L20 P1 X-0\.1 Y-0\.2\n$/);
+  const asked = run(["evaluate", name, file("asked.log", touches.join(""))]);
+  assert.equal(asked.status, 1);
+  assert.match(asked.stderr, /error: measured: .*Type \$#.* \[work-offset-needed\]/);
+});
+
 /** Jobs by the line, every seventh of them wrong, one no JSON and one too long. */
 function lines(/** @type {number} */ count) {
   const types = /** @type {const} */ ([

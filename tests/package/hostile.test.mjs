@@ -10,6 +10,7 @@ import {
   evaluate,
   importJob,
   JobError,
+  measure,
   moveColumns,
   plan,
   program,
@@ -140,7 +141,13 @@ test("nothing that can be handed over throws or hangs", () => {
   ];
   for (const value of strange) {
     assert.ok(codes(value).length > 0, inspect(value, { depth: 0 }));
-    for (const call of [plan, program, moveColumns, (/** @type {any} */ v) => evaluate(pocket(), v)]) {
+    for (const call of [
+      plan,
+      program,
+      moveColumns,
+      (/** @type {any} */ v) => evaluate(pocket(), v),
+      (/** @type {any} */ v) => measure(pocket(), v),
+    ]) {
       assert.throws(() => call(/** @type {any} */ (value)), JobError);
     }
   }

@@ -25,6 +25,7 @@ test("by its own name from the repository", async () => {
     "check",
     "plan",
     "evaluate",
+    "measure",
     "moveColumns",
     "importJob",
     "jobSchema",
@@ -65,6 +66,27 @@ test("by its own name from the repository", async () => {
   const { proxy, revoke } = Proxy.revocable({}, {});
   revoke();
   assert.equal(check({ format: 1, cycle: proxy })[0]?.level, "error");
+});
+
+test("what was measured gives results, points, the block of grbl and how it was read", async () => {
+  const { defaultJob, evaluate, JobError, measure } = await import("touchpath");
+  const job = { ...defaultJob("internal-rectangle-protected"), control: { post: /** @type {const} */ ("grbl") } };
+  const log = ["-163,-150", "-237,-150", "-200,-128", "-200,-172"].map((at) => `[PRB:${at},-70:1]`).join("\n");
+  const found = measure(job, `G54\nWCO:-200,-150,-60\n${log}`);
+  assert.deepEqual(Object.keys(found).sort(), ["block", "findings", "points", "results"]);
+  assert.equal(found.block, "G21 G10 L20 P1 X0 Y0");
+  assert.deepEqual(found.points[0], [37, 0, -10]);
+  assert.deepEqual(
+    found.findings.map(({ level, code, path }) => `${level} ${code} ${path}`),
+    ["info converted measured", "info block-to-type measured"],
+  );
+  assert.deepEqual(evaluate(job, /** @type {any} */ (found.points)), found.results);
+  const printed = measure(job, "CENTER X=  0.1000\nCENTER Y= 0\nWIDTH1= 80\nWIDTH2= 50");
+  assert.deepEqual([printed.results[0]?.value, printed.points, printed.block], [0.1, [], null]);
+  assert.throws(
+    () => measure(job, log),
+    (error) => error instanceof JobError && error.findings.some((f) => f.code === "work-offset-needed"),
+  );
 });
 
 test("every job of the repository plans as the crate plans it", async () => {
@@ -258,8 +280,8 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
 
   writeFileSync(
     join(user, "use.ts"),
-    `import { catalog, check, defaultJob, evaluate, importJob, JobError, moveColumns, plan, version } from "touchpath";
-import type { Catalog, Finding, Job, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, Vec3 } from "touchpath";
+    `import { catalog, check, defaultJob, evaluate, importJob, JobError, measure, moveColumns, plan, version } from "touchpath";
+import type { Catalog, Finding, Job, Measurement, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, Vec3 } from "touchpath";
 import { PROTOCOL } from "touchpath/frame";
 const job: Job = defaultJob("internal-rectangle-protected");
 const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
@@ -269,6 +291,7 @@ const move: Move | undefined = made.moves[0];
 const to: Vec3 | undefined = move?.to;
 const rows: ParameterRow[] = made.table;
 const results: ResultRow[] = evaluate(job, "1,2,3");
+const measurement: Measurement = measure(job, "1,2,3");
 const columns: MoveColumns = moveColumns(job);
 const all: Catalog = catalog();
 const circles: Job = { format: 1, cycle: { type: "probing-two-circles", point1: ["10@10.02", 0, "?"], diameter1: "10H7", extrusion: null } };
@@ -285,7 +308,7 @@ const drawn: number = read.kind === "moves" ? read.trace.moves.length : read.job
 // @ts-expect-error a program of moves has no job
 const lie: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
-console.log(circles, taken, drawn, lie, found, to, rows, results, columns, all, version());
+console.log(circles, taken, drawn, lie, found, to, rows, results, measurement, columns, all, version());
 // @ts-expect-error a feed is a number or null
 const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
 // @ts-expect-error there is no such cycle

@@ -690,6 +690,27 @@ test("what is handed out are copies; points stay with their job, and no job is s
   assert.match(await page.locator("#measured").inputValue(), /^17,0,-10/);
 });
 
+test("the log of a sender gives results, and the block to type with a button that copies it", async () => {
+  await open("<touch-path cycle=hole post=grbl></touch-path>");
+  // A hole of 40 and a ball of 6 in G55 at X100 Y50 Z-80, 0.5 off in X: contacts at 17 from the centre, where
+  // X is 0 at a Y of √(17² − 0.5²) = 16.99264.
+  const log = ["117.5,50", "83.5,50", "100,66.99264", "100,33.00736"]
+    .map((xy) => `<<< [PRB:${xy},-90:1]\n<<< ok\n`)
+    .join("");
+  await page.locator("#file").setInputFiles({ name: "run.log", mimeType: "text/plain", buffer: Buffer.from(log) });
+  await page.getByText("4 measured points were taken from this log").waitFor();
+  await page.getByText("Type $# and paste the answer").waitFor();
+  assert.equal(await page.locator(".block").count(), 0);
+  await page.locator("#measured").fill(`G55\nWCO:100,50,-80\n${log}`);
+  await page.getByText("Type this before anything moves").waitFor();
+  assert.equal(await page.locator(".block .code").textContent(), "G21 G10 L20 P2 X-0.5 Y0");
+  assert.match((await page.locator(".measured").textContent()) ?? "", /WCO in line 2: X100 Y50 Z-80 \(mm\)/);
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.locator(".block").getByRole("button", { name: "Copy" }).click();
+  await page.locator(".block").getByText("Copied").waitFor();
+  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "G21 G10 L20 P2 X-0.5 Y0");
+});
+
 test("taken out while it loads, and put in again", async () => {
   await open("<section></section>");
   const state = await page.evaluate(async () => {

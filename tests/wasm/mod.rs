@@ -125,11 +125,12 @@ fn check_lists_and_plan_throws_the_same() {
 fn measured_points_are_evaluated() {
     let points = parse("[[37.1,0,-10],{\"x\":-36.9,\"y\":0,\"z\":-10},[0,22.2,-10],[0,-21.8,-10]]");
     let ((codes, text), (measured, measured_text)) = (coded(&pocket()), coded(&points));
-    let rows = wasm::evaluate(&codes, &text, &measured, &measured_text).expect("results");
-    let first = Array::from(&rows).get(0);
+    let found = wasm::measure(&codes, &text, &measured, &measured_text).expect("results");
+    let first = Array::from(&get(&found, "results")).get(0);
     assert_eq!(get(&first, "code").as_string().unwrap(), "center.x");
     assert!((get(&first, "value").as_f64().unwrap() - 0.1).abs() < 1e-9);
-    let error = wasm::evaluate(&codes, &text, &[4.0, 8.0], "37,0,-10\n").expect_err("one point of four");
+    assert_eq!((Array::from(&get(&found, "points")).length(), get(&found, "block").is_null()), (4, true));
+    let error = wasm::measure(&codes, &text, &[4.0, 8.0], "37,0,-10\n").expect_err("one point of four");
     assert_eq!(codes_of(&get(&error, "findings")), ["wrong-count measured"]);
 }
 

@@ -10,6 +10,7 @@ import type {
   Lentoax,
   LentoaxQuery,
   Measured,
+  Measurement,
   MoveColumns,
   Plan,
   ProgramMoves,
@@ -52,7 +53,7 @@ export interface Raw {
   plan(codes: Float64Array, text: string, sink: Sink): void;
   table(codes: Float64Array, text: string, sink: Sink): void;
   meanings(codes: Float64Array, text: string, sink: Sink): void;
-  evaluate(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
+  measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
   jobSchema(): unknown;
@@ -81,8 +82,13 @@ export interface Api {
    * `program` is `null`, and its findings say why.
    */
   programs(jobs: Iterable<Job>): IterableIterator<Programmed>;
-  /** The results from points that a machine really measured. Throws `JobError`. */
+  /** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
   evaluate(job: Job, measured: Measured): ResultRow[];
+  /**
+   * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
+   * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
+   */
+  measure(job: Job, measured: Measured): Measurement;
   /** The moves of the plan as typed arrays. Throws `JobError`. */
   moveColumns(job: Job): MoveColumns;
   /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
@@ -173,6 +179,10 @@ export function dress(raw: Raw, instance: Instance): Api {
       give(codes, text, sink);
       return sink;
     });
+  const measure = (job: Job, measured: Measured): Measurement => {
+    const values = coded(measured);
+    return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
+  };
   return {
     catalog: () => instance.call(() => raw.catalog()),
     defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
@@ -199,10 +209,8 @@ export function dress(raw: Raw, instance: Instance): Api {
         }
       }
     },
-    evaluate: (job, measured) => {
-      const points = coded(measured);
-      return on(job, (codes, text) => raw.evaluate(codes, text, points.codes, points.text));
-    },
+    evaluate: (job, measured) => measure(job, measured).results,
+    measure,
     moveColumns: (job) => {
       const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));
       return {

@@ -79,6 +79,7 @@ export const {
   program,
   programs,
   evaluate,
+  measure,
   moveColumns,
   importJob,
   readProgram,

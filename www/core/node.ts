@@ -16,6 +16,7 @@ export const {
   program,
   programs,
   evaluate,
+  measure,
   moveColumns,
   importJob,
   readProgram,

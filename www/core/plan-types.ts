@@ -179,6 +179,18 @@ export interface Plan {
   safety: SafetyRow[];
 }
 
+/** What follows from measured values. Lengths in the job's units, angles in degrees. */
+export interface Measurement {
+  /** As a plan has them, from what was measured: `truth` is null. */
+  results: ResultRow[];
+  /** The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches. */
+  points: (Vec3 | null)[];
+  /** On grbl, which cannot write a work offset from a program: the block to type before anything moves. Null where there is none; a finding says why. */
+  block: string | null;
+  /** How the values were read, and what is missing: warnings and notes. */
+  findings: Finding[];
+}
+
 /** What a motion does. */
 export type TraceKind = "rapid" | "feed" | "watched" | "touch" | "unchecked";
 

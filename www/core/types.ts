@@ -80,5 +80,8 @@ export interface Lentoax {
   matrix: [Vec3, Vec3, Vec3];
 }
 
-/** Points that a machine measured: ball centres, one a touch, in order; or text, one point a line (CSV or LinuxCNC's PROBEOPEN log). */
+/**
+ * What a machine measured: ball centres, one a touch, in order; or a text: points, one a line (CSV, `X1 Y2 Z3`, LinuxCNC's PROBEOPEN log), results (`center.x=1.2345`), or the log of a
+ * sender with grbl's `[PRB:…]` and what says the work offset.
+ */
 export type Measured = string | (Vec3 | { x: number; y: number; z: number })[];

@@ -1,8 +1,17 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import { evaluate, type Finding, type Job, JobError, type ResultRow, type Said } from "../core/browser.js";
+import {
+  type Finding,
+  type Job,
+  JobError,
+  type Measurement,
+  measure,
+  type ResultRow,
+  type Said,
+} from "../core/browser.js";
 import { moveInWords, ofRunout, resultInWords } from "../in-words.js";
 import { w } from "../words.js";
+import { copied, copy } from "./hand.js";
 import { Part } from "./part.js";
 
 /** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
@@ -10,7 +19,13 @@ const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-/** What the control will have measured on the virtual part, and the same from points that a machine measured. */
+/** What was made of the measured text: what follows from it, or what is wrong with it; neither where there is none. */
+interface Evaluated {
+  found?: Measurement;
+  errors?: Finding[];
+}
+
+/** What the control will have measured on the virtual part, and the same from what a machine measured. */
 class ResultsPart extends Part {
   protected override follows = ["change"];
   /** Whether the moves are listed: no list is made before. */
@@ -19,6 +34,8 @@ class ResultsPart extends Part {
   private points = false;
   /** The measured points as they were. */
   private known = "";
+  /** What is said of the block that was copied; of another one nothing. */
+  private told: { block: string; text: string } | null = null;
 
   private readonly toggle = (event: Event) => {
     this.open = (event.target as HTMLDetailsElement).open;
@@ -33,8 +50,8 @@ class ResultsPart extends Part {
 
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
-    const measured = this.evaluated();
-    const rows = "rows" in measured ? measured.rows : null;
+    const { found, errors } = this.evaluated();
+    const rows = found ? new Map(found.results.map((row) => [row.code, row])) : null;
     const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
@@ -54,27 +71,40 @@ class ResultsPart extends Part {
         this.points = (e.target as HTMLDetailsElement).open;
       }}>
         <summary>${this.t("Points that a machine measured")}</summary>
-        <label for="measured">${this.t("Ball centres in {units}, one per line, in touch order: X, Y, Z, or LinuxCNC's PROBEOPEN log", units)}</label>
+        <label for="measured">${this.t("What the machine printed: ball centres in {units}, one per line, in touch order (X, Y, Z, or LinuxCNC's PROBEOPEN log); results such as center.x=1.2345; or the sender's log with grbl's [PRB:…] lines, the answer to $# and the work offset (G54) as the first line", units)}</label>
         <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
           }}></textarea>
         <button type="button" ?disabled=${stale} @click=${this.fill}>${this.t("Fill in the points shown")}</button>
-        ${"errors" in measured ? html`<div role="status">${measured.errors.map((f: Finding) => html`<p class="problem error">${this.message(f)}</p>`)}</div>` : nothing}
+        <div role="status">${[...(errors ?? []), ...(found?.findings ?? [])].map((f) => html`<p class="problem ${f.level}">${this.message(f)}</p>`)}</div>
+        ${found?.block ? this.block(found.block) : nothing}
       </details>
     `;
   }
 
-  /** The results of the measured points; what is wrong with them; or nothing, where there are none. */
-  private evaluated(): { rows: Map<string, ResultRow> } | { errors: Finding[] } | Record<string, never> {
+  /** What follows from the measured text. */
+  private evaluated(): Evaluated {
     if (this.store.measured.trim() === "") return {};
     try {
-      const rows = evaluate(this.store.draft as unknown as Job, this.store.measured);
-      return { rows: new Map(rows.map((row) => [row.code, row])) };
+      return { found: measure(this.store.draft as unknown as Job, this.store.measured) };
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       return { errors: thrown.findings.filter((f) => f.level === "error") };
     }
+  }
+
+  /** The block that states the work offset, to be typed. */
+  private block(block: string): TemplateResult {
+    const told = this.told?.block === block ? this.told.text : "";
+    return html`<div class="block"><b>${this.t("Type this before anything moves:")}</b>
+      <pre class="code" lang="en" translate="no" tabindex="0">${block}</pre>
+      <button type="button" @click=${() => this.copy(block)}>${this.t("Copy")}</button> <span role="status" class="told">${told}</span></div>`;
+  }
+
+  private async copy(block: string): Promise<void> {
+    this.told = { block, text: this.t(copied(await copy(block))) };
+    this.requestUpdate();
   }
 
   /** The predicted triggers as text to start from. */

@@ -99,6 +99,7 @@ const BASE: PostDef = PostDef {
     check,
     emit: |request| emit(request, &PLAIN),
     read: None,
+    typed_write: None,
 };
 
 static DIALECT: Dialect = Dialect {

@@ -5,6 +5,7 @@
 //! positioning moves.
 
 mod read;
+mod write;
 
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{Dialect, Writer, upwards};
@@ -57,6 +58,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
+    typed_write: Some(write::typed),
 };
 
 static DIALECT: Dialect = Dialect {

@@ -57,6 +57,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
+    typed_write: None,
 };
 
 static DIALECT: Dialect = Dialect {

@@ -8,7 +8,6 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::form::{Checker, Value};
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::Legend;
@@ -37,8 +36,10 @@ pub struct View {
     field: Option<String>,
     /// How many times as large deviations are drawn.
     magnified: f64,
-    /// Ball centres that a machine measured, in the job's units.
-    measured: Vec<crate::geom::Vec3>,
+    /// What a machine measured, as text.
+    measured_text: String,
+    /// The ball centres of it that this job has, each with its touch, in the job's units.
+    measured: Vec<(usize, crate::geom::Vec3)>,
     /// Labels of dimensions in another language, by the paths of their fields.
     labels: Vec<(String, String)>,
     comma: bool,
@@ -107,6 +108,7 @@ impl View {
             part: 1.0,
             field: None,
             magnified: 1.0,
+            measured_text: String::new(),
             measured: Vec::new(),
             labels: Vec::new(),
             comma: false,
@@ -185,6 +187,7 @@ impl View {
         let cycle = |view: &Self| view.held().map(|held| held.last.planned.job.def.key);
         let before = cycle(self);
         self.shown = Some(self.build(last));
+        self.read_measured();
         if before != cycle(self) && !self.held {
             self.place();
         } else if !self.suits() {
@@ -202,6 +205,7 @@ impl View {
         }
         let path = read_program(text, None);
         self.shown = Some(self.of_program(Rc::new(path)));
+        self.measured.clear();
         self.fit();
     }
 
@@ -326,14 +330,12 @@ impl View {
         }
     }
 
-    /// Draws the ball centres that a machine measured, in the job's units: a text in any form that `evaluate` reads. What cannot be read, and an
-    /// empty text, draws none.
+    /// Draws the ball centres that a machine measured of the job that is shown: a text in any form that `evaluate` reads. What cannot be read, results
+    /// without points, and an empty text, draw none.
     pub fn measure(&mut self, text: &str) {
-        let mut checker = Checker::default();
-        let points = crate::part::read_measured(&mut checker, &Value::Text(text.to_owned()));
-        let measured = if checker.failed() { Vec::new() } else { points.into_iter().flatten().collect() };
-        if self.measured != measured {
-            self.measured = measured;
+        if self.measured_text != text {
+            text.clone_into(&mut self.measured_text);
+            self.read_measured();
             self.draw();
         }
     }
@@ -436,6 +438,12 @@ impl View {
         }
     }
 
+    /// Reads what was measured for the job that is shown.
+    fn read_measured(&mut self) {
+        let held = self.held().filter(|_| !self.measured_text.trim().is_empty());
+        self.measured = held.map_or_else(Vec::new, |held| crate::job::points(&held.last.planned, &self.measured_text));
+    }
+
     fn draw(&self) {
         match &self.due {
             Some(due) => due.set(Due::All),
@@ -457,12 +465,12 @@ impl View {
         if let Some(shown) = &self.shown {
             let held = self.held();
             // Each from where its touch should have met the part.
-            let seen = |held: &Held, (k, p): (usize, &crate::geom::Vec3)| {
+            let seen = |held: &Held, (k, p): &(usize, crate::geom::Vec3)| {
                 let real = self.projection.spot(held.plane, *p * held.scale);
-                let nominal = shown.scene.touches.get(k).map_or(real, |touch| touch.ball);
+                let nominal = shown.scene.touches.get(*k).map_or(real, |touch| touch.ball);
                 scene::stretched(nominal, real, self.magnified)
             };
-            let points = self.measured.iter().enumerate();
+            let points = self.measured.iter();
             let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,

@@ -24,6 +24,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "Plan",
         ],
     ),
+    ("src/job/measure.rs", &["Measurement"]),
     ("src/control/trace.rs", &["Kind"]),
     ("src/import/program.rs", &["TraceMove", "TraceRow"]),
     (

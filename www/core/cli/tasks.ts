@@ -2,12 +2,13 @@
 import {
   catalog,
   check,
-  evaluate,
   exportTable,
   type Finding,
   importJob,
   type Job,
   JobError,
+  type Measurement,
+  measure,
   type Programmed,
   plan,
   programs,
@@ -23,7 +24,7 @@ export interface Task {
   form?: string;
   format?: "csv" | "json" | "text";
   view?: "top" | "front" | "side" | "isometric";
-  /** Points that a machine measured, as text. */
+  /** What a machine measured, as text. */
   points?: string;
 }
 
@@ -126,9 +127,16 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
       findings: check(job),
     };
   }
-  const results = evaluate(job, task.points ?? "");
-  const out = task.format === "json" ? `${JSON.stringify(results, null, 2)}\n` : listed(results);
-  return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings: plan(job).findings };
+  const measured = measure(job, task.points ?? "");
+  const out = task.format === "json" ? `${JSON.stringify(measured.results, null, 2)}\n` : printed(measured);
+  const findings = [...plan(job).findings, ...measured.findings];
+  return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings };
+}
+
+/** Results as columns for people, how the text was read, and the block that is to be typed. */
+function printed({ results, block, findings }: Measurement): string {
+  const notes = findings.filter((f) => f.level === "info").map((f) => `${f.message}\n`);
+  return [listed(results), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
 }
 
 /** The job of a text, for the control that the task says; what is no JSON is a job that is refused. */

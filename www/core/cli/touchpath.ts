@@ -20,7 +20,7 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath table JOB…      the parameter table          --format text|csv|json
   touchpath svg JOB…        the picture                  --view isometric|top|front|side
   touchpath import TEXT…    a job from a dump or a program
-  touchpath evaluate JOB POINTS   the results from measured points   --format text|json
+  touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
   touchpath schema          the JSON Schema of a job
   touchpath catalog         cycles, fields and controls
 
@@ -175,7 +175,7 @@ async function write(stream: NodeJS.WriteStream, text: string): Promise<void> {
   await new Promise<void>((done) => stream.once("drain", done));
 }
 
-/** The points that were measured. */
+/** What was measured. */
 async function textOf(file: string): Promise<string> {
   const longest = catalog().longestText;
   try {
@@ -307,7 +307,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   if (command === "evaluate") {
     const [, points] = names;
     if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))
-      throw new Refused("evaluate takes a job and a file of measured points");
+      throw new Refused("evaluate takes a job and a file with what was measured");
     task.points = await textOf(points);
     names.length = 1;
   }

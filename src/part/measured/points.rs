@@ -1,29 +1,33 @@
-//! Points that a machine really measured, in whatever form they were copied.
+//! Points, one a touch: a list, or a text with one point a line.
 
 use crate::form::{Checker, Value};
 use crate::geom::Vec3;
+use crate::part::measured::{Numbered, line, unclear};
 use crate::text::text;
 
-/// Ball centres, one a touch, mm.
-pub type Measured = Vec<Option<Vec3>>;
+/// Reads a list of `[X, Y, Z]` or `{x, y, z}`, mm. Reports every problem at `measured[i]`; `None` stands where no point could be read.
+pub fn list(checker: &mut Checker, items: &[Value]) -> Vec<Option<Vec3>> {
+    items.iter().enumerate().map(|(i, item)| point(checker, item, &format!("measured[{i}]"))).collect()
+}
 
-/// Reads one point a touch: a list of `[X, Y, Z]` or `{x, y, z}`, or text with one point a line. Text may be CSV (comma,
-/// semicolon, tab or space; a heading without digits is passed over) or LinuxCNC's PROBEOPEN log (nine numbers a line, of which the first
-/// three count). A comma is a decimal comma where semicolons or tabs separate the numbers, or where spaces separate three or nine numbers and none
-/// has more than one comma. Reports every problem at paths `measured[i]`; `None` stands where no point could be read.
-pub fn read(checker: &mut Checker, value: &Value) -> Measured {
-    match value {
-        Value::List(items) => {
-            items.iter().enumerate().map(|(i, item)| point(checker, item, &format!("measured[{i}]"))).collect()
-        }
-        Value::Text(text) => lines(checker, text),
-        other => {
-            let message =
-                text!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {given}", other.noun());
-            checker.error("wrong-type", "measured", message);
-            Vec::new()
+/// Reads lines `X1.2 Y3.4 Z5.6`. A line without a place is ignored; one that could be a point, and is none of these, is an error.
+pub fn letters(checker: &mut Checker, lines: &[Numbered<'_>]) -> Vec<Option<Vec3>> {
+    let mut points = Vec::new();
+    for &(number, text) in lines {
+        let bare = line::without_comments(text);
+        if let Some(place) = line::letters(&bare).filter(|_| !line::is_sent(&bare)) {
+            points.push(Some(Vec3::from_array(place) * checker.scale));
+        } else if bare.contains(|c: char| c.is_ascii_digit()) && !is_sentence(&bare) {
+            unclear(checker, number, text);
         }
     }
+    points
+}
+
+/// Whether a line begins with a word, as a name or a message does: it is no place and no number.
+fn is_sentence(line: &str) -> bool {
+    let word = line.trim_start().chars().take_while(|c| c.is_alphabetic()).count();
+    word > 1
 }
 
 fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
@@ -48,10 +52,12 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
     Some(Vec3::from_array(numbers) * checker.scale)
 }
 
-fn lines(checker: &mut Checker, text: &str) -> Measured {
+/// Reads text with one point a line: CSV (comma, semicolon, tab or space; a heading without digits is ignored) or LinuxCNC's PROBEOPEN log (nine
+/// numbers a line, of which the first three count). A comma is a decimal comma where semicolons or tabs separate the numbers, or where spaces separate
+/// three or nine numbers and none has more than one comma.
+pub fn lines(checker: &mut Checker, text: &str) -> Vec<Option<Vec3>> {
     let mut points = Vec::new();
     let mut first = true;
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     for (index, line) in text.lines().enumerate() {
         let line = line.trim();
         let heading = first && !line.is_empty() && !line.contains(|c: char| c.is_ascii_digit());
@@ -102,9 +108,9 @@ fn parted_by_spaces(line: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn text(text: &str) -> (Measured, Vec<String>) {
+    fn text(text: &str) -> (Vec<Option<Vec3>>, Vec<String>) {
         let mut checker = Checker::default();
-        let points = read(&mut checker, &Value::Text(text.to_owned()));
+        let points = lines(&mut checker, text.trim_start_matches('\u{feff}'));
         (points, checker.findings().into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
     }
 

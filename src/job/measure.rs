@@ -1,0 +1,116 @@
+//! What follows from what a machine really measured.
+
+use serde::Serialize;
+
+use crate::form::{Checker, Finding, Value};
+use crate::formula::Role;
+use crate::geom::Vec3;
+use crate::job::plan::{Planned, judge_plausible, request};
+use crate::job::rows::{ResultRow, Triple, result_rows, triple};
+use crate::job::{Job, JobError};
+use crate::part::{self, Expected, Stand};
+use crate::path::Path;
+use crate::text::{Text, text};
+
+/// What follows from measured values. Lengths in the job's units, angles in degrees.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Measurement {
+    /// As a plan has them, from what was measured: `truth` is null.
+    pub results: Vec<ResultRow>,
+    /// The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches.
+    pub points: Vec<Option<Triple>>,
+    /// On grbl, which cannot write a work offset from a program: the block to type before anything moves. Null where there is none; a finding says why.
+    pub block: Option<String>,
+    /// How the values were read, and what is missing: warnings and notes.
+    pub findings: Vec<Finding>,
+}
+
+/// What was measured of a job that is planned. What the `checker` has found of the job goes out with errors only.
+pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurement, JobError> {
+    let Planned { job, path, .. } = planned;
+    let mut own = Checker::in_units(job.scale, job.unit);
+    let measured = part::read_measured(&mut own, value, &expected(job, path));
+    part::check_measured(&mut own, &measured, &expected(job, path));
+    if own.failed() {
+        let findings = checker.findings().into_iter().chain(own.findings());
+        return Err(JobError { findings: findings.collect() });
+    }
+    let points = match measured.results {
+        Some(_) => vec![None; path.touches.len()],
+        None => measured.points.clone(),
+    };
+    let mut rows = match &measured.results {
+        Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
+        None => part::evaluate(path, &points, job.scatter()),
+    };
+    job.cycle.judge(&job.setup, path, &points, &mut rows);
+    let plausible = judge_plausible(job, path, &mut rows).is_empty();
+    let results = result_rows(job, path, rows);
+    let block = measured.stand.as_ref().and_then(|stand| block(planned, &points, stand, plausible, &mut own));
+    Ok(Measurement {
+        results,
+        points: measured.points.iter().map(|point| point.map(|point| triple(point, job.scale))).collect(),
+        block,
+        findings: own.findings(),
+    })
+}
+
+/// The ball centres of a text, to be drawn: each with its touch, in the job's units. None where it cannot be read, or gives results.
+pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
+    let Planned { job, path, .. } = planned;
+    let mut checker = Checker::in_units(job.scale, job.unit);
+    let measured = part::read_measured(&mut checker, &Value::Text(text.to_owned()), &expected(job, path));
+    if checker.failed() {
+        return Vec::new();
+    }
+    let points = measured.points.into_iter().enumerate();
+    points.filter_map(|(touch, point)| Some((touch, point? / job.scale))).collect()
+}
+
+fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
+    Expected { path, radius: job.setup.radius, names: [job.name.clone(), (job.post.name)(&job.name)] }
+}
+
+/// The block to type, where the control's program cannot write a work offset and the log says enough; else why there is none.
+fn block(planned: &Planned, points: &[Option<Vec3>], stand: &Stand, plausible: bool, checker: &mut Checker) -> Option<String> {
+    let Planned { job, path, .. } = planned;
+    let typed = job.post.typed_write?;
+    let datum = path.formula.datum.as_ref().filter(|datum| datum.measured() != [false; 3])?;
+    let feeds = path.feeds.unwrap_or(job.feeds);
+    let measured = part::datum(path, points);
+    let missing = datum.measured().iter().zip(&measured).any(|(wanted, value)| *wanted && value.is_none());
+    let why = match (&stand.away, stand.offset) {
+        _ if missing => Err(text!("a result that it needs is unknown")),
+        _ if !plausible => Err(text!("a result is off by more than its limit")),
+        (Some(away), _) => Err(text!("the machine may not stand at the end of the program ({reason})", away.clone())),
+        (None, None) => {
+            Err(text!("the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"))
+        }
+        (None, Some(offset)) => Ok(offset),
+    };
+    let no_block = |checker: &mut Checker, why: Text| {
+        checker.warning("no-block", "measured", text!("There is no block to type for the work offset: {reason}", why));
+    };
+    let offset = match why {
+        Ok(offset) => offset,
+        Err(why) => {
+            no_block(checker, why);
+            return None;
+        }
+    };
+    let block = typed(&request(planned, &feeds, None), measured, offset)?;
+    let message = text!(
+        "Type {block} once the program has ended and before anything else moves: it states what the present position reads, so that the measured place reads its nominal value",
+        block.clone()
+    );
+    checker.info("block-to-type", "measured", message);
+    let turned = path.formula.results.iter().any(|result| result.role == Role::Direction && result.variable.is_some());
+    if turned {
+        let message = text!(
+            "The rotation that is measured is not written, since {control} has no rotation: the work offset is right at the measured place only",
+            job.post.title
+        );
+        checker.info("rotation-not-written", "measured", message);
+    }
+    Some(block)
+}

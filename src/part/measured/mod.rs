@@ -1,0 +1,159 @@
+//! What a machine really measured, in whatever form it was copied: points, results, or the log of a sender.
+
+mod grbl;
+mod line;
+mod offset;
+mod points;
+mod reach;
+mod results;
+mod stand;
+
+use crate::form::{Checker, Value};
+use crate::geom::Vec3;
+use crate::path::Path;
+use crate::text::{Text, text};
+
+/// What the measured values belong to.
+#[derive(Clone, Debug)]
+pub struct Expected<'a> {
+    /// The path whose touches were made.
+    pub path: &'a Path,
+    /// Of the ball, mm.
+    pub radius: f64,
+    /// What the program is called, as the job and as the control say it: a printed text may begin with it.
+    pub names: [String; 2],
+}
+
+/// What was measured.
+#[derive(Clone, Debug, Default)]
+pub struct Measured {
+    /// Ball centres, one a touch, mm in the work coordinate system; none where a touch missed. Empty where results were given.
+    pub points: Vec<Option<Vec3>>,
+    /// The values of the formula's results, where the text says those and not the touches; mm or degrees.
+    pub results: Option<Vec<Option<f64>>>,
+    /// Where the machine stands, as far as a log says so.
+    pub stand: Option<Stand>,
+}
+
+/// What a log says of the machine after the touches.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stand {
+    /// The work offset in which the touches were made, 1 = G54; none where the log does not say.
+    pub offset: Option<u8>,
+    /// Why the machine may not stand where the program ends; none where nothing in the log speaks against it.
+    pub away: Option<Text>,
+}
+
+/// A line of a text that holds something: its number, from 1, and what is in it.
+type Numbered<'a> = (usize, &'a str);
+
+/// Reads what was measured: a list of `[X, Y, Z]` or `{x, y, z}`, or text. A text is one of
+/// - points, one a line: CSV, LinuxCNC's PROBEOPEN log, or `X1.2 Y3.4 Z5.6`, in the job's units;
+/// - results, `center.x=1.2345` a line, in the job's units and degrees;
+/// - a log with grbl's `[PRB:x,y,z:1]`, in machine coordinates, and with what says the work offset.
+///
+/// Every problem is reported at `measured` or `measured[i]`; a text of two forms is refused, since what counts would be a guess.
+pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Measured {
+    match value {
+        Value::List(items) => Measured { points: points::list(checker, items), ..Measured::default() },
+        Value::Text(text) => read_text(checker, text, expected),
+        other => {
+            let message =
+                text!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {given}", other.noun());
+            checker.error("wrong-type", "measured", message);
+            Measured::default()
+        }
+    }
+}
+
+/// Reports a wrong number of points, where reading them found nothing wrong, and points that cannot be of their touches.
+pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>) {
+    let (given, touches) = (measured.points.len(), expected.path.touches.len());
+    if measured.results.is_none() && given != touches && !checker.failed() {
+        let message = text!(
+            "Points given: {count}, touches: {touches}. One ball centre a touch is needed, in their order",
+            given,
+            touches
+        );
+        checker.error("wrong-count", "measured", message);
+    }
+    reach::check(checker, &measured.points, expected);
+}
+
+fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines: Vec<Numbered<'_>> = text
+        .lines()
+        .enumerate()
+        .map(|(i, line)| (i + 1, line.trim()))
+        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+        .collect();
+    let of = |form: Form| lines.iter().find(|(_, line)| Form::of(line) == Some(form)).map(|(number, _)| *number);
+    let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);
+    if log.is_some() {
+        // A sender names other values, too.
+        results =
+            lines.iter().find(|(_, line)| results::known(&line::without_comments(line), expected)).map(|(number, _)| *number);
+    }
+    let mut forms = [log, results, letters].into_iter().flatten();
+    if let (Some(one), Some(other)) = (forms.next(), forms.next()) {
+        let message = text!(
+            "Lines {one} and {other} are of different kinds: give results, points, or grbl's PRB reports, and not two of them",
+            one,
+            other
+        );
+        checker.error("mixed-forms", "measured", message);
+        return Measured::default();
+    }
+    if log.is_some() {
+        return grbl::read(checker, &lines, expected);
+    }
+    if results.is_some() {
+        return results::read(checker, &lines, expected);
+    }
+    let points = if letters.is_some() { points::letters(checker, &lines) } else { points::lines(checker, text) };
+    Measured { points, ..Measured::default() }
+}
+
+/// What a line is that holds something measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// grbl's report of a touch.
+    Log,
+    /// `center.x=1.2345`.
+    Result,
+    /// `X1.2 Y3.4 Z5.6`.
+    Letters,
+}
+
+impl Form {
+    /// None where a line is none of these: plain numbers, or no measurement.
+    fn of(text: &str) -> Option<Form> {
+        let bare = line::without_comments(text);
+        if bare.contains("PRB:") {
+            Some(Form::Log)
+        } else if line::letters(&bare).is_some() && !line::is_sent(&bare) {
+            Some(Form::Letters)
+        } else if !results::pairs(&bare).is_empty() {
+            Some(Form::Result)
+        } else {
+            None
+        }
+    }
+}
+
+/// Whether a line is numbers and nothing else: it could be a point.
+fn is_numbers(line: &str) -> bool {
+    line.contains(|c: char| c.is_ascii_digit())
+        && line.chars().all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,;".contains(c))
+}
+
+/// A line that could be a measurement, and is of none of the forms around it.
+fn unclear(checker: &mut Checker, number: usize, line: &str) {
+    let message = text!(
+        "Line {line} could be a measurement and is not one of those around it: \"{text}\". Remove the line, or give the measurements alone",
+        number,
+        line.chars().take(60).collect::<String>()
+    );
+    checker.error("unclear-line", "measured", message);
+}

@@ -1,0 +1,209 @@
+//! By what machine and work coordinates differ while a log's touches were made, and which work offset was active.
+//!
+//! Sources: grbl 1.1's report.c: `WCO` is the active one of G54 … G59, plus G92, plus the tool length along Z; and gcode.c: M2 and M30 make G54
+//! active. A status report says `WCO` now and then. What is not said, or said in two ways, is asked for.
+
+use crate::form::Checker;
+use crate::geom::Vec3;
+use crate::part::measured::grbl::Log;
+use crate::part::measured::line::Item;
+use crate::text::{Text, text};
+
+/// What machine coordinates are ahead of work coordinates, and how that is known. Lengths as the log has them.
+#[derive(Clone, Debug)]
+pub struct Shift {
+    /// Machine less work.
+    pub by: Vec3,
+    /// What says so.
+    pub source: Text,
+    /// The work offset that was active, 1 = G54, where that is known.
+    pub offset: Option<u8>,
+}
+
+/// What the answer to `$#` says, each with its line.
+#[derive(Clone, Debug, Default)]
+struct Answer {
+    offsets: [Option<Vec3>; 9],
+    added: Option<Vec3>,
+    length: Option<Vec3>,
+}
+
+impl Answer {
+    /// Whether there is anything of it.
+    fn begun(&self) -> bool {
+        self.offsets.iter().any(Option::is_some)
+    }
+
+    /// What a work offset makes of it.
+    fn sum(&self, offset: u8) -> Option<Vec3> {
+        Some(self.offsets.get(usize::from(offset) - 1).copied().flatten()? + self.added? + self.length?)
+    }
+
+    /// Takes up one entry; the one that was there, where it says something else.
+    fn take(&mut self, item: &Item) -> Option<Vec3> {
+        let (slot, value) = match item {
+            Item::Offset(number, value) => (self.offsets.get_mut(usize::from(*number) - 1)?, value),
+            Item::Added(value) => (&mut self.added, value),
+            Item::Length(value) => (&mut self.length, value),
+            _ => return None,
+        };
+        slot.replace(*value).filter(|known| known != value)
+    }
+}
+
+/// What is gathered line by line.
+#[derive(Debug, Default)]
+struct Gathered {
+    active: Option<u8>,
+    /// `WCO` while the touches were made, with its line.
+    shift: Option<(Vec3, usize)>,
+    /// `WCO` after the last of them.
+    late: Option<(Vec3, usize)>,
+    answer: Answer,
+    /// Whether a touch was sent, so that an end that is sent behind it comes after the touch.
+    probing: bool,
+    /// Nothing after a change of offsets says what held before it.
+    closed: bool,
+    /// A line that says something else than those before it.
+    contradicts: Option<usize>,
+}
+
+/// Finds it; what is missing or contradicts itself is an error.
+pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Shift> {
+    let gathered = Gathered::of(log)?;
+    if let Some(line) = gathered.contradicts {
+        let message = text!(
+            "Line {line} changes the work offset, or says another one than the lines before it: which one the touches were made in is not clear. Give the log of one run",
+            line
+        );
+        checker.error("work-offset-unclear", "measured", message);
+        return None;
+    }
+    // Three rounded numbers make one.
+    let rounding = if inches == Some(true) { 2.5e-4 } else { 2.5e-3 };
+    let same = |a: Vec3, b: Vec3| (a - b).abs().max_element() < rounding;
+    let answer = &gathered.answer;
+    let active = gathered.active.or_else(|| {
+        let (by, _) = gathered.shift?;
+        let mut fitting = (1..=9).filter(|offset| answer.sum(*offset).is_some_and(|sum| same(sum, by)));
+        fitting.next().filter(|_| fitting.next().is_none())
+    });
+    let reported = gathered.shift.or(gathered.late.filter(|_| active == Some(1)));
+    let summed = active.and_then(|offset| answer.sum(offset));
+    match (reported, summed) {
+        (Some((by, line)), Some(sum)) if !same(sum, by) => {
+            let message = text!(
+                "WCO in line {line} is not what {offset}, G92 and TLO in the answer to $# make: which one held during the run is not clear",
+                line,
+                word(active.unwrap_or(1))
+            );
+            checker.error("work-offset-unclear", "measured", message);
+            None
+        }
+        (Some((by, line)), _) => Some(Shift { by, source: text!("WCO in line {line}", line), offset: active }),
+        (None, Some(by)) => {
+            let source = text!("{offset}, G92 and TLO in the answer to $#", word(active.unwrap_or(1)));
+            Some(Shift { by, source, offset: active })
+        }
+        (None, None) => {
+            checker.error("work-offset-needed", "measured", needed(&gathered, active));
+            None
+        }
+    }
+}
+
+impl Gathered {
+    /// None where a log has no touch.
+    fn of(log: &Log) -> Option<Gathered> {
+        let (first, last) = (*log.touches.first()?, *log.touches.last()?);
+        let mut found = Gathered::default();
+        for (i, (number, item)) in log.items.iter().enumerate() {
+            if i < first {
+                found.before(*number, item);
+                found.active = found.active.or(log.stated);
+            } else if i <= last {
+                found.during(*number, item);
+            } else {
+                found.after(*number, item);
+            }
+        }
+        Some(found)
+    }
+
+    fn before(&mut self, number: usize, item: &Item) {
+        match item {
+            Item::Active { offset, sent } => {
+                if self.active != Some(*offset) && (*sent || self.active.is_some()) {
+                    self.shift = None;
+                }
+                self.active = Some(*offset);
+            }
+            Item::Shift(by) => self.shift = Some((*by, number)),
+            Item::Probes => self.probing = true,
+            Item::Ended if self.probing || self.active == Some(1) => {}
+            Item::Ended => (self.active, self.shift) = (None, None),
+            Item::Changes => (self.shift, self.answer) = (None, Answer::default()),
+            _ => {
+                self.answer.take(item);
+            }
+        }
+    }
+
+    fn during(&mut self, number: usize, item: &Item) {
+        let contradicts = match item {
+            Item::Active { offset, sent } => {
+                let known = self.active.replace(*offset);
+                known != Some(*offset) && (*sent || known.is_some())
+            }
+            Item::Shift(by) => self.shift.replace((*by, number)).is_some_and(|(known, _)| known != *by),
+            Item::Changes => true,
+            _ => self.answer.take(item).is_some(),
+        };
+        if contradicts {
+            self.contradicts.get_or_insert(number);
+        }
+    }
+
+    fn after(&mut self, number: usize, item: &Item) {
+        match item {
+            _ if self.closed => {}
+            Item::Changes => self.closed = true,
+            Item::Shift(by) => {
+                self.late.get_or_insert((*by, number));
+            }
+            _ => {
+                if self.answer.take(item).is_some() {
+                    self.contradicts.get_or_insert(number);
+                }
+            }
+        }
+    }
+}
+
+/// What is missing, and what to do about it.
+fn needed(gathered: &Gathered, active: Option<u8>) -> Text {
+    match (active, gathered.late) {
+        (Some(offset), _) => text!(
+            "The touches are in machine coordinates. {offset} was active, but the answer to $# is not complete: paste all of it, with {offset}, G92 and TLO",
+            word(offset)
+        ),
+        (None, Some((_, line))) => text!(
+            "The touches are in machine coordinates, and WCO in line {line} was reported after the last of them, when the end of the program may have made G54 active. Write the work offset that the program ran in as the first line: G54 … G59. If it is not G54, paste the answer to $# as well",
+            line
+        ),
+        (None, None) if gathered.answer.begun() => text!(
+            "The touches are in machine coordinates. The answer to $# is there, but not which work offset was active: write it as the first line, G54 … G59"
+        ),
+        (None, None) => text!(
+            "The touches are in machine coordinates, and the text does not say the work offset. Type $# and paste the answer, and write the work offset that the program ran in as the first line, G54 … G59; or paste a status report with WCO: from before the touches"
+        ),
+    }
+}
+
+/// How a work offset is called.
+pub fn word(offset: u8) -> String {
+    match offset {
+        7.. => format!("G59.{}", offset - 6),
+        _ => format!("G{}", 53 + offset),
+    }
+}

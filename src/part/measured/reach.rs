@@ -1,0 +1,49 @@
+//! Whether a measured point can be of its touch.
+
+use crate::form::Checker;
+use crate::geom::Vec3;
+use crate::part::measured::Expected;
+use crate::path::{Path, Purpose};
+use crate::text::text;
+
+/// Reports the points that their touches cannot have reached.
+pub fn check(checker: &mut Checker, points: &[Option<Vec3>], expected: &Expected<'_>) {
+    for (k, away) in out_of_reach(points, expected) {
+        let message = text!(
+            "Point {point} is {away} from the nominal contact of its touch, out of reach (it searches {search} past it): is it from this job, a ball centre, in order?",
+            k + 1,
+            checker.length(away.length()),
+            checker.length(expected.path.touches[k].search)
+        );
+        checker.error("too-far", format!("measured[{k}]"), message);
+    }
+}
+
+/// The points that their touches cannot have reached: the touch, and how far the point is from its nominal contact, mm.
+pub fn out_of_reach<'a>(
+    points: &'a [Option<Vec3>],
+    expected: &'a Expected<'_>,
+) -> impl Iterator<Item = (usize, Vec3)> + use<'a> {
+    let path = expected.path;
+    points.iter().zip(&path.touches).enumerate().filter_map(move |(k, (point, touch))| {
+        let away = (*point)? - touch.contact(expected.radius);
+        // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
+        let in_front = away.dot(touch.vector);
+        let aside = (away - touch.vector * in_front).length();
+        let reach = touch.search + 1e-6;
+        let out = aside > reach || in_front < -reach || in_front > reach.max(way_to(path, k) + 1e-6);
+        out.then_some((k, away))
+    })
+}
+
+/// How far a touch goes to its nominal contact, mm.
+fn way_to(path: &Path, touch: usize) -> f64 {
+    let Some(i) = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch)) else { return 0.0 };
+    let from = if i > 0 { Some(path.moves[i - 1].to) } else { path.start };
+    from.map_or(0.0, |from| from.distance(path.moves[i].to))
+}
+
+/// As far from its nominal contact as any touch of a path can trigger, mm.
+pub fn farthest(path: &Path) -> f64 {
+    (0..path.touches.len()).map(|k| way_to(path, k).max(path.touches[k].search)).fold(0.0, f64::max)
+}

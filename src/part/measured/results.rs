@@ -1,0 +1,161 @@
+//! Results that a control printed: `center.x=1.2345`, or `CENTER X= 1.2345` as DPRNT prints it.
+
+use crate::form::Checker;
+use crate::formula::{ResultDef, Unit};
+use crate::part::evaluate::Scatter;
+use crate::part::measured::line;
+use crate::part::measured::{Expected, Measured, Numbered, is_numbers, reach, unclear};
+use crate::text::text;
+
+/// A name and what stands behind its equals sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair<'a> {
+    name: &'a str,
+    /// None where that is no number.
+    value: Option<f64>,
+}
+
+/// Every `name=number` of a line, without what stands in parentheses. What computes (`#1`, `[`) is a block of a program and no pair.
+pub fn pairs(line: &str) -> Vec<Pair<'_>> {
+    let mut found = Vec::new();
+    let mut rest = line;
+    while let Some((name, after)) = rest.split_once('=') {
+        let value = after.trim_start();
+        rest = after;
+        // `$13=1` is a setting.
+        let named = name.trim_end().ends_with(|c: char| c.is_alphanumeric()) && !name.contains('$');
+        if !named || value.is_empty() || value.starts_with(['#', '[', '=', '<', '"']) {
+            continue;
+        }
+        let read = line::number(value).and_then(|(number, after)| {
+            let end = after.trim_start();
+            let apart = end.is_empty() || (end.len() < after.len() && end.contains('='));
+            apart.then(|| {
+                rest = end;
+                number
+            })
+        });
+        found.push(Pair { name: name.trim(), value: read });
+    }
+    found
+}
+
+/// Whether a line has a result of this job.
+pub fn known(line: &str, expected: &Expected<'_>) -> bool {
+    pairs(line).iter().any(|pair| expected.path.formula.results.iter().any(|def| ends_with(pair.name, def.code)))
+}
+
+/// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
+pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
+    let defs = &expected.path.formula.results;
+    let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
+    for (i, &(number, line)) in lines.iter().enumerate() {
+        if i == 0 && expected.names.iter().any(|name| line.eq_ignore_ascii_case(name)) {
+            continue;
+        }
+        let bare = line::without_comments(line);
+        let pairs = pairs(&bare);
+        // A single number in the first line is the name of a program.
+        let name = i == 0 && !bare.contains(char::is_whitespace);
+        if pairs.is_empty() && is_numbers(&bare) && !name {
+            unclear(checker, number, line);
+        }
+        for pair in pairs {
+            take(checker, (number, pair), defs, &mut values);
+        }
+    }
+    let missing: Vec<&str> = defs
+        .iter()
+        .zip(&values)
+        .filter(|(def, value)| def.variable.is_some() && value.is_none())
+        .map(|(def, _)| def.code)
+        .collect();
+    if !missing.is_empty() {
+        let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
+        checker.warning("result-missing", "measured", message);
+    }
+    let scaled = defs.iter().zip(&values).map(|(def, value)| {
+        let (value, _) = (*value)?;
+        Some(if def.role.is_angle() { value } else { value * checker.scale })
+    });
+    let results: Vec<Option<f64>> = scaled.collect();
+    check_reach(checker, expected, &results, &values);
+    Measured { results: Some(results), ..Measured::default() }
+}
+
+/// Takes up one pair.
+fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), defs: &[ResultDef], values: &mut [Option<(f64, usize)>]) {
+    let fitting = defs.iter().enumerate().filter(|(_, def)| ends_with(pair.name, def.code));
+    let Some((at, def)) = fitting.max_by_key(|(_, def)| def.code.len()) else {
+        if !DERIVED.iter().any(|code| ends_with(pair.name, code)) {
+            let message = text!(
+                "Line {line}: \"{name}\" is no result of this job. Its results are {codes}",
+                number,
+                pair.name.chars().take(40).collect::<String>(),
+                defs.iter().map(|def| def.code).collect::<Vec<_>>().join(", ")
+            );
+            checker.error("unknown-result", "measured", message);
+        }
+        return;
+    };
+    let Some(value) = pair.value else {
+        checker.error(
+            "not-a-number",
+            "measured",
+            text!("Line {line}: {code} is not followed by a finite number", number, def.code.to_owned()),
+        );
+        return;
+    };
+    match values[at] {
+        Some((known, before)) if known != value => {
+            let message = text!(
+                "Lines {one} and {other} say different values of {code}: give the results of one run only",
+                before,
+                number,
+                def.code.to_owned()
+            );
+            checker.error("result-twice", "measured", message);
+        }
+        _ => values[at] = Some((value, number)),
+    }
+}
+
+/// Rows that follow from the others or from single touches.
+const DERIVED: &[&str] = &["offset.x", "offset.y", "offset.z", "Q183", "Q970", "Q971", "Q973", "Q974", "form1", "form2"];
+
+/// Whether a name ends with a code: in any case, with a blank or nothing in place of a point, and with nothing of a word in front of it.
+fn ends_with(name: &str, code: &str) -> bool {
+    let (mut name, mut code) = (name.chars().rev().peekable(), code.chars().rev());
+    loop {
+        let Some(wanted) = code.next() else {
+            return !name.peek().is_some_and(|c| c.is_alphanumeric() || matches!(c, '.' | '_'));
+        };
+        if wanted == '.' {
+            name.next_if(|c| matches!(c, '.' | ' ' | '_'));
+        } else if !name.next().is_some_and(|c| c.eq_ignore_ascii_case(&wanted)) {
+            return false;
+        }
+    }
+}
+
+/// A length so far from its nominal value that no touch can have made it so: of another job, or in other units. Twice as much as the touches can move
+/// it is allowed, since that is only counted at the nominal place.
+fn check_reach(checker: &mut Checker, expected: &Expected<'_>, results: &[Option<f64>], lines: &[Option<(f64, usize)>]) {
+    let path = expected.path;
+    let room = reach::farthest(path) * (path.touches.len() as f64).sqrt() * 2.0;
+    let rows = crate::part::evaluate::stated(path, expected.radius, Scatter { repeatability: 1.0, runout: None }, results);
+    for ((row, def), line) in rows.iter().zip(&path.formula.results).zip(lines) {
+        let (Some(value), Some(spread), Some((_, line))) = (row.value, row.uncertainty, line) else { continue };
+        let away = (value - def.nominal).abs();
+        if row.unit == Unit::Length && away > 0.01 + room * spread {
+            let message = text!(
+                "Line {line}: {code} is {away} from its nominal value, out of reach of the touches: is it from this job, in {unit}?",
+                *line,
+                def.code.to_owned(),
+                checker.length(away),
+                checker.unit.to_owned()
+            );
+            checker.error("too-far", "measured", message);
+        }
+    }
+}

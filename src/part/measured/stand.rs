@@ -1,0 +1,38 @@
+//! Whether the machine stands where the program ends, as far as a log says.
+
+use crate::part::measured::Expected;
+use crate::part::measured::grbl::Log;
+use crate::part::measured::line::Item;
+use crate::part::measured::offset::Shift;
+use crate::text::{Text, text};
+
+/// As far from the end of the program, in mm, the machine still stands there: its steps are rounded.
+const ROUNDED: f64 = 0.05;
+
+/// Why the machine may not stand where the program ends; none where nothing in the log speaks against it. `scale` is mm in a unit of the log.
+pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Option<Text> {
+    let (first, last) = (*log.touches.first()?, *log.touches.last()?);
+    let mut ended = false;
+    let mut stands = None;
+    for (i, (number, item)) in log.items.iter().enumerate().skip(first) {
+        match item {
+            Item::Trouble => return Some(text!("line {line} is an alarm or an error", *number)),
+            Item::Ended => ended = true,
+            Item::Changes | Item::Moves if i > last => {
+                return Some(text!("line {line} moves the machine or changes an offset after the touches", *number));
+            }
+            Item::Travels if ended && i > last => {
+                return Some(text!("line {line} moves the machine after the end of the program", *number));
+            }
+            Item::Stands { place, work } if i > last => stands = Some((*number, *place, *work)),
+            _ => {}
+        }
+    }
+    let (number, place, work) = stands?;
+    let end = expected.path.moves.last()?.to;
+    let at = if work { place } else { place - shift.by };
+    // After its end a program's work coordinates are those of G54.
+    let comparable = !work || shift.offset == Some(1);
+    (comparable && (at * scale).distance(end) > ROUNDED)
+        .then(|| text!("line {line} shows it at another place than the end of the program", number))
+}

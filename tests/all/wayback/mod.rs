@@ -1,0 +1,198 @@
+//! The way back: what machines print becomes results, and on grbl the block to type. Every number here is worked by hand.
+
+mod laws;
+mod printed;
+mod refused;
+
+use crate::common::{job, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{Measurement, measure};
+
+/// A pocket of 80 × 50 about the origin, 10 deep, a ball of 6: nominal contacts at X±37 and Y±22, Z−10; the path ends at X0 Y0 Z30.
+fn pocket() -> Value {
+    job(r#"{ "format": 1, "control": { "post": "grbl" }, "cycle": { "type": "internal-rectangle-protected" } }"#)
+}
+
+fn measured(job: &Value, text: &str) -> Measurement {
+    measure(job, &Value::Text(text.to_owned())).unwrap_or_else(|error| panic!("{text}\n{:#?}", error.findings))
+}
+
+/// The codes of what is wrong.
+fn errors(job: &Value, text: &str) -> Vec<String> {
+    let error = measure(job, &Value::Text(text.to_owned())).expect_err(text);
+    error.findings.iter().filter(|f| f.level == Level::Error).map(|f| f.code.clone()).collect()
+}
+
+fn codes(measurement: &Measurement) -> Vec<&str> {
+    measurement.findings.iter().map(|f| f.code.as_str()).collect()
+}
+
+fn value(measurement: &Measurement, code: &str) -> Option<f64> {
+    measurement.results.iter().find(|row| row.code == code).unwrap_or_else(|| panic!("no {code}")).value
+}
+
+#[track_caller]
+fn near(a: f64, b: f64) {
+    assert!((a - b).abs() < 1e-9, "{a} is not {b}");
+}
+
+/// The same four touches in every log here: walls 0.1 further in X, 0.2 further in Y, by hand 37.1, −36.9, 22.2, −21.8 in work coordinates, and
+/// G54 at X−200 Y−150 Z−60.
+const PRB: [&str; 4] = [
+    "[PRB:-162.900,-150.000,-70.000:1]",
+    "[PRB:-236.900,-150.000,-70.000:1]",
+    "[PRB:-200.000,-127.800,-70.000:1]",
+    "[PRB:-200.000,-171.800,-70.000:1]",
+];
+
+/// Centre and widths of these touches: 37.1 − 36.9 = 0.2, half of it; 74 + 6 wide; 44 + 6.
+fn is_the_pocket(measurement: &Measurement) {
+    near(value(measurement, "center.x").unwrap(), 0.1);
+    near(value(measurement, "center.y").unwrap(), 0.2);
+    near(value(measurement, "width1").unwrap(), 80.0);
+    near(value(measurement, "width2").unwrap(), 50.0);
+    assert_eq!(measurement.points[1], Some([-36.9, 0.0, -10.0]));
+}
+
+/// As UGS shows it: what is sent behind `>>> `, answers and reports as they come.
+const UGS: &str = "\
+Grbl 1.1h ['$' for help]
+>>> $G
+[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]
+ok
+<Idle|MPos:-200.000,-150.000,-20.000|FS:0,0|WCO:-200.000,-150.000,-60.000>
+>>> (Measures only: each touch is reported as PRB in machine coordinates)
+ok
+>>> G21
+ok
+>>> G17 G40 G61 G80 G90 G94
+ok
+>>> G1 X0 Y0 F2000
+ok
+<Run|MPos:-200.000,-150.000,-30.000|FS:2000,0>
+>>> G38.2 X42 F150
+[PRB:-162.900,-150.000,-70.000:1]
+ok
+>>> G1 X29 F1000
+ok
+>>> G38.2 X-42 F150
+[PRB:-236.900,-150.000,-70.000:1]
+ok
+>>> G38.2 Y27 F150
+[PRB:-200.000,-127.800,-70.000:1]
+ok
+>>> G38.2 Y-27 F150
+[PRB:-200.000,-171.800,-70.000:1]
+ok
+>>> G1 Z30 F2000
+ok
+>>> M2
+[MSG:Pgm End]
+ok
+<Idle|MPos:-200.000,-150.000,-30.000|FS:0,0>
+";
+
+#[test]
+fn a_log_of_ugs_gives_results_and_the_block() {
+    let found = measured(&pocket(), UGS);
+    is_the_pocket(&found);
+    // The ball stands at X0 Y0, and the measured centre at 0.1, 0.2 is to read 0: the ball then reads −0.1, −0.2.
+    assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
+    assert_eq!(codes(&found), ["converted", "block-to-type"]);
+    assert!(found.findings[0].message.contains("WCO in line 5: X-200 Y-150 Z-60 (mm)"), "{}", found.findings[0].message);
+}
+
+/// Prompts and times as senders have them: cncjs `<`, bCNC times, Candle's answers behind the block, ioSender without prompts.
+#[test]
+fn logs_of_other_senders() {
+    let wco = "<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:-200.000,-150.000,-60.000>";
+    let with = |each: &dyn Fn(usize, &str) -> String| {
+        let lines: Vec<String> = PRB.iter().enumerate().map(|(i, line)| each(i, line)).collect();
+        format!("G54\n{wco}\n{}\n", lines.join("\n"))
+    };
+    let logs = [
+        with(&|_, line| format!("cncjs> G38.2 X42 F150\n< {line}\n< ok")),
+        with(&|i, line| format!("1{i}:22:3{i} >>> G38.2 X4{i} F150\n1{i}:22:4{i} <<< {line}\n1{i}:22:4{i} <<< ok")),
+        with(&|_, line| format!("G38.2 X42 F150 < {line} / ok")),
+        with(&|_, line| format!("[14:03:59.{:03}] {line}", 7)),
+        with(&|_, line| line.trim_matches(['[', ']']).to_owned()),
+        // grblHAL and FluidNC with further axes.
+        with(&|_, line| line.replace(":1]", ",0.000,12.500:1]")),
+        with(&|_, line| line.replace(":1]", ",0.000:1]")).replace(",-60.000>", ",-60.000,5.000>"),
+        format!("\u{feff}{}", with(&|_, line| format!("{line}\r"))),
+    ];
+    for log in logs {
+        let found = measured(&pocket(), &log);
+        is_the_pocket(&found);
+        assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"), "{log}");
+    }
+}
+
+/// The sum of `$#`: G55 −203.5, −150, −50; G92 3, 0, 0; TLO −10 along Z, so −200.5, −150, −60. Its PRB line repeats the last touch.
+#[test]
+fn the_answer_to_settings_says_the_work_offset() {
+    let touches = PRB.join("\nok\n").replace("-162.900", "-163.400").replace("-236.900", "-237.400");
+    let answer = "[G54:0.000,0.000,0.000]\n[G55:-203.500,-150.000,-50.000]\n[G56:1.000,2.000,3.000]\n[G57:0.000,0.000,0.000]\n\
+        [G58:0.000,0.000,0.000]\n[G59:0.000,0.000,0.000]\n[G28:0.000,0.000,0.000]\n[G30:0.000,0.000,0.000]\n\
+        [G92:3.000,0.000,0.000]\n[TLO:-10.000]\n[PRB:-200.000,-171.800,-70.000:1]\nok\n";
+    for log in [format!("G55\n{answer}{touches}"), format!("G55\n{touches}\nok\n{answer}")] {
+        let found = measured(&pocket(), &log);
+        is_the_pocket(&found);
+        assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"), "{log}");
+        assert!(found.findings[0].message.contains("G55, G92 and TLO"), "{}", found.findings[0].message);
+    }
+    // grblHAL gives three axes of TLO, and says the active offset in its status reports.
+    let hal = answer.replace("[TLO:-10.000]", "[TLO:0.000,0.000,-10.000]\n[TLR:0.000]");
+    let status = "<Idle|MPos:0.000,0.000,0.000|WCS:G55>";
+    is_the_pocket(&measured(&pocket(), &format!("{status}\n{touches}\nok\n{hal}")));
+    // WCO alone says no number; with $# it does: only G55 makes it.
+    let wco = "<Idle|MPos:0.000,0.000,0.000|WCO:-200.500,-150.000,-60.000>";
+    let found = measured(&pocket(), &format!("{wco}\n{touches}\nok\n{answer}"));
+    assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"));
+    let alone = measured(&pocket(), &format!("{wco}\n{touches}"));
+    is_the_pocket(&alone);
+    assert_eq!((alone.block.as_deref(), codes(&alone)), (None, vec!["converted", "no-block"]));
+}
+
+/// After its end a program's work offset is G54's again: P0 would then write G54, and `WCO` is that of G54.
+#[test]
+fn the_end_of_a_program_makes_g54_active() {
+    let touches = PRB.join("\nok\n");
+    let ended = "M2\nok\n[MSG:Pgm End]\n[GC:G1 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\n\
+        <Idle|MPos:-200.000,-150.000,-30.000|WCO:-200.000,-150.000,-60.000>\n";
+    assert_eq!(errors(&pocket(), &format!("{touches}\n{ended}")), ["work-offset-needed"]);
+    assert_eq!(errors(&pocket(), &format!("G55\n{touches}\n{ended}")), ["work-offset-needed"]);
+    is_the_pocket(&measured(&pocket(), &format!("G54\n{touches}\n{ended}")));
+    // A sender is some lines ahead: with one touch the end is sent before the touch is reported.
+    let surface = with(&pocket(), "cycle", job(r#"{ "type": "surface" }"#));
+    let contact = touchpath::job::plan(&surface).unwrap().triggers[0].unwrap();
+    let report = format!("[PRB:{},{},{}:1]", contact[0] - 200.0, contact[1] - 150.0, contact[2] - 60.0);
+    let ahead = format!("[GC:G0 G55]\nWCO:-200,-150,-60\n>>> G38.2 X9 F150\n>>> G1 Z50\n>>> M2\nok\n{report}\nok\nok\n");
+    assert!(measured(&surface, &ahead).block.unwrap().starts_with("G21 G10 L20 P2 "));
+    // A program that ran before ours has ended in G54 as well, on grbl; others keep the offset: so it is asked.
+    let before = "[GC:G0 G55 G17 G21 G90]\nM30\nok\n<Idle|MPos:0.000,0.000,0.000|WCO:-200.000,-150.000,-60.000>\n";
+    let found = measured(&pocket(), &format!("{before}{touches}"));
+    assert_eq!((found.block, found.findings.last().unwrap().code.as_str()), (None, "no-block"));
+    // What the user then writes as the first line holds, a block of the log there does not.
+    assert!(measured(&pocket(), &format!("G55\n{before}{touches}")).block.unwrap().starts_with("G21 G10 L20 P2 "));
+    assert_eq!(measured(&pocket(), &format!("G55\nok\n{before}{touches}")).block, None);
+}
+
+/// What the block does on a control: G10 L20 sets the offset to the machine's place less the value, so the measured datum reads its nominal.
+#[test]
+fn after_the_block_the_measured_place_reads_its_nominal() {
+    let off = with(&pocket(), "cycle.origin", Value::List([5.0, 7.0, 2.0].map(Value::Number).to_vec()));
+    // The same part for this job: every touch 5, 7, 2 further; nominal centre 5, 7, and the path ends at X5 Y7 Z32.
+    let shifted = PRB.map(|line| {
+        let numbers: Vec<f64> = line[5..line.len() - 3].split(',').map(|x| x.parse().unwrap()).collect();
+        format!("[PRB:{:.3},{:.3},{:.3}:1]", numbers[0] + 5.0, numbers[1] + 7.0, numbers[2] + 2.0)
+    });
+    let log = format!("G54\nWCO:-200,-150,-60\n{}\n", shifted.join("\n"));
+    let found = measured(&off, &log);
+    assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X4.9 Y6.8"));
+    // By hand: the machine stands at 5 − 200 = −195, the offset becomes −195 − 4.9 = −199.9, and the centre, measured at 5.1 − 200 = −194.9,
+    // reads −194.9 + 199.9 = 5.
+    let machine = 5.0 - 200.0;
+    let offset = machine - 4.9;
+    near((value(&found, "center.x").unwrap() - 200.0) - offset, 5.0);
+}

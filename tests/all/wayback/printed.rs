@@ -1,0 +1,136 @@
+//! Results and points as programs and posts print them.
+
+use super::{codes, errors, measured, near, pocket, value};
+use crate::common::with;
+use touchpath::form::Value;
+use touchpath::job::plan;
+
+const RESULTS: [(&str, f64); 4] = [("center.x", 0.1), ("center.y", 0.2), ("width1", 80.04), ("width2", 50.0)];
+
+#[test]
+fn printed_results_give_rows() {
+    let plain: String = RESULTS.iter().map(|(code, x)| format!("{code}={x:.4}\n")).collect();
+    let dprnt: String =
+        RESULTS.iter().map(|(code, x)| format!("{}= {x:8.4}\n", code.to_uppercase().replace('.', " "))).collect();
+    let forms = [
+        plain.clone(),
+        format!("PROBE\n{plain}"),
+        format!("4711\n{plain}"),
+        dprnt.clone(),
+        dprnt.replace("= ", " =\t"),
+        plain.lines().map(|line| format!("12:30:01 emctask: {line}\r\n")).collect(),
+        plain.replace('\n', " "),
+        format!("%\n{dprnt}%\n"),
+        // The program itself stands in a log, and a result is there twice with one value.
+        format!("(PRINT,center.x=#<center_x>)\n#<center_x>=[[#1+#2]/2]\n{plain}{plain}"),
+    ];
+    let expected = plan(&pocket()).unwrap().results;
+    for form in forms {
+        let found = measured(&pocket(), &form);
+        assert!(found.points.is_empty() && found.block.is_none() && found.findings.is_empty(), "{form}: {:?}", found.findings);
+        for ((code, x), planned) in RESULTS.iter().zip(&expected) {
+            let row = found.results.iter().find(|row| row.code == *code).unwrap();
+            near(row.value.unwrap(), *x);
+            near(row.deviation.unwrap(), x - planned.nominal.unwrap());
+            // Both are of the nominal part: a centre between two touches of 0.001 scatters by 0.001/√2.
+            assert_eq!((row.uncertainty, row.truth), (planned.uncertainty, None), "{form}");
+        }
+        near(found.results[0].uncertainty.unwrap(), 0.001 / 2f64.sqrt());
+    }
+}
+
+/// DPRNT puts the sign in front of the blanks, and no digit in front of the point.
+#[test]
+fn a_sign_stands_before_blanks() {
+    let found = measured(&pocket(), "CENTER X=-    .1000\nCENTER Y=    .2000\nWIDTH1=  80.0400\nWIDTH2= 50.");
+    near(value(&found, "center.x").unwrap(), -0.1);
+    near(value(&found, "center.y").unwrap(), 0.2);
+}
+
+#[test]
+fn results_in_inch_are_in_inch() {
+    let inch = touchpath::job::convert_units(&pocket(), "inch").unwrap();
+    let found = measured(&inch, "center.x=0.0040\ncenter.y=0\nwidth1=3.15\nwidth2=1.9685");
+    let row = &found.results[2];
+    assert_eq!((row.unit, row.value), ("inch", Some(3.15)));
+    near(row.deviation.unwrap(), 3.15 - 80.0 / 25.4);
+    // Millimetres of the same part are far out of reach.
+    assert_eq!(errors(&inch, "center.x=0.1\ncenter.y=0.2\nwidth1=80.04\nwidth2=50.0"), ["too-far", "too-far"]);
+}
+
+#[test]
+fn the_shift_of_the_offset_follows_from_the_results() {
+    let job = with(&with(&pocket(), "control.post", Value::Text("fanuc".into())), "control.workOffset", Value::Number(1.0));
+    let found = measured(&job, "CENTER.X=0.1\nCENTER.Y=0.2\nWIDTH1=80\nWIDTH2=50\nOFFSET.X=0.1\nOFFSET.Y=0.2");
+    near(value(&found, "offset.x").unwrap(), 0.1);
+    near(value(&found, "offset.y").unwrap(), 0.2);
+}
+
+/// A diameter of 10H7 (0 to +0.015) of 10.02 is scrap for a hole, and 10.01 is good.
+#[test]
+fn printed_results_are_judged_as_measured_points_are() {
+    let job = crate::common::jobs().into_iter().find(|(name, _)| name == "circles-tolerances").unwrap().1;
+    let rows = plan(&job).unwrap().results;
+    let limited = rows.iter().find(|row| row.limits.is_some() && row.code == "Q966").expect("a limited diameter");
+    let [low, high] = limited.limits.unwrap();
+    let with_diameter = |x: f64| -> String {
+        let row = |row: &touchpath::job::ResultRow| {
+            format!("{}={}\n", row.code, if row.code == "Q966" { x } else { row.nominal.unwrap() })
+        };
+        rows.iter().filter(|row| row.nominal.is_some() && !row.code.starts_with("form")).map(row).collect()
+    };
+    let verdict = |x: f64| {
+        let found = measured(&job, &with_diameter(x));
+        let row = found.results.into_iter().find(|row| row.code == "Q966").unwrap();
+        (row.limits, row.verdict)
+    };
+    assert_eq!(verdict((low + high) / 2.0), (Some([low, high]), Some("good".to_owned())));
+    assert_ne!(verdict(high + 0.1).1, Some("good".to_owned()));
+}
+
+#[test]
+fn a_result_that_is_missing_is_unknown() {
+    let found = measured(&pocket(), "center.x=0.1\nwidth1=80");
+    assert_eq!(codes(&found), ["result-missing"]);
+    assert!(found.findings[0].message.contains("center.y, width2"), "{}", found.findings[0].message);
+    let row = &found.results[1];
+    assert_eq!((row.value, row.deviation, row.uncertainty), (None, None, None));
+}
+
+#[test]
+fn points_by_their_letters() {
+    let forms = [
+        "X37.1 Y0 Z-10\nX-36.9 Y0. Z-10.\nX0 Y22.2 Z-10\nX0 Y-21.8 Z-10",
+        "POCKET\nTOUCH 1: X37.1Y0Z-10\ntouch 2: x=-36.9 y=0 z=-10\nTOUCH 3 Z-10 X0 Y22.2\n4, X 0.000 Y- 21.8000 Z- 10.0000\nEND OF PROBE 1",
+    ];
+    for form in forms {
+        let found = measured(&pocket(), form);
+        near(value(&found, "center.x").unwrap(), 0.1);
+        near(value(&found, "center.y").unwrap(), 0.2);
+        assert!(found.findings.is_empty() && found.block.is_none(), "{form}");
+    }
+}
+
+/// The output of LinuxCNC's interpreter as it comes: what the program prints stands among the calls. In it a touch runs to its end, 5 past the
+/// contact: the pocket is 10 wider.
+#[test]
+fn what_linuxcnc_prints_is_read_as_it_comes() {
+    let job = with(&pocket(), "control", crate::common::job(r#"{ "post": "linuxcnc", "protection": "none" }"#));
+    let output = crate::common::canonical(&plan(&job).unwrap().program.text).join("\n");
+    let found = measured(&job, &output);
+    near(value(&found, "center.x").unwrap(), 0.0);
+    near(value(&found, "width1").unwrap(), 90.0);
+    near(value(&found, "width2").unwrap(), 60.0);
+    assert!(found.findings.is_empty(), "{:?}", found.findings);
+}
+
+/// Codes are told apart however they are written.
+#[test]
+fn no_two_results_of_a_job_have_one_name() {
+    for (name, job) in crate::common::jobs() {
+        let Ok(plan) = plan(&job) else { continue };
+        let mut names: Vec<String> = plan.results.iter().map(|row| row.code.to_lowercase().replace('.', "")).collect();
+        names.sort();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "{name}: {names:?}");
+    }
+}
