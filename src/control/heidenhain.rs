@@ -5,7 +5,7 @@
 //! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
 use crate::control::iso::writer::{stated_start, wrapped};
-use crate::control::{Form, PostDef, Program, Request, header};
+use crate::control::{Form, PostDef, Program, Request, does, header};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
@@ -26,6 +26,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: None,
+    unused: &["orient", "report", "number"],
     cannot: &[],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
@@ -107,6 +108,7 @@ fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
             number(2.0 * request.setup.radius)
         ),
     ];
+    lines.push(does::line(request, ""));
     match request.tool {
         Some(tool) => lines.push(format!("Before the start: tool {tool} is the probe, it is called")),
         None => {

@@ -4,7 +4,7 @@ use crate::control::iso::lines::next_line;
 use crate::form::{Checker, Value, printable};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::{Units, convert_units, default_job_in};
+use crate::job::{Units, convert_units, default_job_in, job_name};
 use crate::text::text;
 
 /// Which parameter is which key of the cycle, and its default on the control.
@@ -101,7 +101,18 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
         spins: None,
     };
     blocks.iter().for_each(|block| reader.block(block));
-    reader.finish(&blocks)
+    let mut imported = reader.finish(&blocks)?;
+    if !says_name(&blocks) {
+        let name = job_name(&imported.job);
+        set(&mut imported.job, "name", Value::Text(name));
+    }
+    Ok(imported)
+}
+
+/// Whether the text says the name of its program.
+fn says_name(blocks: &[String]) -> bool {
+    let begins = |block: &String| block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3;
+    blocks.iter().any(begins)
 }
 
 /// Whether the text says that it is in inch.

@@ -10,6 +10,7 @@
 mod defaults;
 mod examine;
 mod lentoax;
+mod naming;
 mod picture;
 mod plan;
 mod rows;
@@ -18,6 +19,7 @@ mod units;
 
 pub use defaults::default_job;
 pub use lentoax::lentoax_query;
+pub use naming::job_name;
 pub use picture::svg;
 pub use rows::{
     Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, ResultWords, SafetyRow, TouchPoint, Triple,

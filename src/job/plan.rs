@@ -195,10 +195,15 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
+    // A run that ends in the part ends before the results: nothing is stored.
+    let stored = run.collision.is_none();
     let mut rows = part::evaluate(path, &run.triggers, job.repeatability);
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    if !stored {
+        rows.iter_mut().for_each(unknown);
+    }
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
@@ -218,6 +223,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let (program, proof, verdicts) = released.into_parts();
     report_rules(job, &verdicts, &mut checker);
     let (length, time) = length_and_time(job, &request);
+    let does = request.does();
     Ok(Plan {
         touches: path
             .touches
@@ -233,6 +239,8 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             text: program.text,
             move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
             writes: request.writes(),
+            does: does.english(),
+            said: does,
             proof: proof.map(ProofRow::of),
         },
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),
@@ -241,6 +249,11 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
         findings: checker.findings(),
     })
+}
+
+/// A result that the control never comes to store.
+fn unknown(row: &mut crate::formula::ResultRow) {
+    (row.value, row.deviation, row.uncertainty, row.verdict) = (None, None, None, None);
 }
 
 /// Why a program was not handed out, as errors: at most this many.
@@ -296,6 +309,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         name: &job.name,
         title: job.def.title,
         source: job.def.source,
+        number: job.number,
         form: job.form,
         scale: job.scale,
         plane: job.setup.plane,
@@ -356,6 +370,8 @@ fn way_to(path: &Path, touch: usize) -> f64 {
     from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
+/// What happens on the part. A collision with the drawn one is an error: its program is good for nothing. One with a virtual part that lies elsewhere
+/// is a warning: the program is that of the drawing, and the part a trial.
 fn report_run(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let field = if job.lie.nominal { "cycle" } else { "part" };
     if !job.lie.nominal {
@@ -411,7 +427,13 @@ fn report_collision(
         what,
         place.join(", ")
     );
-    checker.error("collision", field, message);
+    if field == "cycle" {
+        checker.error("collision", field, message);
+    } else {
+        let message =
+            text!("{message}. The program is that of the nominal part; on this one the control stores no results", message);
+        checker.warning("collision", field, message);
+    }
     let made = path.moves[..index].iter().filter_map(|step| match step.purpose {
         Purpose::Touch(k) => Some(k),
         Purpose::Position | Purpose::Back(_) => None,

@@ -106,7 +106,10 @@ fn put(value: &mut Value, key: &str, new: Value) {
 fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
     let Some(section) = section else { return };
     for field in fields {
-        let metric = matches!(field.kind, Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint);
+        let metric = matches!(
+            field.kind,
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint
+        );
         if let Some(value) = entry(section, field.key).filter(|_| metric) {
             convert(value, to);
         }

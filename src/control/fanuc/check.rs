@@ -1,6 +1,6 @@
 //! What neither of the two takes, or takes with a warning.
 
-use super::{DIALECT, DIGITS, FIRST, LAST};
+use super::{DIALECT, DIGITS, FIRST, LAST, number};
 use crate::control::{Request, check_plain_moves, check_rotary, check_write};
 use crate::form::Checker;
 use crate::geom::Plane;
@@ -53,6 +53,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
+    number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
         checker.error("plane-unsupported", "plane", message);

@@ -22,8 +22,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate, offset_line,
-    written,
+    Form, PostDef, Program, Request, check_plain_moves, check_rotary, check_watched, check_write, does, feed_rate,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Variable};
@@ -46,6 +45,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: Some(&DIALECT),
+    unused: &["tool", "number"],
     cannot: &[],
     name: crate::control::comment_text,
     rate: feed_rate,
@@ -166,7 +166,7 @@ impl Moves for Sinumerik<'_> {
             .registers
             .lines(formula, frame_registers(self.request, formula), DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
-        begin(w, self.request, &written(self.request), &notes);
+        begin(w, self.request, does::ONCE, &notes);
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             names_move(w, 0);
@@ -243,7 +243,7 @@ impl Moves for Sinumerik<'_> {
 
 /// What stands before the first move. Nothing has moved when one of the checks says no.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
-    w.header(&offset_line(request, DEF.work_offset_word, written));
+    w.header(&does::line(request, written));
     w.way_up_across_down();
     w.comment("Not verified on a control: run it with a hand on the feed override");
     w.comment(match (request.protected, request.form) {
