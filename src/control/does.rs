@@ -42,7 +42,7 @@ impl Request<'_> {
         (0..3).filter(of_axis).map(|axis| AXIS_NAMES[axis]).chain(rotation).collect()
     }
 
-    /// The sentence: `writes G54 X Y`, `measures only, writes nothing`, `sets the basic rotation and preset X Y`.
+    /// The sentence: `writes G54 X Y`, `measures only`, `sets the basic rotation and preset X Y`.
     pub fn does(&self) -> Text {
         if matches!(self.path.feature, Feature::Still) {
             return text!("moves nothing, writes nothing");
@@ -50,7 +50,7 @@ impl Request<'_> {
         if let Some(preset) = self.preset() {
             return preset.does();
         }
-        let Some(number) = self.work_offset else { return text!("measures only, writes nothing") };
+        let Some(number) = self.work_offset else { return text!("measures only") };
         let offset = (self.post.work_offset_word)(number);
         let writes = self.writes();
         match writes.as_slice() {
@@ -80,7 +80,7 @@ impl Preset {
             (2, true) => text!("sets the rotary table offset of the preset"),
             (2, false) => text!("sets the rotary table offset and preset {axes}", axes),
             (_, false) => text!("sets preset {axes}", axes),
-            (_, true) => text!("measures only, writes nothing"),
+            (_, true) => text!("measures only"),
         };
         if self.turns { text!("{does}, turns the rotary table", does) } else { does }
     }
@@ -96,26 +96,20 @@ fn code(circles: &TwoCircles, number: i32) -> i32 {
 
 /// The line of a header that says it. `how`: in which way a work offset is written.
 pub(super) fn line(request: &Request<'_>, how: &str) -> String {
-    let does = request.does().english();
-    let (first, rest) = does.split_at(1);
-    let writes = !request.writes().is_empty();
+    const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
         _ if matches!(request.path.feature, Feature::Still) => "",
-        (_, Some(_)) => {
-            if writes {
-                ": the cycle corrects the active preset by itself"
-            } else {
-                ""
-            }
-        }
-        (None, None) => ": works in the work offset that is active",
-        (Some(_), None) => {
-            if writes {
-                how
-            } else {
-                ""
-            }
-        }
+        (None, None) => ", in the work offset that is active: nothing is written",
+        _ if request.writes().is_empty() => "",
+        (_, Some(_)) => CYCLE,
+        (Some(_), None) => how,
     };
-    format!("{}{rest}{how}", first.to_ascii_uppercase())
+    sentence(request) + how
+}
+
+/// The sentence with a capital.
+pub(super) fn sentence(request: &Request<'_>) -> String {
+    let mut does = request.does().english();
+    does[..1].make_ascii_uppercase();
+    does
 }

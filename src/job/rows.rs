@@ -129,7 +129,7 @@ pub struct ProgramText {
     /// What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
     /// `basic rotation` or `table offset`. Empty where it measures only.
     pub writes: Vec<&'static str>,
-    /// What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only, writes nothing`.
+    /// What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
     pub does: String,
     /// The same as a template and its values.
     pub said: Text,

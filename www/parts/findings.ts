@@ -11,10 +11,16 @@ export const NAMES = { error: w("error"), warning: w("warning"), info: w("note")
 const ONE = { error: w("1 error"), warning: w("1 warning"), info: w("1 note") } as const;
 const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info: w("{count} notes") } as const;
 
-/** A key that no job has is in no field: what helps is to remove it. Undo brings it back. */
+/** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
 export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
+  if (code === "collision" && path === "part") return nominal(store);
   if (code !== "unknown-key" || store.get(path) === undefined) return null;
   return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
+}
+
+/** Ends a trial of the virtual part. */
+export function nominal(store: Store): TemplateResult {
+  return html`<button type="button" class="quiet nominal" ?disabled=${store.readonly} @click=${() => store.putNominal()}>${store.t("Back to nominal")}</button>`;
 }
 
 /** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */

@@ -21,6 +21,7 @@ const TOUCH: FieldEntry = {
   code: null,
   group: "",
   size: false,
+  when: null,
 };
 
 /** What stands in the bar, not in the form. */
@@ -30,7 +31,7 @@ const FIRST = new Set(["feeds.work", "stylus.diameter"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
-const OF_TOUCHES = /^(stylus|feeds|part|overtravel|control\.protection)\b/;
+const OF_TOUCHES = /^(stylus|feeds|limits|machine|part|overtravel|control\.(protection|orient|report))\b/;
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
@@ -95,9 +96,10 @@ class FormPart extends FieldPart {
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
-      // A cycle that touches nothing has no use for these; one that something is said of is there to be mended, until it is left.
+      // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
-      if (maxTouches === 0 && OF_TOUCHES.test(path) && !mended) return;
+      const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
+      if (idle && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);

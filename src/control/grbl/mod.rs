@@ -103,8 +103,8 @@ struct Grbl<'a> {
 impl Moves for Grbl<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let path = self.request.path;
-        w.header(&does::line(self.request, ""));
-        w.comment("Each touch is reported as PRB in machine coordinates");
+        let reported = if path.touches.is_empty() { "" } else { ": each touch is reported as PRB in machine coordinates" };
+        w.header(&format!("{}{reported}", does::sentence(self.request)));
         if let (Some(first), None) = (path.moves.first(), path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
             w.comment(&format!("The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
