@@ -149,7 +149,7 @@ export interface ProgramText {
   moveLines: number[];
   /** What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
-  /** What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only, writes nothing`. */
+  /** What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
   does: string;
   /** The same as a template and its values. */
   said: Said;

@@ -4,7 +4,7 @@ import { runInWords } from "../in-words.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
-import { saveButton } from "./save.js";
+import { replaced, saveButton } from "./save.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
 export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
@@ -46,6 +46,7 @@ class FindingsPart extends Part {
     });
     const worst = LEVELS.flatMap(of)[0];
     const { said } = this;
+    const other = this.panels.includes("program") || this.saves ? replaced(this.store) : "";
     return html`
       ${
         worst
@@ -54,7 +55,7 @@ class FindingsPart extends Part {
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
-      ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : html`<span class="gap"></span>`}
+      ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : other ? html`<p class="note" title=${other}>${other}</p>` : html`<span class="gap"></span>`}
       ${stale || this.panels.includes("stage") ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
       ${this.saves ? saveButton(this.store, this.store.withheld, () => this.ask("save")) : nothing}

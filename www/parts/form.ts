@@ -356,7 +356,13 @@ class FormPart extends FieldPart {
     const off = this.store.get(path) === null;
     return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>
-      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value="–" disabled /></span>` : this.number(field, path)}</span>`;
+      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path)}</span>`;
+  }
+
+  /** What stands in for null: the number that the program has from its name. */
+  private standing(path: string): string {
+    const { stale, plan } = this.store;
+    return (path === "control.number" && !stale && /^O(\d+)/m.exec(plan.program.text)?.[1]) || "–";
   }
 
   /** A rate to start from where one was not wanted before. */

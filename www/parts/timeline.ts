@@ -115,7 +115,9 @@ export class Timeline {
     const store = this.store();
     if (store.stale)
       return store.findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
-    return this.at === 0 ? runInWords(store) : inWords(store, this.at - 1);
+    if (this.at > 0) return inWords(store, this.at - 1);
+    const ends = store.findings.some(({ code }) => code === "collision");
+    return ends ? `${runInWords(store)} · ${this.t("The run ends in the part")}` : runInWords(store);
   }
 
   /** Tells the seconds of the run that are over, while it plays or up to the move that is pointed at. */
