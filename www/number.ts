@@ -31,14 +31,14 @@ const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 
 /** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
 const DEVIATIONS = /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
-/** `25e7` is a fit, and no size is written with an exponent. */
-const EXPONENT = /^\d+[.,]?\d*\s*e\s*\d+$/i;
+/** `25e7` is a fit: as a number it would be larger than any part. */
+const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
 /** A deviation is smaller than this, in the units of the size, and less than a quarter of it. */
 const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
 
 /** Whether a text in a field for a size says a tolerance, and not a sum: then the check says what to enter. */
 function isToleranced(text: string, units: Units): boolean {
-  if (EXPONENT.test(text)) return true;
+  if (FIT.test(text)) return true;
   const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) => part?.replace(",", "."));
   const most = Math.min(SMALL[units], Number(size) / 4);
   return deviations.length > 0 && deviations.every((part) => part === undefined || Number(part) < most);
