@@ -103,7 +103,7 @@ class ProgramPart extends Part {
             ${block.lines.map(row)}</div>`;
         })}
       </div>
-      ${stale ? nothing : html`<p class="does">${this.t("This program {does}", program.said)}</p>`}
+      <p class="does">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
     `;
   }
 
