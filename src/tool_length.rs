@@ -234,14 +234,40 @@ pub fn sentence(plane: Plane, answer: &Answer) -> Text {
     text!("{first}, {second}, {third}", first, second, third)
 }
 
-/// NC lines that ask the control itself, and stop where the first length (the probe's) is not along the tool axis.
+/// NC lines that ask the control itself, and stop where its answer is another than the one of [`lentoax`].
 /// DEF, the call and MSG are as in the manual's notation; the check is ours and not verified on a control.
-pub fn nc_block(coord: &str) -> String {
+pub fn nc_block(query: &Query) -> String {
     let known = ["MCS", "M", "BCS", "B", "WCS", "W", "KCS", "K", "TCS", "T"];
-    let upper = coord.to_ascii_uppercase();
-    let coord = known.iter().find(|k| **k == upper).copied().unwrap_or("WCS");
-    format!(
-        "DEF INT _STAT\nDEF INT _AXIND[3]\nDEF REAL _MATRIX[3,3]\n_STAT=LENTOAX(_AXIND,_MATRIX,\"{coord}\")\n\
-         IF (_STAT<0) OR (_MATRIX[2,0]<0.999999)\n  MSG(\"L1 is not along the tool axis\")\n  SETAL(65000)\n  M0\nENDIF\n"
-    )
+    let upper = query.coord.to_ascii_uppercase();
+    // Nothing of a user's text reaches the lines.
+    let coord = known.iter().find(|k| **k == upper).copied().unwrap_or("?");
+    let mut text =
+        format!("DEF INT _STAT\nDEF INT _AXIND[3]\nDEF REAL _MATRIX[3,3]\n_STAT=LENTOAX(_AXIND,_MATRIX,\"{coord}\")\n");
+    for differs in differences(&lentoax(query)) {
+        text.push_str(&format!(
+            "IF {differs}\n  MSG(\"LENTOAX differs from what was expected\")\n  SETAL(65000)\n  M0\nENDIF\n"
+        ));
+    }
+    text
+}
+
+/// Conditions of which one holds where a control gives another answer: the status, then what it says to read.
+fn differences(answer: &Answer) -> Vec<String> {
+    let status = format!("_STAT<>{}", answer.status);
+    match answer.status {
+        0 => {
+            let axes = answer.axind.iter().enumerate().map(|(i, number)| format!("(_AXIND[{i}]<>{number})"));
+            let all: Vec<String> = std::iter::once(format!("({status})")).chain(axes).collect();
+            vec![all.join(" OR ")]
+        }
+        1 => {
+            // To less than a thousandth of a length; seven decimals are what a control shows.
+            let off = |i: usize, j: usize| {
+                format!("(ABS(_MATRIX[{i},{j}]-({}))>0.0001)", crate::num::decimal(answer.matrix[i][j], 7))
+            };
+            let row = |i: usize| (0..3).map(|j| off(i, j)).collect::<Vec<String>>().join(" OR ");
+            std::iter::once(status).chain((0..3).map(row)).collect()
+        }
+        _ => vec![status],
+    }
 }

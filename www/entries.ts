@@ -90,6 +90,14 @@ export abstract class Entries extends Phrases {
     return section?.fields.find((f) => f.key === key);
   }
 
+  /** Whether a field changes anything in this job: its variant of the cycle and its control use it. */
+  counts(path: string, field: FieldEntry): boolean {
+    const key = /^control\.(\w+)$/.exec(path)?.[1];
+    if (key !== undefined && this.post?.unused.includes(key)) return false;
+    const { when } = field;
+    return when === null || this.get(path.replace(/\w+$/, when.key)) === when.value;
+  }
+
   /** What a field holds where the job says nothing, in the job's units. */
   standIn(field: FieldEntry): unknown {
     const metric = isMetric(field.unit);

@@ -6,6 +6,7 @@ import {
   defaultJob,
   type FieldEntry,
   type Job,
+  jobName,
   type Said,
 } from "./core/browser.js";
 import { w } from "./words.js";
@@ -84,6 +85,7 @@ export function complete(job: Draft, catalog: Catalog): Draft {
     if (!optional) (whole.cycle as Draft)[key] = over((fresh.cycle as Draft)[key], cycle[key]);
   const part = whole.part as Draft;
   part.sizes ??= {};
+  if (job.name === undefined) whole.name = jobName(whole);
   return structuredClone(whole);
 }
 

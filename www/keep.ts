@@ -76,6 +76,25 @@ function places(): [() => Storage, string][] {
   ];
 }
 
+const SAVED = "touchpath.saved.1";
+/** So many files are remembered, the last ones. */
+const MOST_SAVED = 200;
+
+/** What the files hold that were saved last, by their names. */
+export function keptFiles(): Map<string, string> {
+  try {
+    const pairs = JSON.parse(choice(SAVED) ?? "[]") as unknown;
+    const isPair = (pair: unknown) =>
+      Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
+    return new Map(Array.isArray(pairs) ? (pairs.filter(isPair) as [string, string][]) : []);
+  } catch {
+    return new Map();
+  }
+}
+
+export const keepFiles = (files: Map<string, string>) =>
+  keepChoice(SAVED, JSON.stringify([...files].slice(-MOST_SAVED)));
+
 const THEME = "touchpath.theme.1";
 const LANGUAGE = "touchpath.language.1";
 

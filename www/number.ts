@@ -29,14 +29,35 @@ const AMBIGUOUS = /^[+-]?\d+-\d+\/\d+/;
 const THOUSANDS = /^[+-]?\d{1,3}(,000)+(?!\d)/;
 const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 
+/** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
+const DEVIATIONS = /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
+/** `25e7` is a fit: as a number it would be larger than any part. */
+const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
+/** A deviation is smaller than this, in the units of the size, and less than a quarter of it. */
+const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
+
+/** Whether a text in a field for a size says a tolerance, and not a sum: then the check says what to enter. */
+function isToleranced(text: string, units: Units): boolean {
+  if (FIT.test(text)) return true;
+  const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) => part?.replace(",", "."));
+  const most = Math.min(SMALL[units], Number(size) / 4);
+  return deviations.length > 0 && deviations.every((part) => part === undefined || Number(part) < most);
+}
+
 /** Longer texts are no sums. */
 const LONGEST = 200;
 
 /**
  * The number that a text says, in the job's units: `80,5`, `−40`, `80/2+0.5`, `1 1/2`, `3.15 in`. What says none stays
- * text, and the check will say so. `comma`: the language writes decimals with one.
+ * text, and the check will say so. `comma`: the language writes decimals with one. `size`: of the part, which a drawing may give a tolerance.
  */
-export function readNumber(text: string, unit: Unit = "none", units: Units = "mm", comma = false): number | string {
+export function readNumber(
+  text: string,
+  unit: Unit = "none",
+  units: Units = "mm",
+  comma = false,
+  size = false,
+): number | string {
   const thousands = comma ? THOUSANDS_BY_POINT : THOUSANDS;
   if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || thousands.test(text.trim())) return text;
   let rest = text.trim().replaceAll("−", "-");
@@ -47,6 +68,7 @@ export function readNumber(text: string, unit: Unit = "none", units: Units = "mm
     given = of;
     break;
   }
+  if (size && unit === "length" && isToleranced(rest, given ?? units)) return text;
   const value = mixed(rest) ?? sum(rest);
   if (value === null || !Number.isFinite(value)) return text;
   if (given === null || given === units) return value;

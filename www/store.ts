@@ -7,6 +7,7 @@ import {
   type Finding,
   type Job,
   JobError,
+  jobName,
   type Plan,
   plan,
   type Said,
@@ -16,7 +17,7 @@ import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
 import { alike, complete, type Draft, formIn, isObject, misfit } from "./job.js";
-import { keepSoon, kept } from "./keep.js";
+import { keepFiles, keepSoon, kept, keptFiles } from "./keep.js";
 import { Outside } from "./outside.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./reading.js";
@@ -44,7 +45,7 @@ const NO_PLAN: Plan = {
   moves: [],
   length: 0,
   time: 0,
-  program: { post: "", extension: "", text: "", moveLines: [], writes: [], proof: null },
+  program: { post: "", extension: "", text: "", moveLines: [], writes: [], does: "", said: [""], proof: null },
   table: [],
   results: [],
   triggers: [],
@@ -62,6 +63,9 @@ interface Moment {
 }
 
 const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
+
+/** What the blocks of a program are: the hash over them that its header says, or else all of it. */
+const contentOf = (text: string): string => /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
 
 /** What outlives a reload. */
 interface State {
@@ -111,16 +115,24 @@ export class Store extends Entries {
   /** Whether what changes now is changed by the user. */
   byUser = true;
   private readonly local: boolean;
+  /** The name that the job has by itself: while it has this one, it follows what is measured. Null where the job is another one. */
+  private ownName: string | null = null;
+  /** The control that had a work offset which the present one has not: with another control it comes back. */
+  private lost: Draft | null = null;
+  /** What was saved, by the names of the files. */
+  private readonly files: Map<string, string>;
 
   /** `local`: the state is kept in this browser. */
   constructor({ local = false } = {}) {
     super();
     this.local = local;
+    this.files = local ? keptFiles() : new Map();
     const first = this.catalog.cycles[0];
     if (!first) throw new Error("the catalog has a cycle");
     this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
     this.compute();
     if (local) this.restore();
+    this.ownName = jobName(this.draft);
   }
 
   /** Another language for everything that is shown. The job stays as it is. */
@@ -189,6 +201,8 @@ export class Store extends Entries {
   set(path: string, value: unknown, typed?: string): void {
     if (this.refuses) return;
     this.mark(path);
+    // What the user chooses now holds, also that none is written.
+    if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
     const keys = steps(path);
@@ -208,8 +222,17 @@ export class Store extends Entries {
   chooseControl(post: unknown, form?: Form): void {
     const old = this.draft.control as Draft;
     if (post !== old.post) this.beforeControl = old;
-    this.put("control", this.controlOf(post, form));
+    this.put("control", { ...this.controlOf(post, form), workOffset: this.offsetFor(post) });
     this.tellLost(old);
+  }
+
+  /** The work offset on another control: the job's, or else the one that the present control has not. */
+  private offsetFor(post: unknown): unknown {
+    const old = this.draft.control as Draft;
+    if (old.workOffset === null && this.lost) return this.offsetOn(post, this.lost);
+    const offset = this.offsetOn(post, old);
+    if (offset === null && old.workOffset !== null) this.lost = old;
+    return offset;
   }
 
   /** Says that a work offset is not written any more, where this control has none of that name. */
@@ -229,6 +252,11 @@ export class Store extends Entries {
     this.settle();
     this.measured = text;
     this.settle();
+  }
+
+  /** The virtual part lies as the drawing says. */
+  putNominal(): void {
+    this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
@@ -294,7 +322,7 @@ export class Store extends Entries {
     const form = forms.includes(takes.form as Form) ? takes.form : (forms[0] ?? takes.form);
     if (takes.post === old.post) this.draft.control = { ...old, form };
     else {
-      const workOffset = this.offsetOn(takes.post);
+      const workOffset = this.offsetFor(takes.post);
       this.beforeControl = old;
       this.draft.control = { ...old, post: takes.post, form, workOffset };
     }
@@ -326,6 +354,8 @@ export class Store extends Entries {
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
+    this.lost = null;
+    this.ownName = null;
     this.draft = complete(this.outside.filled(job) as Draft, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
@@ -464,14 +494,29 @@ export class Store extends Entries {
     return form !== "cycle" && this.postOf(post)?.computes === false;
   }
 
-  /** What the program does with the work offset of a number, in words: with what of it is written, where it is the job's. */
+  /** What the program of the plan does with offsets and presets, in a sentence. */
+  get does(): string {
+    return this.say(this.plan.program.said);
+  }
+
+  /** What the program does with the work offset of a number, in words. */
   writes(offset: number): string {
     const word = this.post?.workOffsetWords[offset - 1] ?? `#${offset}`;
-    if (this.stale || offset !== this.get("control.workOffset")) return this.t("writes {offset}", word);
-    const parts = this.plan.program.writes.map((part) => (part === "rotation" ? this.t("rotation") : part));
-    return parts.length > 0
-      ? this.t("writes {offset}", [word, ...parts].join(" "))
-      : this.t("selects {offset}, writes nothing", word);
+    return this.stale || offset !== this.get("control.workOffset") ? this.t("writes {offset}", word) : this.does;
+  }
+
+  /** Whether a program of this name was saved before, and had other blocks than the one of the plan. */
+  replaces(file: string): boolean {
+    const before = this.files.get(file);
+    return before !== undefined && before !== contentOf(this.plan.program.text);
+  }
+
+  /** The program of the plan was saved as this file. */
+  remember(file: string): void {
+    this.files.delete(file);
+    this.files.set(file, contentOf(this.plan.program.text));
+    if (this.local) keepFiles(this.files);
+    this.dispatchEvent(new Event("change"));
   }
 
   /** The name of the program's file. */
@@ -495,9 +540,17 @@ export class Store extends Entries {
   }
 
   private changed(): void {
+    this.nameAnew();
     this.compute();
     this.keep();
     this.dispatchEvent(new Event("change"));
+  }
+
+  /** A name that was not typed follows what is measured. */
+  private nameAnew(): void {
+    const name = jobName(this.draft);
+    if (this.ownName !== null && this.draft.name === this.ownName) this.draft.name = name;
+    this.ownName = name;
   }
 
   private keep(): void {
@@ -587,6 +640,7 @@ export class Store extends Entries {
     this.points = moment.points;
     this.left = new Map(moment.left);
     this.document = moment.document;
+    this.ownName = null;
     this.pinned = null;
     this.highlight = null;
     this.changed();

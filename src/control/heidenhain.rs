@@ -6,7 +6,7 @@
 
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{stated_start, wrapped};
-use crate::control::{Form, PostDef, Program, Request, check_orientation, header};
+use crate::control::{Form, PostDef, Program, Request, check_orientation, does, header};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
@@ -30,6 +30,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: None,
+    unused: &["orient", "report", "number"],
     cannot: &[],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
@@ -112,6 +113,7 @@ fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
             number(2.0 * request.setup.radius)
         ),
     ];
+    lines.push(does::line(request, ""));
     match request.tool {
         Some(tool) => lines.push(format!("Before the start: tool {tool} is the probe, it is called")),
         None => {

@@ -3,6 +3,7 @@
 //! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
 //! each, and every touch runs on past its nominal contact by the overtravel.
 
+mod does;
 mod fanuc;
 mod grbl;
 pub mod header;
@@ -134,6 +135,8 @@ pub struct PostDef {
     pub work_offset_word: fn(i32) -> String,
     /// Why no work offset can be written, where that is so.
     pub no_work_offset: &'static str,
+    /// The fields of the job's section `control` that change nothing on it.
+    pub unused: &'static [&'static str],
     /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
     /// Whether its program computes the results itself: in plain arithmetic, circles by their normal equations and not by geometric least
@@ -223,6 +226,8 @@ pub struct Request<'a> {
     pub orient: Option<f64>,
     /// Where the program shows its results.
     pub report: Report,
+    /// The number of the program, on controls whose programs have one; none takes that of the name.
+    pub number: Option<i32>,
     /// What to print.
     pub path: &'a Path,
     /// The job with every value, for the header.
@@ -238,15 +243,6 @@ pub struct Request<'a> {
 pub const CHORD_SAG: f64 = 0.02;
 
 impl Request<'_> {
-    /// What of its work offset the program writes: axes in the order X, Y, Z, then the rotation. Empty where it measures only.
-    pub fn writes(&self) -> Vec<&'static str> {
-        let Some(datum) = self.path.formula.datum.as_ref().filter(|_| self.work_offset.is_some()) else { return Vec::new() };
-        let (axes, measured) = (self.plane.axes(), datum.measured());
-        let of_axis = |axis: &usize| (0..3).any(|i| axes[i] == *axis && measured[i]);
-        let rotation = datum.rotation.map(|_| "rotation");
-        (0..3).filter(of_axis).map(|axis| AXIS_NAMES[axis]).chain(rotation).collect()
-    }
-
     /// As high as the path ever is.
     pub fn highest(&self) -> Vec3 {
         let w = self.path.frame.w;
@@ -285,6 +281,11 @@ pub struct Program {
     pub text: String,
     /// For each move the 0-based line that makes it; none where the control makes it by itself.
     pub move_lines: Vec<Option<usize>>,
+}
+
+/// The number of the program of a job with this number and this name; none where the control's programs have none.
+pub fn program_number(post: &PostDef, number: Option<i32>, name: &str) -> Option<i32> {
+    (!post.unused.contains(&"number")).then(|| fanuc::number(number, name))
 }
 
 /// The control with this key.
@@ -418,23 +419,6 @@ fn directions(path: &Path) -> usize {
         }
     }
     found.len()
-}
-
-/// What a program does with a work offset, in words. `word` selects one, and `write` says what becomes of it.
-fn offset_line(request: &Request<'_>, word: impl Fn(i32) -> String, write: &str) -> String {
-    match request.work_offset {
-        Some(n) => format!("Work offset: {} is selected first; {write}", word(n)),
-        None => "Measures only, in the work offset that is active: nothing is written".to_owned(),
-    }
-}
-
-/// What of a work offset is written, in words: "its X and Y are written once, at the very end".
-fn written(request: &Request<'_>) -> String {
-    match request.writes().as_slice() {
-        [] => "nothing of it is written".to_owned(),
-        [one] => format!("its {one} is written once, at the very end"),
-        [rest @ .., last] => format!("its {} and {last} are written once, at the very end", rest.join(", ")),
-    }
 }
 
 /// The feed of a move on controls whose watched moves need one, mm/min: a watched move has one, and so have the straight moves that make an

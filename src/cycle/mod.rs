@@ -39,6 +39,8 @@ pub struct CycleDef {
     pub key: &'static str,
     /// Its documented name.
     pub title: &'static str,
+    /// What the name of a job begins with that has none of its own.
+    pub name: &'static str,
     /// Whose cycle it is, and its number there.
     pub source: &'static str,
     /// What it probes: by this a control says whether it takes the cycle.

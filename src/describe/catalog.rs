@@ -113,6 +113,17 @@ pub struct FieldEntry {
     pub group: &'static str,
     /// Whether `part.sizes` may change it.
     pub size: bool,
+    /// What another field of its form must be for this one to count; null where it always counts.
+    pub when: Option<WhenEntry>,
+}
+
+/// What a field must be for another one to count.
+#[derive(Clone, Debug, Serialize)]
+pub struct WhenEntry {
+    /// Its key in the same form.
+    pub key: &'static str,
+    /// Its value.
+    pub value: i32,
 }
 
 /// One word of a choice.
@@ -158,6 +169,8 @@ pub struct PostEntry {
     pub watches: bool,
     /// Whether its program computes the results itself.
     pub computes: bool,
+    /// The fields of the job's section `control` that change nothing on it.
+    pub unused: &'static [&'static str],
     /// What its work offsets are called, from number 1.
     pub work_offset_words: Vec<String>,
     /// Which cycle in which form.
@@ -216,6 +229,7 @@ pub fn catalog() -> Catalog {
                 first_length: post.first_length,
                 watches: post.watches,
                 computes: post.computes,
+                unused: post.unused,
                 work_offset_words: (1..=post.work_offsets).map(post.work_offset_word).collect(),
                 cycles: CYCLES
                     .iter()
@@ -310,6 +324,7 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                 code: (!field.code.is_empty()).then_some(field.code),
                 group: field.group,
                 size: field.size,
+                when: field.when.map(|(key, value)| WhenEntry { key, value }),
             }
         })
         .collect()

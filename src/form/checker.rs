@@ -207,12 +207,7 @@ impl<'a, 'c> Section<'a, 'c> {
     /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
         let Value::Number(given) = *value else {
-            let message = if field.null.is_some() {
-                text!("{label} must be a number or null, not {given}", field.label, value.noun())
-            } else {
-                text!("{label} must be a number, not {given}", field.label, value.noun())
-            };
-            self.checker.error("wrong-type", path, message);
+            self.checker.error("wrong-type", path, not_a_number(value, field));
             return None;
         };
         if !given.is_finite() {
@@ -520,6 +515,26 @@ impl Checked for String {
                 stand_in()
             }
         }
+    }
+}
+
+/// What is said of a value that should be a number: of a size with a tolerance, what to enter in its place.
+fn not_a_number(value: &Value, field: &Field) -> Text {
+    if let Value::Text(text) = value
+        && let Some(nominal) = tolerance::toleranced(text)
+    {
+        let (text, nominal) = (printable(text), decimal(nominal, 6));
+        return text!(
+            "{label} takes no tolerance, and \"{text}\" reads as one: enter {nominal} alone, or a sum as one number",
+            field.label,
+            text,
+            nominal
+        );
+    }
+    if field.null.is_some() {
+        text!("{label} must be a number or null, not {given}", field.label, value.noun())
+    } else {
+        text!("{label} must be a number, not {given}", field.label, value.noun())
     }
 }
 

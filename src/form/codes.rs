@@ -102,6 +102,8 @@ pub const CODES: &[(&str, &str)] = &[
     ("nothing-switched", "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing."),
     ("nothing-to-import", "No job can be made of the text."),
     ("nothing-to-write", "The cycle measures nothing that a work offset could take."),
+    ("number-protected", "A program number from 8000 to 9999 is usually protected on the control."),
+    ("number-unused", "A program number is given for a control whose programs have none."),
     ("offset-one-direction", "A work offset gets more axes than the touches have directions: a shift across them is not seen."),
     ("offset-optional", "The work offset is an option of the control: one without it raises an alarm."),
     ("orient-unsupported", "The program of this control cannot turn the spindle to an angle."),

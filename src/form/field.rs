@@ -30,6 +30,8 @@ pub struct Field {
     pub group: &'static str,
     /// Whether it is a size of the part that the virtual part may change.
     pub size: bool,
+    /// The other field of its form, and the number that this must have for the field to count at all.
+    pub when: Option<(&'static str, i32)>,
 }
 
 /// What kind of value a field takes, and with it the unit.
@@ -155,6 +157,7 @@ impl Field {
             code: "",
             group: "",
             size: false,
+            when: None,
         }
     }
 
@@ -297,6 +300,12 @@ impl Field {
     /// The heading it stands under.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
+        self
+    }
+
+    /// It counts only while another field of its form has this number.
+    pub const fn only_with(mut self, key: &'static str, number: i32) -> Self {
+        self.when = Some((key, number));
         self
     }
 

@@ -10,7 +10,7 @@ use crate::geom::{Plane, Vec3};
 use crate::import::codes::{Entry, entries};
 use crate::import::{Imported, set};
 use crate::job::JobError;
-use crate::job::default_job;
+use crate::job::{default_job, job_name};
 use crate::path::{Accessor, MAX_TOUCHES};
 use crate::text::text;
 
@@ -108,6 +108,8 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
     if let Some(place) = def.place {
         place_touches(block, def, place, &mut job, &mut checker);
     }
+    let name = job_name(&job);
+    set(&mut job, "name", Value::Text(name));
     let silent = text!("A dump does not give feeds, overtravel, units, control and program name: the defaults are used (mm)");
     checker.info("not-in-dump", "feeds", silent);
     if !checker.has("stylus-from-dump") {

@@ -5,7 +5,7 @@ use crate::cycle::CycleDef;
 use crate::form::{Checker, Field, Finding, Kind, Value, printable};
 use crate::import::{Imported, program, set};
 use crate::job::JobError;
-use crate::job::{Units, convert_units, default_job_in, section_defaults_in};
+use crate::job::{Units, convert_units, default_job_in, job_name, section_defaults_in};
 use crate::text::text;
 
 /// The cycle of a program without a header.
@@ -130,7 +130,18 @@ fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         spins: None,
     };
     blocks.iter().for_each(|block| reader.block(block));
-    reader.finish(&blocks)
+    let (mut job, findings) = reader.finish(&blocks)?;
+    if !says_name(&blocks) {
+        let name = job_name(&job);
+        set(&mut job, "name", Value::Text(name));
+    }
+    Ok((job, findings))
+}
+
+/// Whether the text says the name of its program.
+fn says_name(blocks: &[String]) -> bool {
+    let begins = |block: &String| block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3;
+    blocks.iter().any(begins)
 }
 
 /// Whether the text says that it is in inch.

@@ -63,6 +63,7 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     if let Some(name) = said.name {
         set(&mut job, "name", Value::Text(name.to_owned()));
     }
+    take_number(text, &mut job);
     if let Some(version) = said.version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
         let message = text!(
             "Version {version} wrote this program, and {own} reads it: blocks may differ only because of that",
@@ -109,6 +110,23 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     }
     checker.info("part-not-in-program", "part", text!("A program does not say how the part lies: the nominal one is taken"));
     Ok((job, checker.findings()))
+}
+
+/// The number of the program, where it is another one than the job gives it: a user may have changed it at the control.
+fn take_number(text: &str, job: &mut Value) {
+    const MOST: i32 = 9999;
+    let own = |line: &str| {
+        let code = line.trim().strip_prefix(['O', 'o'])?;
+        let code = code.split_once('(').map_or(code, |(code, _)| code).trim();
+        code.bytes().all(|b| b.is_ascii_digit()).then(|| code.parse::<i32>().ok())?
+    };
+    let mut rest = text;
+    let Some(number) = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest))).find_map(own) else { return };
+    let given = crate::job::planned(job)
+        .and_then(|planned| control::program_number(planned.job.post, planned.job.number, &planned.job.name));
+    if given.is_some_and(|given| given != number) && (1..=MOST).contains(&number) {
+        set(job, "control.number", Value::Number(f64::from(number)));
+    }
 }
 
 fn with_line(line: Option<usize>, message: Text) -> Text {

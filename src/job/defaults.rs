@@ -2,17 +2,25 @@
 
 use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Kind, Value};
+use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
 use crate::job::units::default_in;
 
-/// A complete, valid job of a type, in mm; none for an unknown type.
+/// A complete, valid job of a type, in mm, named by what it measures; none for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
     default_job_in(key, Units::Mm)
 }
 
 /// The same with lengths and feeds in `units`; the job's own units stay to be set.
 pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
-    cycle::find(key).map(|def| complete_job(def, units, true))
+    let mut job = cycle::find(key).map(|def| complete_job(def, units, true))?;
+    let name = Value::Text(job_name(&job));
+    if let Value::Map(entries) = &mut job
+        && let Some((_, place)) = entries.iter_mut().find(|(key, _)| key == "name")
+    {
+        *place = name;
+    }
+    Some(job)
 }
 
 /// The defaults of the fields of a form inside a cycle's form, likewise.

@@ -12,6 +12,7 @@ mod examine;
 mod inertia;
 mod lentoax;
 mod measure;
+mod naming;
 mod picture;
 mod plan;
 mod rows;
@@ -22,6 +23,7 @@ mod units;
 pub use defaults::default_job;
 pub use lentoax::lentoax_query;
 pub use measure::Measurement;
+pub use naming::job_name;
 pub use picture::svg;
 pub use rows::{
     Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, ResultWords, SafetyRow, TouchPoint, Triple,

@@ -248,13 +248,19 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
+    // A run that ends in the part ends before the results: nothing is stored.
+    let stored = run.collision.is_none();
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
     part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
-    let implausible = judge_plausible(job, path, &mut rows);
-    report_implausible(job, path, &rows, &implausible, &mut checker);
-    report_at_start(job, path, &run.triggers, &mut checker);
+    if stored {
+        let implausible = judge_plausible(job, path, &mut rows);
+        report_implausible(job, path, &rows, &implausible, &mut checker);
+        report_at_start(job, path, &run.triggers, &mut checker);
+    } else {
+        rows.iter_mut().for_each(unknown);
+    }
     let results = result_rows(job, path, rows);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
@@ -273,6 +279,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let (program, proof, verdicts) = released.into_parts();
     report_rules(job, &verdicts, &mut checker);
     let (length, time) = length_and_time(job, &request);
+    let does = request.does();
     Ok(Plan {
         touches: path
             .touches
@@ -288,6 +295,8 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             text: program.text,
             move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
             writes: request.writes(),
+            does: does.english(),
+            said: does,
             proof: proof.map(ProofRow::of),
         },
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),
@@ -296,6 +305,11 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
         findings: checker.findings(),
     })
+}
+
+/// A result that the control never comes to store.
+fn unknown(row: &mut crate::formula::ResultRow) {
+    (row.value, row.deviation, row.uncertainty, row.verdict) = (None, None, None, None);
 }
 
 /// Why a program was not handed out, as errors: at most this many.
@@ -351,6 +365,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         name: &job.name,
         title: job.def.title,
         source: job.def.source,
+        number: job.number,
         form: job.form,
         scale: job.scale,
         plane: job.setup.plane,
@@ -368,6 +383,8 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
     }
 }
 
+/// What happens on the part. A collision with the drawn one is an error: its program is good for nothing. One with a virtual part that lies elsewhere
+/// is a warning: the program is that of the drawing, and the part a trial.
 fn report_run(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, surfaces, run } = planned;
     let field = if job.lie.nominal { "cycle" } else { "part" };
@@ -428,7 +445,13 @@ fn report_collision(
         what,
         place.join(", ")
     );
-    checker.error("collision", field, message);
+    if field == "cycle" {
+        checker.error("collision", field, message);
+    } else {
+        let message =
+            text!("{message}. The program is that of the nominal part; on this one the control stores no results", message);
+        checker.warning("collision", field, message);
+    }
     let made = path.moves[..index].iter().filter_map(|step| match step.purpose {
         Purpose::Touch(k) => Some(k),
         Purpose::Position | Purpose::Back(_) => None,

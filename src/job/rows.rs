@@ -126,8 +126,13 @@ pub struct ProgramText {
     pub text: String,
     /// For each move the 0-based line that makes it.
     pub move_lines: Vec<i32>,
-    /// What of the work offset it writes, by itself or by the cycle that it calls: axes in the order `X`, `Y`, `Z`, then `rotation`. Empty where it measures only.
+    /// What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
+    /// `basic rotation` or `table offset`. Empty where it measures only.
     pub writes: Vec<&'static str>,
+    /// What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`.
+    pub does: String,
+    /// The same as a template and its values.
+    pub said: Text,
     /// What was proven of it; null in the form `cycle`.
     pub proof: Option<ProofRow>,
 }

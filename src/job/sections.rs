@@ -204,7 +204,7 @@ form! {
         orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Control"),
         /// Where the program shows its results before it ends.
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Control"),
-        /// Number of the program, on controls whose programs have one. Empty: from the program name where it holds digits, else 1000.
+        /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000.
         number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program"),
     }
 }
@@ -460,6 +460,10 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             Err(_) => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
         };
         checker.error("form-unsupported", "control.form", message);
+    }
+    if control.number.is_some() && post.unused.contains(&"number") {
+        let message = text!("Programs for {title} have no number: it is ignored", post.title.to_owned());
+        checker.info("number-unused", "control.number", message);
     }
     if let Some(n) = control.work_offset {
         if post.work_offsets == 0 {

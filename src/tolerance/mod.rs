@@ -90,6 +90,29 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     Ok(value)
 }
 
+/// The nominal size of a text that reads as a size with a tolerance, also as drawings write it: `25H7`, `25 h6`, `25+0.021`, `25 ±0.02`, `25 +0,021/0`.
+/// None where it reads as something else, such as a number, a sum or a fraction.
+pub fn toleranced(text: &str) -> Option<f64> {
+    let plain = text.trim().trim_start_matches(['Ø', 'ø', '⌀']).trim_start().replace('\u{2212}', "-");
+    let end = end_of_number(&plain)?;
+    let nominal = number(&plain[..end])?;
+    let rest = plain[end..].trim();
+    let deviations = || {
+        let signs = |c: char| "+-±/() ".contains(c);
+        let mut terms = rest.split(signs).filter(|term| !term.is_empty()).peekable();
+        rest.contains(signs) && terms.peek().is_some() && terms.all(|term| number(term).is_some_and(|x| x < 1.0))
+    };
+    (is_class(rest) || deviations()).then_some(nominal)
+}
+
+/// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
+fn is_class(text: &str) -> bool {
+    let class = text.split('/').next().unwrap_or(text).trim();
+    let letters = class.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let grade = &class[letters..];
+    (1..=2).contains(&letters) && (1..=2).contains(&grade.len()) && grade.bytes().all(|b| b.is_ascii_digit())
+}
+
 /// The same value with every length multiplied by `by`; none for a text that is no value. Letters and signs stay.
 pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
     // Only the form of the text matters here, not whether a class is known for its size.

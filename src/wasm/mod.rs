@@ -44,6 +44,12 @@ pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
     })
 }
 
+/// The name that a job has by itself: what it measures, and its main sizes.
+#[wasm_bindgen(js_name = jobName)]
+pub fn job_name(codes: &[f64], text: &str) -> String {
+    job::job_name(&decoded(codes, text))
+}
+
 /// Everything that is wrong, unusual or worth knowing.
 #[wasm_bindgen]
 pub fn check(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
@@ -235,7 +241,7 @@ pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let sentence = tool_length::sentence(query.plane, &answer);
     set(&result, "sentence", &JsValue::from_str(&sentence.english()));
     set(&result, "said", &to_js(&sentence)?);
-    set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query.coord)));
+    set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query)));
     Ok(result.into())
 }
 

@@ -128,6 +128,7 @@ pub fn give(plan: &Plan, sink: &Sink) {
     out.text(&program.text);
     out.list(&program.move_lines, |out, line| out.number(f64::from(*line)));
     out.list(&program.writes, |out, part| out.text(part));
+    out.said(&program.said);
     match &program.proof {
         Some(proof) => {
             out.count(proof.moves);

@@ -112,12 +112,56 @@ fn words_and_nc_lines() {
         sentence(Plane::G17, &turned).english(),
         "L1 acts along +1·Z, L2 acts along +0.866·X +0.5·Y, L3 acts along +0.5·X -0.866·Y"
     );
-    assert!(nc_block("tcs").contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"TCS\")"));
-    assert!(
-        nc_block("wcs").contains("IF (_STAT<0) OR (_MATRIX[2,0]<0.999999)"),
-        "a turn about the tool axis is none of its business"
-    );
-    assert!(nc_block("x\")\nM3").contains("\"WCS\")"), "nothing of a user's text reaches the lines");
+    let lines = |coord: &str| nc_block(&Query { coord: coord.to_owned(), ..mill() });
+    assert!(lines("tcs").contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"TCS\")"));
+    let hostile = lines("x\")\nM3");
+    assert!(!hostile.contains("M3") && hostile.contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"?\")"), "{hostile}");
+}
+
+/// Whether a control that gives this answer raises the alarm of some lines. It knows their few conditions, and no others.
+fn alarms(lines: &str, answer: &Answer) -> bool {
+    let index = |text: &str| -> Vec<usize> { text.split(',').map(|n| n.parse().unwrap()).collect() };
+    let holds = |condition: &str| {
+        let plain = condition.strip_prefix('(').and_then(|c| c.strip_suffix(')')).unwrap_or(condition);
+        if let Some(status) = plain.strip_prefix("_STAT<>") {
+            return answer.status != status.parse::<i32>().unwrap();
+        }
+        if let Some((at, number)) = plain.strip_prefix("_AXIND[").and_then(|rest| rest.split_once("]<>")) {
+            return answer.axind[index(at)[0]] != number.parse::<i32>().unwrap();
+        }
+        let (at, rest) = plain.strip_prefix("ABS(_MATRIX[").unwrap().split_once("]-(").unwrap();
+        let (value, near) = rest.split_once("))>").unwrap();
+        let at = index(at);
+        (answer.matrix[at[0]][at[1]] - value.parse::<f64>().unwrap()).abs() > near.parse::<f64>().unwrap()
+    };
+    let conditions: Vec<&str> = lines.lines().filter_map(|line| line.strip_prefix("IF ")).collect();
+    assert!(!conditions.is_empty() && lines.matches("SETAL(65000)").count() == conditions.len(), "{lines}");
+    conditions.iter().any(|condition| condition.split(" OR ").any(holds))
+}
+
+/// It asked for L1 along the tool axis, which a turning tool in G17 never has: it raised its alarm on a machine that was right.
+#[test]
+fn the_check_at_the_control_alarmed_for_every_turning_tool() {
+    let turning = Query { tool_type: 500, frame: vec![rot('Z', 60.0)], ..mill() };
+    assert!(!alarms(&nc_block(&turning), &lentoax(&turning)));
+    let questions = [
+        mill(),
+        turning,
+        Query { tool_type: 500, ..mill() },
+        Query { frame: vec![rot('Z', 90.0)], ..mill() },
+        Query { frame: vec![rot('Z', 45.0)], ..mill() },
+        Query { frame: vec![rot('X', 30.0), rot('Z', -20.0)], ..mill() },
+        Query { sd42940: 18, ..mill() },
+        Query { frame: vec![Step::Mirror { axis: Axis::Z }], ..mill() },
+        Query { coord: "XCS".into(), ..mill() },
+        Query { tool_active: false, ..mill() },
+    ];
+    for asked in &questions {
+        for other in &questions {
+            let differs = lentoax(asked) != lentoax(other);
+            assert_eq!(alarms(&nc_block(asked), &lentoax(other)), differs, "{asked:?} {other:?}\n{}", nc_block(asked));
+        }
+    }
 }
 
 fn axis() -> impl Strategy<Value = Axis> {

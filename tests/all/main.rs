@@ -5,6 +5,7 @@
 mod common;
 
 mod circles;
+mod does;
 mod edges;
 mod family;
 mod fanuc;
@@ -17,6 +18,7 @@ mod laws;
 mod layers;
 mod lentoax;
 mod linuxcnc;
+mod naming;
 mod part;
 mod picture;
 mod plausible;

@@ -254,7 +254,7 @@ fn a_klartext_program_in_other_units_converts_its_header() {
     let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
     let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
     let at = |job: &Value, path: &str| crate::common::number_at(job, path, f64::NAN);
-    let read = import(&text.replace("PROBE MM", "PROBE INCH")).unwrap();
+    let read = import(&text.replace("CIRCLES-D20 MM", "CIRCLES-D20 INCH")).unwrap();
     assert!(read.findings.iter().any(|f| f.code == "units-differ" && f.level == Level::Warning), "{:?}", read.findings);
     assert_eq!(read.job.get("units"), Some(&Value::Text("inch".to_owned())));
     assert_eq!((at(&read.job, "stylus.diameter"), at(&read.job, "cycle.probe.dist")), (0.23622, 0.393701));

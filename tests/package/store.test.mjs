@@ -212,6 +212,146 @@ test("a unit after a number is that unit, in a field that has one", () => {
     assert.equal(readNumber(text, "length", "mm", comma), value, text);
 });
 
+test("a tolerance in a size was taken for a sum", () => {
+  for (const typed of [
+    "25+0.021",
+    "25-0.02",
+    "25 +0,021/0",
+    "25+0.021-0",
+    "25+0.1-0.1",
+    "25\u{2212}0.02",
+    "25+.05",
+    "25e7",
+    "25 H7",
+    "25\u{b1}0.02",
+  ])
+    assert.equal(readNumber(typed, "length", "mm", false, true), typed, typed);
+  // Sums of anything else stay sums, and so do small ones of what is no size.
+  /** @type {[string, number][]} */
+  const sums = [
+    ["80/2+0.5", 40.5],
+    ["25+0.5", 25.5],
+    ["12.5+12.5", 25],
+    ["0.3+0.1", 0.4],
+    ["2*12.5+0.02", 25.02],
+    ["25+0.021+1+1", 27.021],
+  ];
+  for (const [typed, value] of sums) assert.equal(readNumber(typed, "length", "mm", false, true), value, typed);
+  assert.equal(readNumber("25+0.021", "length", "mm"), 25.021);
+  assert.equal(readNumber("90+0.4", "angle", "mm", false, true), 90.4);
+  // 0.05 is much in inch, and the unit that is typed counts.
+  assert.equal(readNumber("1+0.05", "length", "inch", false, true), 1.05);
+  assert.equal(readNumber("1+0.001", "length", "inch", false, true), "1+0.001");
+  assert.equal(readNumber("25+0.05 mm", "length", "inch", false, true), "25+0.05 mm");
+});
+
+test("every job was called PROBE: a name that was not typed follows what is measured", () => {
+  const store = new Store();
+  const name = () => store.get("name");
+  assert.equal(name(), "POCKET-80X50");
+  store.set("cycle.width1", 64);
+  assert.equal(name(), "POCKET-64X50");
+  store.undo();
+  assert.equal(name(), "POCKET-80X50");
+  store.set("cycle.width1", "x");
+  assert.equal(name(), "POCKET");
+  store.set("cycle.width1", 60);
+  assert.equal(name(), "POCKET-60X50");
+  store.choose("hole");
+  assert.equal(name(), "BORE-D40");
+  store.set("cycle.depth", 12);
+  store.set("name", "MINE");
+  store.set("cycle.diameter", 25);
+  assert.equal(name(), "MINE");
+  assert.equal(store.fileName("ngc"), "MINE.ngc");
+  // A job that comes from outside keeps its name, whatever the one before it was called.
+  store.reset();
+  const job = { ...structuredClone(store.draft), name: "BORE-D40" };
+  job.cycle.diameter = 30;
+  store.load(job);
+  assert.equal(name(), "BORE-D40");
+  store.set("cycle.diameter", 31);
+  assert.equal(name(), "BORE-D40");
+  const nameless = structuredClone(store.draft);
+  delete nameless.name;
+  store.load(nameless);
+  assert.equal(name(), "BORE-D31");
+});
+
+test("a work offset was lost on the way over a control that has none", () => {
+  const store = new Store();
+  const held = () => [store.get("control.post"), store.get("control.workOffset")];
+  store.chooseControl("fanuc");
+  store.put("control.workOffset", 2);
+  store.chooseControl("grbl");
+  assert.deepEqual(held(), ["grbl", null]);
+  store.chooseControl("sinumerik");
+  assert.deepEqual(held(), ["sinumerik", 2]);
+  store.chooseControl("haas");
+  store.put("control.workOffset", 13);
+  store.chooseControl("fanuc");
+  assert.deepEqual(held(), ["fanuc", null]);
+  store.chooseControl("grbl");
+  store.chooseControl("haas");
+  assert.deepEqual(held(), ["haas", 13], "G154 P7");
+  // What the user chooses holds.
+  store.chooseControl("grbl");
+  store.put("control.workOffset", null);
+  store.chooseControl("haas");
+  assert.deepEqual(held(), ["haas", null]);
+  // Nor does it come into another job.
+  store.put("control.workOffset", 2);
+  store.chooseControl("grbl");
+  store.reset();
+  store.chooseControl("haas");
+  assert.deepEqual(held(), ["haas", null]);
+});
+
+test("a file that held another program when it was saved before is known", () => {
+  const store = new Store();
+  const file = store.fileName("ngc");
+  assert.equal(store.replaces(file), false);
+  store.remember(file);
+  assert.equal(store.replaces(file), false, "the same again");
+  store.set("cycle.depth", 12);
+  assert.equal(store.replaces(file), true);
+  assert.equal(store.replaces("OTHER.ngc"), false);
+  store.undo();
+  assert.equal(store.replaces(file), false);
+  for (const post of ["heidenhain", "fanuc", "sinumerik"]) {
+    if (post === "heidenhain") store.choose("probing-two-circles");
+    store.chooseControl(post);
+    store.set("cycle.clearanceHeight", 100);
+    const own = store.fileName(store.plan.program.extension);
+    store.remember(own);
+    // Of the cycle that each of them writes.
+    store.set("cycle.clearanceHeight", 90);
+    assert.equal(store.replaces(own), true, post);
+  }
+});
+
+test("fields that change nothing are known, and what the program does is one sentence", () => {
+  const store = new Store();
+  store.choose("hole");
+  const counts = (/** @type {string} */ path) => store.counts(path, store.fieldAt(path));
+  for (const key of ["startAngle", "angularStep", "stepCount"]) assert.equal(counts(`cycle.${key}`), false, key);
+  store.set("cycle.variant", 1);
+  for (const key of ["startAngle", "angularStep", "stepCount", "diameter"]) assert.ok(counts(`cycle.${key}`), key);
+  assert.deepEqual([counts("control.number"), counts("control.tool")], [false, false]);
+  store.chooseControl("fanuc");
+  assert.deepEqual([counts("control.number"), counts("control.tool")], [true, false]);
+  assert.equal(store.does, "measures only");
+  store.put("control.workOffset", 1);
+  assert.equal(store.does, "writes G54 X Y");
+  assert.equal(store.writes(1), "writes G54 X Y");
+  assert.equal(store.writes(2), "writes G55");
+  store.choose("probing-two-circles");
+  store.chooseControl("heidenhain");
+  store.set("cycle.transferPosition", 3);
+  store.set("cycle.confirmRotation", 1);
+  assert.equal(store.does, "sets the basic rotation and preset X Y");
+});
+
 test("any run of steps taken back is the state before it, and taken again the state after it", () => {
   const store = new Store();
   let seed = 7;

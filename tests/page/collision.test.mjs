@@ -5,19 +5,23 @@ import { field, page, pixels, program, put, saveButton, setUp, textOf } from "./
 
 setUp({ width: 1440, height: 900 });
 
-test("a collision is drawn where it happens, in the picture of the form as it stands, and nothing is handed out", async () => {
-  const good = await pixels();
+test("a trial of the virtual part that collides is drawn where it happens, and took the program away", async () => {
+  const [good, nominal] = [await pixels(), await program()];
   await field("part.offset[0]").fill("60");
-  const stamp = page.locator(".stamp");
+  const stamp = page.locator(".verdict.warning");
   await stamp.waitFor();
-  assert.match(await textOf(stamp), /No program: Move \d+ \(step \d+, .*\) meets the part with the ball centre at X/);
-  assert.ok(await saveButton().isDisabled());
-  assert.notEqual((await pixels()).sum, good.sum);
+  assert.match(await textOf(stamp), /Move \d+ \(step \d+, .*\) meets the part with the ball centre at X/);
+  assert.ok(await saveButton().isEnabled());
+  assert.equal(await program(), nominal);
+  assert.match(await textOf(page.locator(".scrub output")), /The run ends in the part/);
+  await page.getByRole("tab", { name: "Results" }).click();
   assert.equal(
-    await page.locator("#scrub").getAttribute("max"),
-    "0",
-    "the moves of another plan cannot be stepped through",
+    await textOf(page.locator("tp-results tbody tr").first().locator("td").nth(2)),
+    "–",
+    "nothing is stored",
   );
+  await page.getByRole("tab", { name: "Program" }).click();
+  assert.notEqual((await pixels()).sum, good.sum);
   // The crossed ball stands where the message says.
   const place = /X (-?[\d.]+), Y (-?[\d.]+)/.exec(await textOf(stamp));
   assert.ok(place);
@@ -40,6 +44,10 @@ test("a collision is drawn where it happens, in the picture of the form as it st
     /** @type {[number, number]} */ ([Number(place[1]), Number(place[2])]),
   );
   assert.ok((red[0] ?? 0) > 150 && (red[1] ?? 255) < 100, `${red}`);
+  await page.locator("tp-findings").getByRole("button", { name: "Back to nominal" }).click();
+  assert.equal(await field("part.offset[0]").inputValue(), "0");
+  await page.locator(".verdict.fine").waitFor();
+  assert.equal(await page.locator(".trial").count(), 0);
 });
 
 test("a form that has no path keeps the picture of the last good plan, also after one that had a collision", async () => {
@@ -47,7 +55,7 @@ test("a form that has no path keeps the picture of the last good plan, also afte
   await field("part.offset[0]").focus();
   const good = await pixels();
   await field("part.offset[0]").fill("60");
-  await page.locator(".stamp", { hasText: "meets the part" }).waitFor();
+  await page.locator(".verdict", { hasText: "meets the part" }).waitFor();
   await field("part.offset[0]").fill("x");
   await page.locator(".stamp", { hasText: "last good plan" }).waitFor();
   assert.match(await program(), /G38\.2 X42/);

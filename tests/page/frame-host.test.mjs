@@ -294,7 +294,7 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   const inside = page.frameLocator("iframe");
   const save = inside.getByRole("button", { name: /^Save / });
   const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
-  assert.equal(download.suggestedFilename(), "PROBE.ngc", "the frame hands programs out by itself again");
+  assert.equal(download.suggestedFilename(), "POCKET-80X50.ngc", "the frame hands programs out by itself again");
   await connect({ saves: true });
   await page.evaluate(() => Object.assign(window, { first: /** @type {any} */ (window).frame }));
   await connect({ saves: true });
@@ -302,7 +302,7 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
     /** @type {any} */ (await on("(await new Promise((done) => setTimeout(done, 200)), first.get())")).failed,
     /is closed/,
   );
-  assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "PROBE");
+  assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "POCKET-80X50");
 });
 
 test("a frame that was taken out answers nothing: what is asked of it fails", async () => {

@@ -323,7 +323,7 @@ test("the bar reads as the job's sentence: what is written, under which name", a
   // A cycle that measures nothing that it could write, and one that turns the offset, too.
   await field("cycle.type").selectOption("nc-action");
   const writes = () => textOf(field("control.workOffset").locator("option:checked"));
-  assert.equal(await writes(), "selects G54, writes nothing");
+  assert.equal(await writes(), "moves nothing, writes nothing");
   await field("cycle.type").selectOption("surface");
   assert.equal(await writes(), "writes G54 Z");
   await field("cycle.type").selectOption("internal-rectangle-protected");
@@ -612,7 +612,7 @@ test("a note that a link was copied went on after the job was another one", asyn
   await page.setViewportSize({ width: 900, height: 800 });
   await page.getByRole("tab", { name: "Results" }).click();
   await saveButton().click();
-  assert.match(await textOf(note), /Saved PROBE\.ngc/);
+  assert.match(await textOf(note), /Saved POCKET-80X50\.ngc/);
 });
 
 test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {

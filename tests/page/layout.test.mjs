@@ -309,7 +309,7 @@ test("on a phone Save stands at the foot, on wider pages in the bar, and always 
   await page.setViewportSize({ width: 390, height: 844 });
   const download = page.waitForEvent("download");
   await page.locator("footer .primary").click();
-  assert.equal((await download).suggestedFilename(), "PROBE.ngc");
+  assert.equal((await download).suggestedFilename(), "POCKET-80X50.ngc");
   await put("cycle.depth", -1);
   assert.ok(await page.locator("footer .primary").isDisabled());
   assert.match((await page.locator("footer .primary").getAttribute("title")) ?? "", /^Depth must be/);

@@ -294,8 +294,8 @@ test("words are found in the program, in its folded header too, and stay found w
   assert.equal(await said(), "4 of 4");
   await field("cycle.width1").fill("70");
   assert.equal(await page.locator("tp-program .line.match").count(), 4);
-  await find.fill("Job: PROBE");
-  await page.locator("tp-program .line.here", { hasText: "Job: PROBE" }).waitFor({ state: "visible" });
+  await find.fill("Job: POCKET-80X50");
+  await page.locator("tp-program .line.here", { hasText: "Job: POCKET-80X50" }).waitFor({ state: "visible" });
   await find.fill("no such words");
   assert.equal(await said(), "not found");
   await find.fill("");
@@ -350,7 +350,7 @@ test("this job on every control: what each makes of it, and the way there", asyn
 test("two circles: tolerances, verdicts, handles, Klartext out and in", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await field("control.post").selectOption("heidenhain");
-  assert.match(await program(), /^0 BEGIN PGM PROBE MM\n[\s\S]*\n\d+ TCH PROBE 1411 PROBING TWO CIRCLES ~\n/);
+  assert.match(await program(), /^0 BEGIN PGM CIRCLES-D20 MM\n[\s\S]*\n\d+ TCH PROBE 1411 PROBING TWO CIRCLES ~\n/);
   await field("cycle.diameter1").fill("20H7");
   assert.match(await program(), /QS1116="20H7" ;DIAMETER 1 ~/);
   await field("part.sizes.diameter1").fill("0.05");
@@ -669,12 +669,12 @@ test("the words of a program have colours, those of the program that is shown", 
   assert.ok((await coloured("variable")).includes("#5070"));
   // Of the lines in sight only: those of the folded header and of the end come when they are seen.
   const all = await coloured("comment");
-  assert.ok(!all.some((text) => text === "(Job: PROBE)") && !(await coloured("code")).includes("M2"));
+  assert.ok(!all.some((text) => text === "(Job: POCKET-80X50)") && !(await coloured("code")).includes("M2"));
   await page.locator("tp-program .line").last().scrollIntoViewIfNeeded();
   await settles(async () => (await coloured("code")).includes("M2"));
   await page.getByRole("button", { name: /header/ }).click();
   await page.locator("tp-program .line").first().scrollIntoViewIfNeeded();
-  await settles(async () => (await coloured("comment")).includes("(Job: PROBE)"));
+  await settles(async () => (await coloured("comment")).includes("(Job: POCKET-80X50)"));
   await page.getByRole("button", { name: /header/ }).click();
   // Those of another program take their place: nothing of the first is left.
   await field("control.post").selectOption("sinumerik");

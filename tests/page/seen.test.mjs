@@ -26,7 +26,7 @@ test("a key was dead where nothing had the focus: Ctrl+S saves there, Ctrl+Z tak
   assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
   const download = page.waitForEvent("download");
   await page.keyboard.press("Control+s");
-  assert.equal((await download).suggestedFilename(), "PROBE.ngc");
+  assert.equal((await download).suggestedFilename(), "POCKET-70X50.ngc");
   await page.keyboard.press("Control+z");
   assert.equal(await held("cycle.width1"), 80);
 });

@@ -49,6 +49,7 @@ class Sink implements Packed {
 export interface Raw {
   catalog(): unknown;
   defaultJob(type: unknown): unknown;
+  jobName(codes: Float64Array, text: string): unknown;
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;
   table(codes: Float64Array, text: string, sink: Sink): void;
@@ -71,6 +72,8 @@ export interface Api {
   catalog(): Catalog;
   /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
   defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> };
+  /** The name that a job has by itself: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
+  jobName(job: unknown): string;
   /** Everything that is wrong, unusual or worth knowing. Never throws. */
   check(job: unknown): Finding[];
   /** The whole plan. Throws `JobError` if any finding is an error. */
@@ -186,6 +189,7 @@ export function dress(raw: Raw, instance: Instance): Api {
   return {
     catalog: () => instance.call(() => raw.catalog()),
     defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
+    jobName: (job) => on(job, raw.jobName),
     check: (job) => {
       try {
         return on(job, raw.check);

@@ -74,6 +74,7 @@ if (dispose) Object.defineProperty(View.prototype, dispose, { value: View.protot
 export const {
   catalog,
   defaultJob,
+  jobName,
   check,
   plan,
   program,

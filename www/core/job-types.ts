@@ -676,7 +676,7 @@ export interface Job {
     orient?: number | null;
     /** Where the program shows its results before it ends. */
     report?: "screen" | "log" | "none";
-    /** Number of the program, on controls whose programs have one. Empty: from the program name where it holds digits, else 1000. `null`: from the name. */
+    /** Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */
     number?: number | null;
   };
   tool?: {

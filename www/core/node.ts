@@ -11,6 +11,7 @@ raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.m
 export const {
   catalog,
   defaultJob,
+  jobName,
   check,
   plan,
   program,

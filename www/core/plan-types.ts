@@ -149,8 +149,12 @@ export interface ProgramText {
   text: string;
   /** For each move the 0-based line that makes it. */
   moveLines: number[];
-  /** What of the work offset it writes, by itself or by the cycle that it calls: axes in the order `X`, `Y`, `Z`, then `rotation`. Empty where it measures only. */
-  writes: ("X" | "Y" | "Z" | "rotation")[];
+  /** What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
+  writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
+  /** What it does with offsets and presets, in one sentence: `writes G54 X Y`, `measures only`. */
+  does: string;
+  /** The same as a template and its values. */
+  said: Said;
   /** What was proven of it; null in the form `cycle`. */
   proof: ProofRow | null;
 }
@@ -227,6 +231,14 @@ export interface ChoiceEntry {
   label: string;
 }
 
+/** What a field must be for another one to count. */
+export interface WhenEntry {
+  /** Its key in the same form. */
+  key: string;
+  /** Its value. */
+  value: number;
+}
+
 /** One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units. */
 export interface FieldEntry {
   /** Key in its section. */
@@ -257,6 +269,8 @@ export interface FieldEntry {
   group: string;
   /** Whether `part.sizes` may change it. */
   size: boolean;
+  /** What another field of its form must be for this one to count; null where it always counts. */
+  when: WhenEntry | null;
 }
 
 /** A form inside a cycle's form. */
@@ -331,6 +345,8 @@ export interface PostEntry {
   watches: boolean;
   /** Whether its program computes the results itself. */
   computes: boolean;
+  /** The fields of the job's section `control` that change nothing on it. */
+  unused: string[];
   /** What its work offsets are called, from number 1. */
   workOffsetWords: string[];
   /** Which cycle in which form. */

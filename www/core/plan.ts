@@ -153,9 +153,10 @@ function program(r: Reader): ProgramText {
   const [post, extension, text] = [r.text(), r.text(), r.text()];
   const moveLines = r.list(() => r.number());
   const writes = r.list(() => r.text() as ProgramText["writes"][number]);
+  const said = r.said();
   const moves = r.index();
   const proof = moves === null ? null : { moves, touches: r.number(), arithmetic: r.flag() === true };
-  return { post, extension, text, moveLines, writes, proof };
+  return { post, extension, text, moveLines, writes, does: say(said), said, proof };
 }
 
 function result(r: Reader): ResultRow {

@@ -136,10 +136,13 @@ export class App extends LitElement {
     this.outlet = new Outlet(store, {
       tell: (said) => this.tell(said, true),
       show: (link) => this.tell([link], true, false),
-      saved: (name) => {
+      saved: (name, other) => {
         const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
-        if (program?.checkVisibility()) program.tell(this.t("Saved {file}", name));
-        else this.tell([w("Saved {file}"), name], true);
+        const said: Said = other
+          ? [w("Saved {file}, with other content than the one saved before"), name]
+          : [w("Saved {file}"), name];
+        if (program?.checkVisibility()) program.tell(store.say(said));
+        else this.tell(said, true);
       },
       offer: (saving) => around.host.tell("program-save", saving),
       picture: () => this.renderRoot.querySelector<PicturePart>("tp-picture"),

@@ -3,6 +3,9 @@ import type { CycleEntry } from "../core/browser.js";
 import { FieldPart } from "./field.js";
 import { saveButton } from "./save.js";
 
+/** Where a cycle of the control itself says what it sets. */
+const SETS = "cycle.confirmRotation";
+
 /** The head of the page: the job in one sentence, and what is handed out. */
 class BarPart extends FieldPart {
   /** Whether links to the job are handed out. */
@@ -22,12 +25,7 @@ class BarPart extends FieldPart {
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
       ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
       <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
-      <span class="joined">${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}${this.select(
-        "control.workOffset",
-        this.offsets(),
-        (n) => store.put("control.workOffset", n === "" ? null : Number(n)),
-        this.t("Work offset"),
-      )}</span>
+      <span class="joined">${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}${this.offset()}</span>
       ${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
@@ -64,13 +62,34 @@ class BarPart extends FieldPart {
     });
   }
 
+  /** The work offset; where the control has none, what the program does: a cycle of the control has fields for that. */
+  private offset(): TemplateResult {
+    const { store } = this;
+    if (store.post?.workOffsets === 0 && (store.get("control.workOffset") ?? null) === null) {
+      const does = store.stale ? this.t("no program") : store.does;
+      const go = () => this.dispatchEvent(new CustomEvent("go", { detail: SETS, bubbles: true }));
+      return store.fieldAt(SETS)
+        ? html`<button type="button" class="does" title=${this.t("Choose what it sets")} @click=${go}>${does}</button>`
+        : html`<span class="does" role="note">${does}</span>`;
+    }
+    const choose = (n: string) => store.put("control.workOffset", n === "" ? null : Number(n));
+    return this.select("control.workOffset", this.offsets(), choose, this.t("Work offset"));
+  }
+
   private offsets() {
     const { store } = this;
     const { post } = store;
     const value = store.get("control.workOffset") ?? null;
     const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1, label: store.writes(i + 1) }));
-    return [{ value: null, label: this.t("measures only") }, ...numbers];
+    // `G154 P1` and its kin under one heading.
+    const under = (i: number) => /^(\S+) P\d+$/.exec(post?.workOffsetWords[i] ?? "")?.[1] ?? "";
+    const numbers = Array.from({ length: most }, (_, i) => ({
+      value: i + 1,
+      label: store.writes(i + 1),
+      under: under(i),
+    }));
+    const none = value === null && !store.stale ? store.does : this.t("measures only");
+    return [{ value: null, label: none }, ...numbers];
   }
 
   private ask(what: string): void {

@@ -68,7 +68,9 @@ export abstract class FieldPart extends Part {
   private typed(field: FieldEntry, path: string, text: string): void {
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const plain = words && isWorkedOut(text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""));
-    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units, this.store.comma), text);
+    // How much a size of the virtual part differs is no size.
+    const size = field.size && !path.startsWith("part.");
+    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units, this.store.comma, size), text);
   }
 
   /** A sum shows what it comes to; what is no number stays as it was typed. */

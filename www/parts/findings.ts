@@ -4,17 +4,23 @@ import { runInWords } from "../in-words.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
-import { saveButton } from "./save.js";
+import { replaced, saveButton } from "./save.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
 export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
 const ONE = { error: w("1 error"), warning: w("1 warning"), info: w("1 note") } as const;
 const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info: w("{count} notes") } as const;
 
-/** A key that no job has is in no field: what helps is to remove it. Undo brings it back. */
+/** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
 export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
+  if (code === "collision" && path === "part") return nominal(store);
   if (code !== "unknown-key" || store.get(path) === undefined) return null;
   return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
+}
+
+/** Ends a trial of the virtual part. */
+export function nominal(store: Store): TemplateResult {
+  return html`<button type="button" class="quiet nominal" ?disabled=${store.readonly} @click=${() => store.putNominal()}>${store.t("Back to nominal")}</button>`;
 }
 
 /** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
@@ -40,6 +46,7 @@ class FindingsPart extends Part {
     });
     const worst = LEVELS.flatMap(of)[0];
     const { said } = this;
+    const other = this.panels.includes("program") || this.saves ? replaced(this.store) : "";
     return html`
       ${
         worst
@@ -48,7 +55,7 @@ class FindingsPart extends Part {
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
           : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
       }
-      ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : html`<span class="gap"></span>`}
+      ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : other ? html`<p class="note" title=${other}>${other}</p>` : html`<span class="gap"></span>`}
       ${stale || this.panels.includes("stage") ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
       ${this.saves ? saveButton(this.store, this.store.withheld, () => this.ask("save")) : nothing}

@@ -21,6 +21,7 @@ const TOUCH: FieldEntry = {
   code: null,
   group: "",
   size: false,
+  when: null,
 };
 
 /** What stands in the bar, not in the form. */
@@ -30,7 +31,7 @@ const FIRST = new Set(["feeds.work", "stylus.diameter"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
-const OF_TOUCHES = /^(stylus|feeds|part|overtravel|control\.protection)\b/;
+const OF_TOUCHES = /^(stylus|feeds|limits|machine|part|overtravel|control\.(protection|orient|report))\b/;
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
@@ -95,9 +96,10 @@ class FormPart extends FieldPart {
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
-      // A cycle that touches nothing has no use for these; one that something is said of is there to be mended, until it is left.
+      // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
-      if (maxTouches === 0 && OF_TOUCHES.test(path) && !mended) return;
+      const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
+      if (idle && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);
@@ -354,7 +356,13 @@ class FormPart extends FieldPart {
     const off = this.store.get(path) === null;
     return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>
-      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" value="–" disabled /></span>` : this.number(field, path)}</span>`;
+      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path)}</span>`;
+  }
+
+  /** What stands in for null: the number that the program has from its name. */
+  private standing(path: string): string {
+    const { stale, plan } = this.store;
+    return (path === "control.number" && !stale && /^O(\d+)/m.exec(plan.program.text)?.[1]) || "–";
   }
 
   /** A rate to start from where one was not wanted before. */

@@ -19,8 +19,8 @@ interface Page {
   tell(said: Said): void;
   /** Shows a link, to be taken by hand. */
   show(link: string): void;
-  /** Says where the program is seen that it was saved. */
-  saved(name: string): void;
+  /** Says where the program is seen that it was saved, and whether another one of this name was saved before. */
+  saved(name: string, other: boolean): void;
   /** Offers a program to the page around; false where that saves it itself. */
   offer(saving: Saving): boolean;
   /** The picture that is looked at. */
@@ -41,9 +41,11 @@ export class Outlet {
     const { text, post, extension } = store.plan.program;
     const name = store.fileName(extension);
     store.saved = text;
+    const other = store.replaces(name);
+    store.remember(name);
     if (!this.page.offer({ name, text, post, extension })) return;
     download(text, name, "text/plain");
-    this.page.saved(name);
+    this.page.saved(name, other);
   }
 
   /** Saves the form as it stands, also with errors: it is the user's work. */

@@ -4,6 +4,7 @@ import { deviations, rateOf } from "../in-words.js";
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
+import { nominal } from "./findings.js";
 import { kind } from "./legend.js";
 import { Timeline } from "./timeline.js";
 
@@ -191,7 +192,8 @@ class PicturePart extends DrawnPart {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
     return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
-      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}</p>`;
+      ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}
+      ${nominal(this.store)}</p>`;
   }
 
   /** The move that is pointed at: in the picture, on the timeline and in words. */

@@ -103,6 +103,7 @@ class ProgramPart extends Part {
             ${block.lines.map(row)}</div>`;
         })}
       </div>
+      <p class="does">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
     `;
   }
 

@@ -38,8 +38,6 @@ class SheetPart extends Part {
     const post = this.store.postOf(program.post);
     const computes = !this.store.bare;
     const head = conditions(program.text);
-    const offset = this.store.get("control.workOffset");
-    const writes = typeof offset === "number" ? this.store.writes(offset) : this.t("measures only, writes no offset");
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const number = (x: number | null) =>
       x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3).replace(/^-(0\.0*)$/, "$1"));
@@ -54,7 +52,7 @@ class SheetPart extends Part {
       </div>
       <article aria-label=${this.t("Setup sheet")}>
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
-        <p>${cycle.source} · ${post?.title ?? program.post}, ${writes} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
+        <p>${cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
         <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
           <div>
@@ -112,7 +110,8 @@ class SheetPart extends Part {
   private row(path: string, field: FieldEntry): TemplateResult | typeof nothing {
     const held = this.store.get(path);
     const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
-    if (value === null || value === undefined || field.group.startsWith("Postprocessor")) return nothing;
+    const idle = field.group.startsWith("Postprocessor") || !this.store.counts(path, field);
+    if (value === null || value === undefined || idle) return nothing;
     const words = (x: unknown) => {
       if (typeof x === "boolean") return x ? this.t("on") : this.t("off");
       const choice = field.choices.find((c) => c.value === x)?.label;

@@ -77,7 +77,7 @@ export class Timeline {
     scrub.value = String(this.at);
     scrub.setAttribute("aria-valuetext", this.says(moveInWords));
     words.classList.toggle("rest", this.at === 0);
-    words.textContent = this.at === 0 && !this.store().stale ? pathInWords(this.store()) : this.says(moveInShort);
+    words.textContent = this.at === 0 && !this.store().stale ? this.rest(pathInWords) : this.says(moveInShort);
     this.tell();
   }
 
@@ -113,9 +113,18 @@ export class Timeline {
   /** The move that is pointed at in words, or else what the run comes to. */
   private says(inWords: typeof moveInShort): string {
     const store = this.store();
-    if (store.stale)
-      return store.findings.some(({ code }) => code === "collision") ? this.t("The run ends in the part") : "";
-    return this.at === 0 ? runInWords(store) : inWords(store, this.at - 1);
+    if (store.stale) return this.collides ? this.t("The run ends in the part") : "";
+    return this.at > 0 ? inWords(store, this.at - 1) : this.rest(runInWords);
+  }
+
+  /** What the run comes to, and that it ends before on the virtual part. */
+  private rest(inWords: typeof runInWords): string {
+    const words = inWords(this.store());
+    return this.collides ? `${words} · ${this.t("The run ends in the part")}` : words;
+  }
+
+  private get collides(): boolean {
+    return this.store().findings.some(({ code }) => code === "collision");
   }
 
   /** Tells the seconds of the run that are over, while it plays or up to the move that is pointed at. */

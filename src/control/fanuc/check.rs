@@ -1,6 +1,6 @@
 //! What neither of the two takes, or takes with a warning.
 
-use super::{CHANGES, DIALECT, DIGITS, FIRST, LAST, STANDARD_OFFSETS};
+use super::{CHANGES, DIALECT, DIGITS, FIRST, LAST, STANDARD_OFFSETS, number};
 use crate::control::{Request, check_plain_moves, check_rotary, check_write};
 use crate::form::Checker;
 use crate::geom::Plane;
@@ -57,6 +57,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
         checker.warning("offset-optional", "control.workOffset", message);
     }
+    number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
         checker.error("plane-unsupported", "plane", message);

@@ -14,11 +14,13 @@
 
 mod check;
 mod flavour;
+mod number;
 mod read;
 mod skip;
 
 use self::check::{check, check_haas_feeds};
 use self::flavour::{PLAIN, WITH_ALARMS};
+pub use self::number::number;
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::Dialect;
@@ -83,6 +85,7 @@ const BASE: PostDef = PostDef {
     work_offsets: 0,
     work_offset_word: |_| String::new(),
     no_work_offset: "",
+    unused: &["tool"],
     first_length: false,
     computes: true,
     when: When::AtOnce,

@@ -1,12 +1,12 @@
 //! Writes the program: every probing move a G31, compared with its end.
 
 use super::flavour::Flavour;
-use super::{CHANGES, DIALECT, DIGITS, FIRST, SHORTEST_PROBE, origin, rate};
+use super::{CHANGES, DIALECT, DIGITS, FIRST, SHORTEST_PROBE, number, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
-use crate::control::{Program, Report, Request, offset_line, orientation_line, written};
+use crate::control::{Program, Report, Request, does, orientation_line};
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, count, decimal, push_count};
@@ -208,10 +208,11 @@ impl Moves for Skip<'_> {
         let request = self.request;
         let formula = &request.path.formula;
         w.line("%");
-        w.line("O1000");
-        let write = written(request);
-        w.header(&offset_line(request, request.post.work_offset_word, &write));
-        w.comment("The number O1000 is any: give it a free one");
+        w.line(&number::line(request));
+        w.header(&does::line(request, does::ONCE));
+        if number::chosen(request).is_none() {
+            w.comment("No number was chosen: this may replace a program O1000 of the control");
+        }
         if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
             w.comment(&format!(

@@ -12,7 +12,7 @@ use crate::control::iso::writer::{Dialect, Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, orientation_line,
+    Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question};
@@ -39,6 +39,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: Some(&DIALECT),
+    unused: &["tool", "orient", "report", "number"],
     cannot: &[
         (safety::WATCHED, words!("grbl has no conditions: a program cannot ask whether a positioning move met something")),
         (safety::CONTACT_LIFTS, words!("grbl does not watch positioning moves: nothing follows a contact there")),
@@ -113,7 +114,8 @@ struct Grbl<'a> {
 impl Moves for Grbl<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let path = self.request.path;
-        w.header("Measures only: each touch is reported as PRB in machine coordinates");
+        let reported = if path.touches.is_empty() { "" } else { ": each touch is reported as PRB in machine coordinates" };
+        w.header(&format!("{}{reported}", does::sentence(self.request)));
         if let (Some(first), None) = (path.moves.first(), path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
             w.comment(&format!("The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \

@@ -18,7 +18,7 @@ use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
     Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
-    check_watched, check_write, offset_line, orientation_line, work_offset_word, written,
+    check_watched, check_write, does, orientation_line, work_offset_word,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
@@ -44,6 +44,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: SHORTEST_PROBE,
     constant_error: 1e-12,
     dialect: Some(&DIALECT),
+    unused: &["tool", "number"],
     cannot: &[(
         safety::MISS_LIFTS,
         words!("G38.2 itself stops the program with an error where the ball stands: nothing after it runs"),
@@ -263,8 +264,7 @@ fn less(value: &str, constant: &str) -> String {
 /// What stands before the first move.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
-    let word = |n| format!("{} P{n}", work_offset_word(n));
-    w.header(&offset_line(request, word, &written(request)));
+    w.header(&does::line(request, does::ONCE));
     w.way_up_across_down();
     if !request.path.moves.is_empty() {
         w.comment(if request.protected {

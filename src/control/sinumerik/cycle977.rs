@@ -101,7 +101,7 @@ pub fn emit(request: &Request<'_>) -> Program {
     if request.scale != 1.0 {
         notes.push("NOT VERIFIED: argument 8, the measuring path, is written in inches; its forerunner _FA was in mm always");
     }
-    begin(&mut w, request, "the cycle corrects it", &notes);
+    begin(&mut w, request, ": selected first, corrected by the cycle", &notes);
     let moves = &request.path.moves;
     let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
     // The approach: every move before the first that leaves the start.

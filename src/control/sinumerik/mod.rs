@@ -22,8 +22,8 @@ use crate::control::iso::registers::{Registers, When};
 use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, feed_rate,
-    offset_line, orientation_line, written,
+    Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does, feed_rate,
+    orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
@@ -49,6 +49,7 @@ pub static DEF: PostDef = PostDef {
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: Some(&DIALECT),
+    unused: &["tool", "number"],
     cannot: &[],
     name: crate::control::comment_text,
     rate: feed_rate,
@@ -186,7 +187,7 @@ impl Moves for Sinumerik<'_> {
         let more = frame_registers(self.request);
         let lines = self.registers.lines(formula, more, DIALECT.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
-        begin(w, self.request, &written(self.request), &notes);
+        begin(w, self.request, does::ONCE, &notes);
         if let Some(count) = self.count() {
             w.line(&format!("R{count}=0"));
         }
@@ -342,7 +343,7 @@ fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
 
 /// What stands before the first move. Nothing has moved when one of the checks says no.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
-    w.header(&offset_line(request, DEF.work_offset_word, written));
+    w.header(&does::line(request, written));
     w.way_up_across_down();
     w.comment("Not verified on a control: run it with a hand on the feed override");
     w.comment(match (request.protected, request.form) {

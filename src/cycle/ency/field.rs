@@ -116,7 +116,9 @@ pub const fn angle() -> Field {
     Field::angle("angle", "Corner angle", 90.0).range(20.0, 160.0).group("Size").size()
 }
 
-const VARIANTS: &[Code] = &[Code { value: 0, label: "rectangular" }, Code { value: 1, label: "angular" }];
+/// The angular variant.
+const ANGULAR: i32 = 1;
+const VARIANTS: &[Code] = &[Code { value: 0, label: "rectangular" }, Code { value: ANGULAR, label: "angular" }];
 
 /// Rectangular or angular.
 pub const fn variant() -> Field {
@@ -131,6 +133,7 @@ pub const fn start_angle() -> Field {
     Field::angle("startAngle", "Start angle", 0.0)
         .help("Angular variant: where the first touch is, counter-clockwise from the first direction.")
         .code("CmdPrm.Flt[-60]")
+        .only_with("variant", ANGULAR)
         .group("Touches")
 }
 
@@ -139,6 +142,7 @@ pub const fn angular_step() -> Field {
     Field::angle("angularStep", "Angular step", 90.0)
         .help("Angular variant: from one touch to the next, counter-clockwise positive.")
         .code("CmdPrm.Flt[-61]")
+        .only_with("variant", ANGULAR)
         .group("Touches")
 }
 
@@ -148,6 +152,7 @@ pub const fn step_count() -> Field {
         .help("Angular variant: how many touches.")
         .because(words!("the parameter table holds 16 touch points"))
         .code("CmdPrm.Int[-62]")
+        .only_with("variant", ANGULAR)
         .group("Touches")
 }
 

@@ -32,6 +32,7 @@ const SOURCES: &[(&str, &[&str])] = &[
         &[
             "DefaultEntry",
             "ChoiceEntry",
+            "WhenEntry",
             "FieldEntry",
             "CycleSectionEntry",
             "CycleEntry",
@@ -50,7 +51,10 @@ const EXACT: &[(&str, &str)] = &[
     ("Move.feed", r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#),
     ("Move.kind", r#""position" | "touch" | "back""#),
     ("ResultRow.unit", r#""mm" | "inch" | "deg" | """#),
-    ("ProgramText.writes", r#"("X" | "Y" | "Z" | "rotation")[]"#),
+    (
+        "ProgramText.writes",
+        r#"("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[]"#,
+    ),
     ("TraceRow.units", r#""mm" | "inch" | null"#),
     ("ChoiceEntry.value", "string | number"),
     ("FieldEntry.kind", r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#),

@@ -9,6 +9,7 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "boss",
     title: "Boss",
+    name: "BOSS",
     source: "ENCY/SprutCAM type 5",
     probes: Subject::Boss,
     own_feeds: false,

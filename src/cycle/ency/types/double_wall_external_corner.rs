@@ -11,6 +11,7 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-external-corner",
     title: "Double wall external corner",
+    name: "CORNER",
     source: "ENCY/SprutCAM type 14",
     probes: Subject::CornerOutside,
     own_feeds: false,

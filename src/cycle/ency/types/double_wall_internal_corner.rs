@@ -12,6 +12,7 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
+    name: "CORNER",
     source: "ENCY/SprutCAM type 13",
     probes: Subject::CornerInside,
     own_feeds: false,

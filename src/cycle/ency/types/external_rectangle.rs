@@ -9,6 +9,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "external-rectangle",
     title: "External rectangle",
+    name: "BLOCK",
     source: "ENCY/SprutCAM type 8",
     probes: Subject::Block,
     own_feeds: false,

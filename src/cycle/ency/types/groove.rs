@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "groove",
     title: "Groove",
+    name: "GROOVE",
     source: "ENCY/SprutCAM type 11",
     probes: Subject::Groove,
     own_feeds: false,

@@ -9,6 +9,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
+    name: "GROOVE",
     source: "ENCY/SprutCAM type 12",
     probes: Subject::GrooveProtected,
     own_feeds: false,

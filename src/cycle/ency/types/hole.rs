@@ -11,6 +11,7 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
+    name: "BORE",
     source: "ENCY/SprutCAM type 3",
     probes: Subject::Hole,
     own_feeds: false,

@@ -9,6 +9,7 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
+    name: "BORE",
     source: "ENCY/SprutCAM type 4",
     probes: Subject::HoleProtected,
     own_feeds: false,

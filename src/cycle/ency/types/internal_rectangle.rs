@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
+    name: "POCKET",
     source: "ENCY/SprutCAM type 6",
     probes: Subject::Pocket,
     own_feeds: false,

@@ -9,6 +9,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
+    name: "POCKET",
     source: "ENCY/SprutCAM type 7",
     probes: Subject::PocketProtected,
     own_feeds: false,

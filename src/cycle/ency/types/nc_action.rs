@@ -8,6 +8,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "nc-action",
     title: "NC action",
+    name: "NC-ACTION",
     source: "ENCY/SprutCAM type 1",
     probes: Subject::Action,
     own_feeds: false,

@@ -8,6 +8,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "probe-on-off",
     title: "Probe on/off",
+    name: "PROBE-ON-OFF",
     source: "ENCY/SprutCAM type 0",
     probes: Subject::Switch,
     own_feeds: false,

@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "surface",
     title: "Surface",
+    name: "SURFACE",
     source: "ENCY/SprutCAM type 2",
     probes: Subject::Surface,
     own_feeds: false,

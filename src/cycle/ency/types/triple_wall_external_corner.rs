@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-external-corner",
     title: "Triple wall external corner",
+    name: "CORNER",
     source: "ENCY/SprutCAM type 16",
     probes: Subject::TripleOutside,
     own_feeds: false,

@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-internal-corner",
     title: "Triple wall internal corner",
+    name: "CORNER",
     source: "ENCY/SprutCAM type 15",
     probes: Subject::TripleInside,
     own_feeds: false,

@@ -9,6 +9,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "web",
     title: "Web",
+    name: "WEB",
     source: "ENCY/SprutCAM type 9",
     probes: Subject::Web,
     own_feeds: false,

@@ -11,6 +11,7 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "web-three-points",
     title: "Web, three points",
+    name: "WEB",
     source: "ENCY/SprutCAM type 10",
     probes: Subject::WebTop,
     own_feeds: false,

@@ -27,6 +27,7 @@ use crate::tolerance::Nominal;
 pub static DEF: CycleDef = CycleDef {
     key: "probing-two-circles",
     title: "Probing two circles",
+    name: "CIRCLES",
     source: "HEIDENHAIN cycle 1411",
     probes: Subject::TwoCircles,
     own_feeds: true,

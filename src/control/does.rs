@@ -1,0 +1,115 @@
+//! What a program does to the control's tables, in one sentence: header, list of controls, panel and setup sheet all show this one.
+
+use crate::control::{Form, Request};
+use crate::geom::AXIS_NAMES;
+use crate::path::{Feature, ParameterValue, TwoCircles};
+use crate::text::{Text, text};
+
+/// How a program writes a work offset at its end, after [`Request::does`] in a header.
+pub(super) const ONCE: &str = ": selected first, written once, at the very end";
+
+/// What cycle 1411 does by itself after probing.
+struct Preset {
+    /// The axes of the active preset that Q1120 corrects, in the order X, Y, Z.
+    axes: Vec<&'static str>,
+    /// Q1121: 0 nothing, 1 the basic rotation, 2 the offset of the rotary table.
+    rotation: i32,
+    /// Q1126: whether the rotary table turns.
+    turns: bool,
+}
+
+impl Request<'_> {
+    /// What the program writes: of its work offset the axes in the order X, Y, Z, then the rotation; what the control's own cycle writes to the
+    /// active preset, likewise. Empty where it measures only.
+    pub fn writes(&self) -> Vec<&'static str> {
+        if let Some(preset) = self.preset() {
+            let axes = preset.axes.into_iter().map(|axis| match axis {
+                "X" => "preset X",
+                "Y" => "preset Y",
+                _ => "preset Z",
+            });
+            let rotation = match preset.rotation {
+                1 => Some("basic rotation"),
+                2 => Some("table offset"),
+                _ => None,
+            };
+            return axes.chain(rotation).collect();
+        }
+        let Some(datum) = self.path.formula.datum.as_ref().filter(|_| self.work_offset.is_some()) else { return Vec::new() };
+        let (axes, measured) = (self.plane.axes(), datum.measured());
+        let of_axis = |axis: &usize| (0..3).any(|i| axes[i] == *axis && measured[i]);
+        let rotation = datum.rotation.map(|_| "rotation");
+        (0..3).filter(of_axis).map(|axis| AXIS_NAMES[axis]).chain(rotation).collect()
+    }
+
+    /// The sentence: `writes G54 X Y`, `measures only`, `sets the basic rotation and preset X Y`.
+    pub fn does(&self) -> Text {
+        if matches!(self.path.feature, Feature::Still) {
+            return text!("moves nothing, writes nothing");
+        }
+        if let Some(preset) = self.preset() {
+            return preset.does();
+        }
+        let Some(number) = self.work_offset else { return text!("measures only") };
+        let offset = (self.post.work_offset_word)(number);
+        let writes = self.writes();
+        match writes.as_slice() {
+            [] => text!("selects {offset}, writes nothing", offset),
+            ["rotation"] => text!("writes the rotation of {offset}", offset),
+            [axes @ .., "rotation"] => text!("writes {offset} {axes} and rotation", offset, axes.join(" ")),
+            axes => text!("writes {offset} {axes}", offset, axes.join(" ")),
+        }
+    }
+
+    /// What the control's own cycle does to the active preset; none where the program itself writes.
+    fn preset(&self) -> Option<Preset> {
+        let circles = self.path.feature.two_circles().filter(|_| self.form == Form::Cycle)?;
+        let [abscissa, ordinate, _] = self.plane.axes();
+        let corrects = code(circles, 1120) != 0;
+        let axes = (0..3).filter(|axis| corrects && [abscissa, ordinate].contains(axis)).map(|axis| AXIS_NAMES[axis]);
+        Some(Preset { axes: axes.collect(), rotation: code(circles, 1121), turns: code(circles, 1126) != 0 })
+    }
+}
+
+impl Preset {
+    fn does(&self) -> Text {
+        let axes = self.axes.join(" ");
+        let does = match (self.rotation, self.axes.is_empty()) {
+            (1, true) => text!("sets the basic rotation"),
+            (1, false) => text!("sets the basic rotation and preset {axes}", axes),
+            (2, true) => text!("sets the rotary table offset of the preset"),
+            (2, false) => text!("sets the rotary table offset and preset {axes}", axes),
+            (_, false) => text!("sets preset {axes}", axes),
+            (_, true) => text!("measures only"),
+        };
+        if self.turns { text!("{does}, turns the rotary table", does) } else { does }
+    }
+}
+
+/// A setting of the cycle that is a whole number.
+fn code(circles: &TwoCircles, number: i32) -> i32 {
+    match circles.settings.iter().find(|setting| setting.number == number).map(|setting| &setting.value) {
+        Some(ParameterValue::Whole(n)) => *n,
+        _ => 0,
+    }
+}
+
+/// The line of a header that says it. `how`: in which way a work offset is written.
+pub(super) fn line(request: &Request<'_>, how: &str) -> String {
+    const CYCLE: &str = ": the cycle corrects the active preset by itself";
+    let how = match (request.work_offset, request.preset()) {
+        _ if matches!(request.path.feature, Feature::Still) => "",
+        (None, None) => ", in the work offset that is active: nothing is written",
+        _ if request.writes().is_empty() => "",
+        (_, Some(_)) => CYCLE,
+        (Some(_), None) => how,
+    };
+    sentence(request) + how
+}
+
+/// The sentence with a capital.
+pub(super) fn sentence(request: &Request<'_>) -> String {
+    let mut does = request.does().english();
+    does[..1].make_ascii_uppercase();
+    does
+}

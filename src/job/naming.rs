@@ -1,0 +1,37 @@
+//! The name that a job has by itself.
+
+use crate::cycle;
+use crate::form::{Field, Kind, Value};
+use crate::num::decimal;
+use crate::tolerance;
+
+/// Decimals of a size in a name. Three at most: four digits at the end could be read as the number of a program.
+const DECIMALS: usize = 3;
+
+/// What a job measures, with its main sizes in its own units: `BORE-D25`, `POCKET-80X50`, `CORNER-90`; without sizes where one of them is no number.
+/// Capitals, digits, `-` and `_` alone: every control takes it as it is. A job of no known cycle is `PROBE`.
+pub fn job_name(job: &Value) -> String {
+    let cycle = job.get("cycle");
+    let Some(Value::Text(key)) = cycle.and_then(|cycle| cycle.get("type")) else { return "PROBE".to_owned() };
+    let Some(def) = cycle::find(key) else { return "PROBE".to_owned() };
+    let sizes =
+        def.fields.iter().filter(|field| field.size).map(|field| size(field, cycle.and_then(|cycle| cycle.get(field.key))));
+    let Some(mut sizes) = sizes.collect::<Option<Vec<String>>>() else { return def.name.to_owned() };
+    sizes.dedup();
+    match sizes.is_empty() {
+        true => def.name.to_owned(),
+        false => format!("{}-{}", def.name, sizes.join("X")),
+    }
+}
+
+/// A size as a name has it: `D12_5`, `80`.
+fn size(field: &Field, value: Option<&Value>) -> Option<String> {
+    let size = match value? {
+        Value::Number(x) => *x,
+        Value::Text(text) => tolerance::parse(text, 1.0).ok()?.nominal?,
+        _ => return None,
+    };
+    let written = (size.is_finite() && size.abs() < 1e5).then(|| decimal(size.abs(), DECIMALS).replace('.', "_"))?;
+    let round = field.kind != Kind::Angle && field.key.starts_with("diameter");
+    Some(if round { format!("D{written}") } else { written })
+}

@@ -1,0 +1,94 @@
+// What the program does is one sentence: in the bar, under the program, on the sheet. Names of files, and fields that do not count.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { field, more, openTab, page, program, put, saveButton, setUp, textOf, unfold } from "./common.mjs";
+
+setUp({ width: 1440, height: 900 });
+
+const SENTENCE = "sets the basic rotation and preset X Y";
+
+test("a job that sets rotation and preset was said to measure only, in the bar and on the sheet", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("control.post").selectOption("heidenhain");
+  const does = page.locator("tp-bar .does");
+  assert.equal(await textOf(does), "measures only");
+  assert.equal(await field("control.workOffset").count(), 0, "this control has none");
+  // From the bar to the fields that say it.
+  await does.click();
+  await field("cycle.confirmRotation").selectOption("1");
+  await field("cycle.transferPosition").selectOption("3");
+  assert.equal(await textOf(does), SENTENCE);
+  assert.equal(await textOf(page.locator("tp-program .does")), `This program ${SENTENCE}`);
+  assert.match((await program()).replaceAll(/\n\d+ ; /g, " ").toLowerCase(), new RegExp(SENTENCE.toLowerCase()));
+  await page.getByRole("button", { name: "Setup sheet" }).first().click();
+  const sheet = page.getByRole("article", { name: "Setup sheet" });
+  assert.ok((await textOf(sheet.locator("p").first())).includes(`, ${SENTENCE} ·`));
+  assert.ok(!(await textOf(sheet)).includes("measures only"));
+});
+
+test("fields that change nothing stood there with a value", async () => {
+  await field("cycle.type").selectOption("hole");
+  await unfold();
+  const angular = ["startAngle", "angularStep", "stepCount"].map((key) => field(`cycle.${key}`));
+  for (const one of angular) assert.equal(await one.count(), 0);
+  await field("cycle.variant").selectOption("1");
+  for (const one of angular) await one.waitFor();
+  for (const path of ["control.number", "control.tool"]) assert.equal(await field(path).count(), 0, path);
+  await field("control.post").selectOption("fanuc");
+  assert.equal(await field("control.number").inputValue(), "1000", "the number that the program has");
+  await put("name", "BORE2201");
+  assert.equal(await field("control.number").inputValue(), "2201");
+  assert.match(await program(), /^%\nO2201\(BORE2201\)\n/);
+  // A value that is ignored is there to be seen and removed.
+  await put("control.number", 7);
+  await field("control.post").selectOption("linuxcnc");
+  assert.equal(await field("control.number").inputValue(), "7");
+  await page.locator(".verdict", { hasText: "have no number: it is ignored" }).waitFor();
+});
+
+test("25+0.021 became 25.021 without a word", async () => {
+  await field("cycle.type").selectOption("hole");
+  const diameter = field("cycle.diameter");
+  for (const typed of ["25+0.021", "25H7"]) {
+    await diameter.fill(typed);
+    await page.keyboard.press("Enter");
+    assert.equal(await diameter.inputValue(), typed, "what was typed stays");
+    await page.locator(".verdict.error", { hasText: `"${typed}" reads as one: enter 25 alone` }).waitFor();
+  }
+  await diameter.fill("50/2+0.5");
+  await page.keyboard.press("Enter");
+  assert.equal(await diameter.inputValue(), "25.5");
+  assert.equal(await textOf(saveButton()), "Save BORE-D25_5.ngc");
+});
+
+test("another program of the same name took the place of the first without a word", async () => {
+  const save = async () => {
+    const download = page.waitForEvent("download");
+    await saveButton().click();
+    return (await download).suggestedFilename();
+  };
+  const note = page.locator("tp-findings .note");
+  assert.equal(await save(), "POCKET-80X50.ngc");
+  assert.equal(await textOf(page.locator("tp-program .told:not(.found)")), "Saved POCKET-80X50.ngc");
+  assert.equal(await note.count(), 0);
+  await field("cycle.depth").fill("12");
+  await note.filter({ hasText: "POCKET-80X50.ngc was saved before with other content" }).waitFor();
+  assert.equal(await saveButton().getAttribute("title"), "POCKET-80X50.ngc was saved before with other content");
+  await save();
+  assert.match(
+    await textOf(page.locator("tp-program .told:not(.found)")),
+    /with other content than the one saved before$/,
+  );
+  assert.equal(await note.count(), 0);
+  // Another day, another tab.
+  const tab = await openTab();
+  await tab.locator('[id="f-cycle.depth"]').fill("10");
+  await tab.locator("tp-findings .note", { hasText: "was saved before with other content" }).waitFor();
+});
+
+test("the lines that ask the control about a turning tool asked for a milling tool", async () => {
+  await more("Tool lengths");
+  await page.locator("#l-group").selectOption({ label: "Turning tools (500 to 599)" });
+  const lines = page.locator("tp-lentoax pre");
+  await lines.filter({ hasText: "_AXIND[0]<>2) OR (_AXIND[1]<>1) OR (_AXIND[2]<>3)" }).waitFor();
+});
