@@ -1,7 +1,6 @@
 // The examples, each with the package from its tarball: a portal, React, Vue, a service.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { once } from "node:events";
 import { writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { join } from "node:path";
@@ -208,6 +207,10 @@ async function halfOpen(
   return sockets;
 }
 
+/** When every one of them is closed, also by a fault. */
+const closed = (/** @type {import("node:net").Socket[]} */ sockets) =>
+  Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
+
 test("64 requests whose bodies never came closed the service to everybody else", async () => {
   const own = project("slow", ["fastify"], "service");
   const { address, end } = await service(own, { PATIENCE: "2000", MOST_CONNECTIONS: "300" });
@@ -229,11 +232,11 @@ test("64 requests whose bodies never came closed the service to everybody else",
   assert.equal(await planned(), 200);
   assert.equal((await fetch(`${address}/health`)).status, 200);
   // They are shown out when their time is over, and not half a minute later.
-  await Promise.all(sockets.map((socket) => socket.destroyed || once(socket, "close")));
+  await closed(sockets);
   assert.ok(Date.now() - begun < 10_000, `${Date.now() - begun} ms`);
   // More connections than are taken are closed, and room comes back.
   const many = await halfOpen(address, 320);
-  await Promise.all(many.map((socket) => socket.destroyed || once(socket, "close")));
+  await closed(many);
   assert.equal(await planned(), 200);
   assert.deepEqual(await end(), [0, true]);
 });
@@ -293,7 +296,7 @@ test("the service answers too many at once with 503, and does not wait for a bod
       });
       socket.on("error", () => undefined);
     });
-  await Promise.all((await halfOpen(address, 2)).map((socket) => socket.destroyed || once(socket, "close")));
+  await closed(await halfOpen(address, 2));
   assert.equal((await plain()).status, 200);
   assert.deepEqual(await end(), [0, true]);
 });
