@@ -4,6 +4,7 @@ mod codes;
 mod dump;
 mod klartext;
 mod program;
+mod signs;
 pub mod toolpath;
 
 /// What a move of a program does.
@@ -80,6 +81,9 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         if dump {
             return dump::import(&codes);
         }
+    }
+    if program::says_job(text) || klartext::recognises(text) {
+        program::check_signs(text)?;
     }
     if program::says_job(text) {
         return if klartext::recognises(text) { klartext::import_with_header(text) } else { program::import(text) };
