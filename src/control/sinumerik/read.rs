@@ -153,7 +153,9 @@ fn block<'t>(
         return call(script, line, name, arguments);
     } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
         let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
-        cursor.expect("=")?;
+        if !cursor.eat("=") {
+            return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
+        }
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
             // One letter is an axis, or a word with its value; any other name is what the control knows under it.

@@ -20,7 +20,11 @@ impl Reader {
                 f64::NAN
             } else if block.machine {
                 f64::NAN
-            } else if self.modes.absolute {
+            } else if if (block.placed | block.moved) & (1 << axis) == 0 {
+                self.modes.absolute
+            } else {
+                block.placed & (1 << axis) != 0
+            } {
                 x
             } else if from[axis].is_nan() {
                 // The start is not known: it is counted from 0.
@@ -30,7 +34,8 @@ impl Reader {
                 from[axis] + x
             };
         }
-        self.relative = if self.modes.absolute { self.relative & !block.given } else { self.relative | block.given };
+        let relative = if self.modes.absolute { block.moved } else { block.given & !block.placed };
+        self.relative = self.relative & !block.given | relative;
         if block.machine {
             count(&mut self.machine, self.line);
         }

@@ -2,7 +2,11 @@
 
 use crate::form::Checker;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Axes, Block, Motion, end_of, end_of_value, head, next_word, number, numbered, valued};
+use crate::import::toolpath::block::{
+    Axes, Block, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
+};
+use crate::import::toolpath::calls::Call;
+use crate::import::toolpath::foreign::by_name;
 use crate::import::toolpath::{DIALECTS, Toolpath};
 use crate::text::{Text, text};
 
@@ -19,6 +23,8 @@ pub(super) struct Modes {
     pub motion: Motion,
     /// A cycle runs at every place, from G81 until G80 or a motion.
     pub cycle: bool,
+    /// Places are control points of a spline, until a motion or its end.
+    pub spline: bool,
     pub absolute: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
@@ -35,6 +41,8 @@ pub(super) struct Reader {
     pub path: Toolpath,
     pub line: usize,
     pub sinumerik: bool,
+    /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
+    pub heidenhain: bool,
     pub place: [f64; 3],
     pub modes: Modes,
     /// The plane that was chosen first.
@@ -55,6 +63,10 @@ pub(super) struct Reader {
     pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
+    /// The subprogram that the block calls: where it is followed, whoever gives the lines gives its lines next.
+    pub call: Option<Call>,
+    /// Whether the block goes back to where its subprogram was called from.
+    pub returned: bool,
     pub feed: f64,
     /// Whole turns of arcs by P.
     pub turns: f64,
@@ -76,6 +88,8 @@ pub(super) struct Reader {
     pub others: Count,
     pub optional: Count,
     pub twice: Count,
+    /// Codes that make no place of their axis words, by name.
+    pub foreign: Vec<(String, Foreign, Count)>,
     /// The line of the first units, where moves stand above it.
     pub late_units: Option<usize>,
 }
@@ -95,10 +109,12 @@ impl Reader {
             path,
             line: 0,
             sinumerik: dialect == DIALECTS[1],
+            heidenhain: false,
             place: [f64::NAN; 3],
             modes: Modes {
                 motion: Motion::Rapid,
                 cycle: false,
+                spline: false,
                 absolute: true,
                 centers_absolute: false,
                 plane: None,
@@ -115,6 +131,8 @@ impl Reader {
             leaps: false,
             begun: false,
             ended: false,
+            call: None,
+            returned: false,
             feed: f64::NAN,
             turns: 0.0,
             kept: None,
@@ -131,6 +149,7 @@ impl Reader {
             others: Count::default(),
             optional: Count::default(),
             twice: Count::default(),
+            foreign: Vec::new(),
             late_units: None,
         }
     }
@@ -139,12 +158,18 @@ impl Reader {
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
         let Some(&first) = line.first() else { return };
         if first == b'%' {
+            if !self.sinumerik && line.last() == Some(&b'*') {
+                return self.heidenhain_head(line);
+            }
             // `%_N_PART_MPF` and `%100` name a program.
             self.ended |= self.begun && line[1..].trim_ascii().is_empty();
             return;
         }
         self.begun |= !matches!(first, b'(' | b';');
         if first == b';' || first == b'(' && self.ended {
+            return;
+        }
+        if self.ended && self.heidenhain && line.get(head(line)) == Some(&b'%') {
             return;
         }
         if self.ended {
@@ -155,6 +180,7 @@ impl Reader {
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
+            Some(b'%') if self.heidenhain => return self.ended = true,
             Some(_) if self.sinumerik => match frame(&line[begin..]) {
                 Some(true) => return count(&mut self.transformed, self.line),
                 // Alone it takes the shifts away.
@@ -173,6 +199,8 @@ impl Reader {
             at = match line[at] {
                 b' ' | b'\t' => at + 1,
                 b';' => break,
+                // The end of a block on a HEIDENHAIN, and of old.
+                b'*' if !self.sinumerik && line[at + 1..].trim_ascii().is_empty() => break,
                 b'(' if !self.sinumerik => end_of(line, at, b')'),
                 b'@' | b'^' if !self.sinumerik => self.polar(line, at, block),
                 letter if letter.is_ascii_alphabetic() => match self.word(line, at, block) {
@@ -189,7 +217,8 @@ impl Reader {
                 self.modes = before;
             }
             self.settle(block, before);
-            let gone = if self.sinumerik && runs_cycle(line) { 7 } else { block.given };
+            let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || self.sinumerik && runs_cycle(line);
+            let gone = if lost { 7 } else { block.given };
             self.forget(gone);
             // It is said of the line already.
             self.lost &= !gone;
@@ -204,19 +233,20 @@ impl Reader {
         // With block skip on, the control leaves it out: an end there ends nothing.
         let skips = line[..begin].contains(&b'/');
         let moves_before = self.path.len();
-        self.follow(block, before, leaped || skips);
+        self.follow(line, block, before, leaped || skips);
         if skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
             count(&mut self.optional, self.line);
         }
     }
 
     /// Follows a block of words.
-    fn follow(&mut self, block: &mut Block, before: Modes, leaped: bool) {
+    fn follow(&mut self, line: &[u8], block: &mut Block, before: Modes, leaped: bool) {
         if block.returns && block.p.is_some() {
             // It continues in another line.
             self.place = [f64::NAN; 3];
             count(&mut self.skipped, self.line);
         }
+        self.returned = block.returns && block.p.is_none() && !leaped && self.conditions == 0;
         block.ends |= block.returns && block.p.is_none();
         if block.renames && block.given != 0 {
             count(&mut self.transformed, self.line);
@@ -227,6 +257,22 @@ impl Reader {
             self.shift(block);
         }
         self.settle(block, before);
+        if (block.foreign != Foreign::No || block.led != Foreign::No) && self.pass_by(line, block) {
+            return;
+        }
+        self.place_of(block);
+        if let Some(code) = block.calls {
+            self.call(code, block);
+        }
+    }
+
+    /// Goes to the place of a block, where it names one.
+    #[inline]
+    fn place_of(&mut self, block: &mut Block) {
+        if self.heidenhain {
+            // The pole of circles, which stays: none is followed.
+            block.centered = 0;
+        }
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
         if block.elsewhere || waits {
             return;
@@ -240,6 +286,10 @@ impl Reader {
         if self.modes.cycle && block.once.is_none() && block.given != 0 {
             self.place = [f64::NAN; 3];
             return count(&mut self.skipped, self.line);
+        }
+        if self.modes.spline && block.once.is_none() && block.given != 0 {
+            self.forget(block.given);
+            return count(&mut self.arcs_unsolved, self.line);
         }
         if self.modes.diameter {
             block.places[0] *= 0.5;
@@ -261,6 +311,7 @@ impl Reader {
         match line[at].to_ascii_uppercase() {
             axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => block.given |= 1 << (axis - b'X'),
             b'F' if !self.sinumerik => block.feed = Some(f64::NAN),
+            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => self.modes.spline = true,
             b',' | b'#' | b'A'..=b'Z' => {}
             // The number before may go on: F1 00.
             _ => block.feed = block.feed.map(|_| f64::NAN),
@@ -309,7 +360,7 @@ impl Reader {
     /// is another one now.
     fn give_back(&mut self) {
         let Some((kept, feed)) = self.kept else { return };
-        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, ..kept };
+        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, spline: self.modes.spline, ..kept };
         self.feed = feed;
         self.lengthen(self.lengthened);
     }
@@ -320,9 +371,10 @@ impl Reader {
             // G54.1 P2, G154 P2: one of many.
             let offset =
                 if matches!(code, 541 | 1540) { code.saturating_add((10_000.0 * block.p.unwrap_or(0.0)) as i32) } else { code };
+            if self.path.is_empty() {
+                self.offset = Some(offset);
             // Moves before any selection were in G54.
-            let first = if self.path.is_empty() { offset } else { 540 };
-            if *self.offset.get_or_insert(first) != offset {
+            } else if *self.offset.get_or_insert(540) != offset {
                 count(&mut self.transformed, self.line);
             }
         }
@@ -382,7 +434,7 @@ impl Reader {
     }
 
     /// These axes are somewhere else.
-    fn forget(&mut self, axes: Axes) {
+    pub fn forget(&mut self, axes: Axes) {
         for (axis, place) in self.place.iter_mut().enumerate() {
             if axes & (1 << axis) != 0 {
                 *place = f64::NAN;
@@ -410,6 +462,7 @@ impl Reader {
                 "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
             ),
         );
+        self.foreign.into_iter().for_each(|(name, foreign, count)| say(count, "lines-skipped", by_name(name, foreign)));
         say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
         say(
             self.computed,
@@ -483,4 +536,11 @@ fn runs_cycle(line: &[u8]) -> bool {
     let code = numbered(line).to_ascii_uppercase();
     let names: [&[u8]; 5] = [b"CYCLE", b"POCKET", b"HOLES", b"SLOT", b"LONGHOLE"];
     names.iter().any(|name| code.starts_with(name)) && !code.starts_with(b"CYCLE832")
+}
+
+/// Whether a word of a SINUMERIK begins splines, polynomials, involutes, or arcs that are not by centre or radius.
+fn begins_curve(code: &[u8]) -> bool {
+    const WORDS: [&[u8]; 8] = [b"ASPLINE", b"BSPLINE", b"CSPLINE", b"POLY", b"INVCW", b"INVCCW", b"CIP", b"CT"];
+    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    WORDS.iter().any(|known| word.eq_ignore_ascii_case(known))
 }
