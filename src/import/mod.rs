@@ -16,7 +16,7 @@ pub use toolpath::{Toolpath, read_program};
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
-use crate::text::text;
+use crate::text::{Text, text};
 
 /// A job made of a text, and what had to be said about it.
 #[derive(Debug)]
@@ -54,16 +54,19 @@ pub(crate) fn fits(text: &str, most: usize) -> bool {
 
 /// Refuses a text of so many UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
-    longer_than(LONGEST_TEXT, units)
+    let message = text!(
+        "This text has {size} million characters: a job is made of at most {most} million",
+        millions(units),
+        LONGEST_TEXT / 1_000_000
+    );
+    refused_as_too_long(message)
 }
 
-fn longer_than(most: usize, units: usize) -> JobError {
-    let most = most / 1_000_000;
-    let message = text!(
-        "This text has {size} million characters: at most {most} million are read",
-        crate::num::decimal(units as f64 / 1e6, 1),
-        most
-    );
+fn millions(units: usize) -> String {
+    crate::num::decimal(units as f64 / 1e6, 1)
+}
+
+fn refused_as_too_long(message: Text) -> JobError {
     JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
 }
 

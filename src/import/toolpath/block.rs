@@ -108,6 +108,8 @@ pub(super) struct Block {
     pub name: [usize; 2],
     /// It calls a subprogram: 97, 98 or 198.
     pub calls: Option<u8>,
+    /// Whether one of these three is so.
+    pub special: bool,
 }
 
 pub(super) const EMPTY: Block = Block {
@@ -144,6 +146,7 @@ pub(super) const EMPTY: Block = Block {
     led: Foreign::No,
     name: [0; 2],
     calls: None,
+    special: false,
 };
 
 impl Block {
@@ -157,7 +160,9 @@ impl Block {
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);
-        (self.foreign, self.led, self.calls) = (Foreign::No, Foreign::No, None);
+        if self.special {
+            (self.foreign, self.led, self.calls, self.special) = (Foreign::No, Foreign::No, None, false);
+        }
     }
 }
 

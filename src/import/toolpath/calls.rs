@@ -1,7 +1,8 @@
 //! Subprograms that stand in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
 
 use crate::import::toolpath::block::Block;
-use crate::import::toolpath::reader::{Reader, count};
+use crate::import::toolpath::findings::count;
+use crate::import::toolpath::reader::Reader;
 
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
@@ -60,6 +61,12 @@ impl<'t> Calls<'t> {
 
     /// After a line was read: which one is read next.
     pub fn step(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
+        let next = self.turn(reader, line, next);
+        reader.turns_off = self.is_inside();
+        next
+    }
+
+    fn turn(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
         let returned = std::mem::take(&mut reader.returned);
         if let Some(call) = reader.call.take() {
             return self.enter(reader, call, next);
@@ -139,11 +146,15 @@ impl Reader {
         match (number, times) {
             // P30100 is O100 three times.
             (Some(number), Some(1)) if number > 9999 && block.l.is_none() => {
-                self.call = Some(Call { local: code == 97, number: number % 10_000, times: number / 10_000 });
+                self.take_up(Call { local: code == 97, number: number % 10_000, times: number / 10_000 });
             }
-            (Some(number), Some(times)) => self.call = Some(Call { local: code == 97, number, times }),
+            (Some(number), Some(times)) => self.take_up(Call { local: code == 97, number, times }),
             _ => self.lose(self.line),
         }
+    }
+
+    fn take_up(&mut self, call: Call) {
+        (self.call, self.turns_off) = (Some(call), true);
     }
 
     /// After what is not followed: where the axes are is not known.

@@ -2,7 +2,8 @@
 
 use crate::form::printable;
 use crate::import::toolpath::block::{Block, Foreign};
-use crate::import::toolpath::reader::{Count, Reader, count};
+use crate::import::toolpath::findings::{Count, count};
+use crate::import::toolpath::reader::Reader;
 use crate::text::{Text, text};
 
 /// So many codes are named; others are lines that are not understood.

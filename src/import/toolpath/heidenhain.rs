@@ -2,7 +2,8 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Foreign, Motion};
-use crate::import::toolpath::reader::{Reader, count};
+use crate::import::toolpath::findings::count;
+use crate::import::toolpath::reader::Reader;
 
 impl Reader {
     /// `%NAME G71 *`: the units of what follows.

@@ -5,6 +5,7 @@
 
 mod block;
 mod calls;
+mod findings;
 mod foreign;
 mod guess;
 mod heidenhain;
@@ -23,11 +24,16 @@ pub(super) use guess::guessed;
 use reader::Reader;
 
 /// The longest program that is read, in UTF-16 units.
-pub const LONGEST_PROGRAM: usize = 20_000_000;
+pub use crate::job::LONGEST_PROGRAM;
 
 /// Refuses a program of so many UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
-    super::longer_than(LONGEST_PROGRAM, units)
+    let message = text!(
+        "This text has {size} million characters: at most {most} million are read",
+        super::millions(units),
+        LONGEST_PROGRAM / 1_000_000
+    );
+    super::refused_as_too_long(message)
 }
 
 /// What a move is, by its place in the column `kind`.
@@ -99,7 +105,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
         }
         reader.line += 1;
         at = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
-        if reader.call.is_some() || reader.returned || calls.is_inside() {
+        if reader.turns_off {
             let next = Place { at, line: reader.line };
             let next = calls.step(&mut reader, line, next);
             (at, reader.line) = (next.at, next.line);

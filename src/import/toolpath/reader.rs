@@ -1,21 +1,12 @@
-//! What stays in force from block to block, and what of a program is passed over.
+//! What stays in force from block to block.
 
-use crate::form::Checker;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{
     Axes, Block, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
 };
 use crate::import::toolpath::calls::Call;
-use crate::import::toolpath::foreign::by_name;
+use crate::import::toolpath::findings::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
-use crate::text::{Text, text};
-
-/// Something that is said once, with how often and where first.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Count {
-    pub times: usize,
-    pub first: usize,
-}
 
 /// What stays in force from block to block.
 #[derive(Clone, Copy, PartialEq)]
@@ -67,6 +58,8 @@ pub(super) struct Reader {
     pub call: Option<Call>,
     /// Whether the block goes back to where its subprogram was called from.
     pub returned: bool,
+    /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
+    pub turns_off: bool,
     pub feed: f64,
     /// Whole turns of arcs by P.
     pub turns: f64,
@@ -133,6 +126,7 @@ impl Reader {
             ended: false,
             call: None,
             returned: false,
+            turns_off: false,
             feed: f64::NAN,
             turns: 0.0,
             kept: None,
@@ -241,13 +235,16 @@ impl Reader {
 
     /// Follows a block of words.
     fn follow(&mut self, line: &[u8], block: &mut Block, before: Modes, leaped: bool) {
-        if block.returns && block.p.is_some() {
-            // It continues in another line.
-            self.place = [f64::NAN; 3];
-            count(&mut self.skipped, self.line);
+        if block.returns {
+            // It continues in another line, or goes back.
+            if block.p.is_some() {
+                self.lose(self.line);
+            } else {
+                self.returned = !leaped && self.conditions == 0;
+                self.turns_off |= self.returned;
+                block.ends = true;
+            }
         }
-        self.returned = block.returns && block.p.is_none() && !leaped && self.conditions == 0;
-        block.ends |= block.returns && block.p.is_none();
         if block.renames && block.given != 0 {
             count(&mut self.transformed, self.line);
         }
@@ -257,11 +254,11 @@ impl Reader {
             self.shift(block);
         }
         self.settle(block, before);
-        if (block.foreign != Foreign::No || block.led != Foreign::No) && self.pass_by(line, block) {
+        if block.special && self.pass_by(line, block) {
             return;
         }
         self.place_of(block);
-        if let Some(code) = block.calls {
+        if let Some(code) = block.calls.filter(|_| block.special) {
             self.call(code, block);
         }
     }
@@ -269,10 +266,6 @@ impl Reader {
     /// Goes to the place of a block, where it names one.
     #[inline]
     fn place_of(&mut self, block: &mut Block) {
-        if self.heidenhain {
-            // The pole of circles, which stays: none is followed.
-            block.centered = 0;
-        }
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
         if block.elsewhere || waits {
             return;
@@ -441,79 +434,6 @@ impl Reader {
             }
         }
     }
-
-    /// The path, with what was passed over as its findings.
-    pub fn finish(mut self) -> Toolpath {
-        let mut checker = Checker::default();
-        let mut say = |count: Count, code: &str, what: Text| {
-            if count.times > 0 {
-                let message = if count.times == 1 {
-                    text!("{what}: once, in line {line}", what, count.first + 1)
-                } else {
-                    text!("{what}: {times} times, the first in line {line}", what, count.times, count.first + 1)
-                };
-                checker.warning(code, "", message);
-            }
-        };
-        say(
-            self.skipped,
-            "lines-skipped",
-            text!(
-                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
-            ),
-        );
-        self.foreign.into_iter().for_each(|(name, foreign, count)| say(count, "lines-skipped", by_name(name, foreign)));
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
-        say(
-            self.computed,
-            "places-computed",
-            text!(
-                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
-            ),
-        );
-        say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
-        say(
-            self.transformed,
-            "places-transformed",
-            text!(
-                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
-            ),
-        );
-        say(
-            self.from_unknown,
-            "start-unknown",
-            text!("Incremental moves begin at a place that is not known: they are counted from 0"),
-        );
-        say(
-            self.arcs_unsolved,
-            "arc-unsolved",
-            text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
-        );
-        say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
-        say(
-            self.optional,
-            "lines-optional",
-            text!("Blocks with / are read: the control leaves them out where block skip is on"),
-        );
-        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
-        if let Some(line) = self.late_units {
-            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
-            checker.warning("no-units", "", message);
-        }
-        if self.path.metric.is_none() && !self.path.is_empty() {
-            checker.info("no-units", "", text!("The program does not say its units"));
-        }
-        self.path.findings = checker.findings();
-        self.path.plane = self.plane.unwrap_or_default();
-        self.path
-    }
-}
-
-pub(super) fn count(count: &mut Count, line: usize) {
-    if count.times == 0 {
-        count.first = line;
-    }
-    count.times += 1;
 }
 
 fn jumps(line: &[u8]) -> bool {

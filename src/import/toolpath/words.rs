@@ -2,7 +2,8 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Foreign, Motion, Word, end_of_value, leads, number};
-use crate::import::toolpath::reader::{Reader, count};
+use crate::import::toolpath::findings::count;
+use crate::import::toolpath::reader::Reader;
 use crate::num::read_digits;
 
 impl Reader {
@@ -30,19 +31,7 @@ impl Reader {
                 (Word::Number(number), end)
             }
             b'#' | b'[' => (Word::Computed, end_of_value(line, next)),
-            b'=' if self.sinumerik => {
-                if let Some((word, stop)) = by_its_own(line, next + 1) {
-                    self.word_of(letter, word, [at, stop], line, block)?;
-                    return Some(stop);
-                }
-                // A number ends where the next word begins: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
-                let end = end_of_value(line, next + 1);
-                let whole = |stop: usize| stop == end || line[stop].is_ascii_alphabetic();
-                match number(line, next + 1).filter(|(_, stop)| whole(*stop)) {
-                    Some((number, stop)) => (Word::Number(number), stop),
-                    None => (Word::Computed, end),
-                }
-            }
+            b'=' if self.sinumerik => by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1)),
             // What a function gives: XSIN[30].
             _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
                 let name = line[next..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
@@ -53,13 +42,6 @@ impl Reader {
             }
             _ => return self.name(line, at, block),
         };
-        self.word_of(letter, word, [at, end], line, block)?;
-        Some(end)
-    }
-
-    /// Takes a word with its value, from its first place to its last in the line; none where it is none.
-    #[inline]
-    fn word_of(&mut self, letter: u8, word: Word, [at, end]: [usize; 2], line: &[u8], block: &mut Block) -> Option<()> {
         match (letter, word) {
             (b'X'..=b'Z', word) => {
                 let axis = letter - b'X';
@@ -76,7 +58,8 @@ impl Reader {
             }
             (b'I'..=b'K', word) => {
                 let axis = letter - b'I';
-                block.centered |= 1 << axis;
+                // A HEIDENHAIN's is the pole of circles, which stays: none is followed.
+                block.centered |= u8::from(!self.heidenhain) << axis;
                 // A centre that is computed makes no arc.
                 block.center[usize::from(axis)] = word.number();
             }
@@ -85,14 +68,14 @@ impl Reader {
             (b'G', Word::Number(x)) => {
                 let foreign = self.code(tenths(x), block);
                 if foreign > block.foreign {
-                    (block.foreign, block.name) = (foreign, [at, end]);
+                    (block.foreign, block.name, block.special) = (foreign, [at, end], true);
                 }
             }
             (b'G', _) => return None,
             (b'M', Word::Number(x)) => {
                 let led = self.auxiliary(x, block);
                 if led != Foreign::No && leads(line, at) {
-                    (block.led, block.name) = (led, [at, end]);
+                    (block.led, block.name, block.special) = (led, [at, end], true);
                 }
             }
             // A tool's edge has its length from here on.
@@ -107,7 +90,7 @@ impl Reader {
             (b'A'..=b'C' | b'U'..=b'W', _) => block.others = true,
             _ => {}
         }
-        Some(())
+        Some(end)
     }
 
     /// What an M code does, and whether axis words behind it may be its own.
@@ -127,7 +110,7 @@ impl Reader {
             code @ 70..=73 => block.keeps = (!self.sinumerik).then_some(code as u8),
             40..=45 if self.sinumerik => {}
             code @ (97 | 98 | 198) => {
-                block.calls = Some(code as u8);
+                (block.calls, block.special) = (Some(code as u8), true);
                 return Foreign::Unknown;
             }
             // Steps, speeds and limits of a printer's axes.
@@ -293,6 +276,17 @@ impl Reader {
 fn tenths(code: f64) -> i32 {
     let tenths = (code * 10.0 + 0.5) as i32;
     if (f64::from(tenths) - code * 10.0).abs() < 1e-6 { tenths } else { -1 }
+}
+
+/// What is assigned, `X=5`, and where that ends.
+fn assigned(line: &[u8], at: usize) -> (Word, usize) {
+    // A number ends where the next word begins: X=5Y3. Otherwise it is a part of a sum: X=5+R1.
+    let end = end_of_value(line, at);
+    let whole = |stop: usize| stop == end || line[stop].is_ascii_alphabetic();
+    match number(line, at).filter(|(_, stop)| whole(*stop)) {
+        Some((number, stop)) => (Word::Number(number), stop),
+        None => (Word::Computed, end),
+    }
 }
 
 /// The number in `AC(5)` or `IC(5)`, a place (true) or a distance, and where that ends.
