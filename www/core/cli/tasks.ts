@@ -7,16 +7,18 @@ import {
   importJob,
   type Job,
   JobError,
+  type ProgramMoves,
   type Programmed,
   plan,
   programs,
   type ResultRow,
+  readProgram,
   svg,
 } from "../node.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "evaluate" | "svg";
+  command: "plan" | "check" | "table" | "import" | "moves" | "evaluate" | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
@@ -50,6 +52,7 @@ export function perform(task: Task, item: Item): Outcome {
   try {
     if (item.refused !== undefined) throw new JobError(item.refused, [problem("too-long", item.refused)]);
     if (task.command === "import") return imported(source, text);
+    if (task.command === "moves") return moves(source, text, task.format ?? "text");
     const job = read(text, task);
     if (task.command === "check") {
       const findings = check(job);
@@ -116,7 +119,7 @@ function read(text: string, task: Task): unknown {
 function imported(source: string, text: string): Outcome {
   const { job, findings, trace } = importJob(text);
   if (trace || !job) {
-    const none = "This program says no job, only moves: there is no job to write";
+    const none = "This program says no job, only moves: there is no job to write. touchpath moves lists them";
     return { source, output: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
   }
   const name = typeof job.name === "string" ? job.name : "";
@@ -126,6 +129,62 @@ function imported(source: string, text: string): Outcome {
     findings,
     failed: findings.some((f) => f.level === "error"),
   };
+}
+
+/** The moves of a program, line by line as an editor counts them. A text without any is a failure: there is nothing to list. */
+function moves(source: string, text: string, format: NonNullable<Task["format"]>): Outcome {
+  const read = readProgram(text);
+  const name = (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
+  const ending = `-moves.${format === "text" ? "txt" : format}`;
+  const out = format === "json" ? movesAsJson(read) : format === "csv" ? movesAsCsv(read) : movesAsText(read);
+  return { source, output: { name, ending, text: out }, findings: read.findings, failed: read.kind.length === 0 };
+}
+
+/** One move as a row: what is not known is NaN. */
+function* rowsOf({ line, kind, kinds, to, feed }: ProgramMoves): Generator<[number, string, number[]]> {
+  for (const [i, at] of line.entries())
+    yield [at + 1, kinds[kind[i] as number] as string, [...to.subarray(3 * i, 3 * i + 3), feed[i] as number]];
+}
+
+function movesAsJson(read: ProgramMoves): string {
+  const { dialect, units, plane, arcs, findings } = read;
+  const known = (x: number) => (Number.isNaN(x) ? null : x);
+  const list = [...rowsOf(read)].map(([line, kind, [x, y, z, feed]]) => ({
+    line,
+    kind,
+    to: [x, y, z].map((x) => known(x as number)),
+    feed: known(feed as number),
+    arc: null as { center: number[]; sweep: number; plane: string } | null,
+  }));
+  for (let i = 0; i < arcs.length; i += 6) {
+    const [move, x, y, z, sweep, plane] = arcs.subarray(i, i + 6) as unknown as [
+      number,
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    const own = list[move];
+    if (own) own.arc = { center: [x, y, z], sweep, plane: `G${plane}` };
+  }
+  return `${JSON.stringify({ dialect, units, plane, moves: list, findings }, null, 2)}\n`;
+}
+
+function movesAsCsv(read: ProgramMoves): string {
+  let out = "line,kind,x,y,z,feed\n";
+  for (const [line, kind, numbers] of rowsOf(read))
+    out += `${line},${kind},${numbers.map((x) => (Number.isNaN(x) ? "" : x)).join(",")}\n`;
+  return out;
+}
+
+function movesAsText(read: ProgramMoves): string {
+  const row = ([line, kind, ...numbers]: string[]) =>
+    `${(line as string).padStart(7)}  ${(kind as string).padEnd(5)}${numbers.map((x) => `  ${x.padStart(11)}`).join("")}\n`;
+  let out = row(["line", "kind", "X", "Y", "Z", "feed"]);
+  for (const [line, kind, numbers] of rowsOf(read))
+    out += row([String(line), kind, ...numbers.map((x) => (Number.isNaN(x) ? "-" : x.toFixed(4)))]);
+  return out;
 }
 
 /** Results as columns for people. */
