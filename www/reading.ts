@@ -16,16 +16,19 @@ export interface Reading {
 const LOGGED = 9;
 
 /** Findings of texts that may be programs all the same. */
-const PROGRAM = ["no-job-in-program", "not-understood", "nothing-to-import"];
+const PROGRAM = ["no-job-in-program", "not-understood", "nothing-to-import", "text-too-long"];
+
+/** How a line of a program begins, on one control or another: a code, a variable, an O word, a block of Klartext. */
+const BLOCK = /^[ \t]*(?:\/\d?[ \t]*)?(?:N?\d+[ \t]*)?(?:[GMT]\d|O(?:\d|<)|#[\d<]|BEGIN PGM|TCH PROBE)/im;
 
 /** Reads a text. What is wrong with the text is in the findings; what is thrown has other causes. */
 export function read(text: string): Reading {
   const points = logged(text);
   if (points > 0) return { imported: null, findings: [], moves: null, points };
   const { imported, findings } = job(text);
-  const moves = findings.some(({ code }) => PROGRAM.includes(code)) ? readProgram(text) : null;
-  // One move from nowhere is nothing to see.
-  return { imported, findings, moves: moves && moves.kind.length > 1 ? moves : null, points: 0 };
+  const moves = findings.some(({ code }) => PROGRAM.includes(code)) ? programOf(text) : null;
+  // One move from nowhere is nothing to see, but a program is shown as its text.
+  return { imported, findings, moves: moves && (moves.kind.length > 1 || BLOCK.test(text)) ? moves : null, points: 0 };
 }
 
 /** grbl's report of a touch, and the answer to `$#`, which repeats the last one. */
@@ -41,6 +44,16 @@ function logged(text: string): number {
     return numbers.length === LOGGED && numbers.every((text) => /^[-+.\d]/.test(text) && Number.isFinite(Number(text)));
   };
   return lines.every(holds) ? lines.length : 0;
+}
+
+/** The moves of a text; null where it is too long for a program, too. */
+function programOf(text: string): ProgramMoves | null {
+  try {
+    return readProgram(text);
+  } catch (thrown) {
+    if (!(thrown instanceof JobError)) throw thrown;
+    return null;
+  }
 }
 
 function job(text: string): Omit<Reading, "moves" | "points"> {

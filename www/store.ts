@@ -169,9 +169,14 @@ export class Store extends Entries {
     return this.shut && this.byUser;
   }
 
-  /** The longest text that is read, in characters. */
+  /** The longest text that a job is made of, in characters. */
   get longest(): number {
     return this.catalog.longestText;
+  }
+
+  /** The longest program that is shown, in characters. */
+  get longestProgram(): number {
+    return this.catalog.longestProgram;
   }
 
   /** Whether there is nothing to show: the form has errors, and `plan` is empty. */
@@ -394,13 +399,16 @@ export class Store extends Entries {
   }
 
   /** What is said of a text that is too long to be read. */
-  tooLong(length: number, what: "text" | "file" = "text"): Said {
+  tooLong(length: number, what: "text" | "file" | "paste" = "text"): Said {
     const count = (n: number) => n.toLocaleString(this.lang);
-    const template =
-      what === "file"
-        ? w("Nothing was read: this file has {count} bytes, and at most {most} are read")
-        : w("Nothing was read: this text has {count} characters, and at most {most} are read");
-    return [template, count(length), count(this.longest)];
+    const templates = {
+      file: w("Nothing was read: this file has {count} bytes, and at most {most} are read"),
+      text: w("Nothing was read: this text has {count} characters, and at most {most} are read"),
+      paste: w(
+        "Nothing was read: this text has {count} characters, and at most {most} can be pasted. A longer program can be opened as a file",
+      ),
+    };
+    return [templates[what], count(length), count(what === "file" ? this.longestProgram : this.longest)];
   }
 
   /** Back to the defaults of the present cycle. */

@@ -6,7 +6,7 @@ use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
 use crate::form::{Choice, Code, Default, Field, Kind};
-use crate::job::{FORMAT, LONGEST_TEXT, SECTIONS};
+use crate::job::{FORMAT, LONGEST_PROGRAM, LONGEST_TEXT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 
 /// Cycles, controls and the sections around them.
@@ -29,8 +29,10 @@ pub struct Catalog {
     pub rapid_rate: f64,
     /// The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry.
     pub max_touches: usize,
-    /// The longest text that is read, in characters as JavaScript counts them (UTF-16 units).
+    /// The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units).
     pub longest_text: usize,
+    /// The longest program whose moves are read, likewise.
+    pub longest_program: usize,
 }
 
 /// One cycle.
@@ -247,6 +249,7 @@ pub fn catalog() -> Catalog {
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
         longest_text: LONGEST_TEXT,
+        longest_program: LONGEST_PROGRAM,
     }
 }
 

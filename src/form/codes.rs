@@ -73,6 +73,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("no-direction", "1411: both circles are in one place, so the line through them has no direction."),
     ("no-extrusion", "1493 with a length of 0 repeats every touch on one spot."),
     ("no-job-in-program", "A program of moves holds no job: only its moves were read."),
+    ("no-moves", "A text gives no move that can be read."),
     ("no-results-in-program", "The control has no arithmetic: the program reports touches and computes nothing."),
     ("no-retract", "1411: the probe is not retracted between touches or objects, against the manual's advice."),
     ("no-touches", "A dump has no touch points: place and rotation of the feature are the defaults."),

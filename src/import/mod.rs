@@ -4,6 +4,7 @@ mod codes;
 mod dump;
 mod klartext;
 mod program;
+mod signs;
 pub mod toolpath;
 
 /// What a move of a program does.
@@ -15,7 +16,7 @@ pub use toolpath::{Toolpath, read_program};
 use crate::cycle::CycleDef;
 use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
-use crate::text::text;
+use crate::text::{Text, text};
 
 /// What was made of a text.
 #[derive(Debug)]
@@ -85,16 +86,19 @@ pub(crate) fn fits(text: &str, most: usize) -> bool {
 
 /// Refuses a text of so many UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
-    longer_than(LONGEST_TEXT, units)
+    let message = text!(
+        "This text has {size} million characters: a job is made of at most {most} million",
+        millions(units),
+        LONGEST_TEXT / 1_000_000
+    );
+    refused_as_too_long(message)
 }
 
-fn longer_than(most: usize, units: usize) -> JobError {
-    let most = most / 1_000_000;
-    let message = text!(
-        "This text has {size} million characters: at most {most} million are read",
-        crate::num::decimal(units as f64 / 1e6, 1),
-        most
-    );
+fn millions(units: usize) -> String {
+    crate::num::decimal(units as f64 / 1e6, 1)
+}
+
+fn refused_as_too_long(message: Text) -> JobError {
     JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
 }
 
@@ -112,6 +116,9 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         if dump {
             return dump::import(&codes);
         }
+    }
+    if program::says_job(text) || klartext::recognises(text) {
+        program::check_signs(text)?;
     }
     if program::says_job(text) {
         return if klartext::recognises(text) { klartext::import_with_header(text) } else { program::import(text) };

@@ -4,14 +4,15 @@
 use serde::Serialize;
 
 use crate::control::header::{self, Said};
-use crate::control::iso::lines::{after, next_line};
+use crate::control::iso::lines::{self, after, next_line, trimmed};
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
-use crate::import::{Imported, has_place, read_program, set};
+use crate::import::signs::{self, Sign};
+use crate::import::{Imported, has_place, read_program, set, toolpath};
 use crate::job::{FORMAT, JobError, Plan, SECTIONS};
 use crate::text::{Text, text};
 
@@ -45,6 +46,20 @@ pub struct TraceMove {
 /// Whether the header of a text says a job.
 pub fn says_job(text: &str) -> bool {
     header::read(text).values.iter().any(|(path, _)| path.eq_ignore_ascii_case("cycle.type"))
+}
+
+/// Refuses a text with what no control takes for a blank, whatever reads the rest of it.
+pub fn check_signs(text: &str) -> Result<(), JobError> {
+    if !lines::hides(text) {
+        return Ok(());
+    }
+    let mut checker = Checker::default();
+    let mut rest = text;
+    let all = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest))).enumerate();
+    for (line, _) in all.filter(|(_, full)| lines::hides(full)).take(MOST_LISTED) {
+        checker.error("not-understood", "", with_line(Some(line), lines::hidden()));
+    }
+    Err(JobError { findings: checker.findings() })
 }
 
 /// Makes a job of a program whose header says it.
@@ -312,16 +327,16 @@ fn code(line: &str, round: bool) -> &str {
         (c == ';' || (round && c == '(')) && !quoted
     });
     let Some(at) = at else { return line };
-    let inner = line[at + 1..].trim_start();
+    let inner = trimmed(&line[at + 1..]);
     let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| after(inner, word).is_some());
     // The text of an alarm belongs to its block.
-    let alarm = line.trim_start().starts_with("#3000");
+    let alarm = trimmed(line).starts_with("#3000");
     if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }
 }
 
 /// A block without its number: `N10 G1`, or `12 TCH PROBE` of Klartext.
 fn without_number(code: &str) -> &str {
-    let code = code.trim();
+    let code = trimmed(code);
     let rest = code.strip_prefix('N').unwrap_or(code).trim_start_matches(|c: char| c.is_ascii_digit());
     if rest.len() < code.len() && rest.starts_with(' ') { rest } else { code }
 }
@@ -356,7 +371,12 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut checker = Checker::default();
     let mut least: Option<(&PostDef, Vec<Trouble>)> = None;
     let mut found: Option<(&PostDef, Trace)> = None;
-    for post in POSTS {
+    let sign = signs::of(text);
+    if sign == Some(Sign::RepRap) {
+        checker.error("not-understood", "", text!("This is a program for RepRapFirmware, which is not known here"));
+        return Some(Err(JobError { findings: checker.findings() }));
+    }
+    for post in POSTS.iter().filter(|post| may_be_for(post, sign, text)) {
         match followed(post, text) {
             Some(Ok(trace)) if !trace.ends && !probes(text) => {}
             Some(Ok(trace)) if found.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => found = Some((post, trace)),
@@ -379,16 +399,32 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
         return Some(Ok(Imported::Moves { trace: row(post, &trace), findings }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;
-    for trouble in troubles.iter().take(MOST_LISTED) {
-        let message = text!(
-            "Line {line}, read as a program for {title}: {message}",
-            trouble.line + 1,
-            post.title.to_owned(),
-            trouble.message.clone()
-        );
-        checker.error("not-understood", "", message);
-    }
+    let first = troubles.first()?;
+    let message = text!(
+        "Line {line}, read as a program for {title}: {message}",
+        first.line + 1,
+        post.title.to_owned(),
+        first.message.clone()
+    );
+    let others = troubles.len() - 1;
+    let message = match others {
+        0 => message,
+        1 => text!("{message}. One other line cannot be read either", message),
+        _ => text!("{message}. {others} other lines cannot be read either", message, others),
+    };
+    checker.error("not-understood", "", message);
     Some(Err(JobError { findings: checker.findings() }))
+}
+
+/// Whether a text may be for this control, by its signs.
+fn may_be_for(post: &PostDef, sign: Option<Sign>, text: &str) -> bool {
+    match sign {
+        Some(Sign::LinuxCnc) => post.key == "linuxcnc",
+        Some(Sign::Rs274) => matches!(post.key, "linuxcnc" | "grbl"),
+        Some(Sign::LikeFanuc) => matches!(post.key, "fanuc" | "haas"),
+        Some(Sign::Klartext | Sign::RepRap) => false,
+        None => post.key == "sinumerik" || toolpath::guessed(text) != "sinumerik",
+    }
 }
 
 /// A text followed as a program for a control, on a part that is not known.

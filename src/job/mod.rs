@@ -55,6 +55,9 @@ use crate::form::{Checker, Finding, Value};
 /// The longest text that is read, in UTF-16 units. A longer one is refused: half of a program would be another.
 pub const LONGEST_TEXT: usize = 2_000_000;
 
+/// The longest program whose moves are read, likewise.
+pub const LONGEST_PROGRAM: usize = 20_000_000;
+
 /// A job that no plan can be made of, with every finding.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}", first_error(.findings))]

@@ -154,6 +154,12 @@ pub fn job_schema() -> JsValue {
     value_to_js(&describe::job_schema())
 }
 
+/// The longest text that a job is made of, and the longest program whose moves are read, in UTF-16 units.
+#[wasm_bindgen]
+pub fn limits() -> Vec<u32> {
+    [job::LONGEST_TEXT, job::LONGEST_PROGRAM].map(|most| most as u32).to_vec()
+}
+
 /// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ kind: "job", job, findings }`; of a program
 /// of moves that holds no job `{ kind: "moves", job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
 /// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.

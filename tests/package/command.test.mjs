@@ -113,7 +113,7 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "--post", "mazak"], /--post is one of linuxcnc/],
     [["plan", name, "--form", "dance"], /--form is one of/],
     [["table", name, "--format", "xml"], /--format is one of csv/],
-    [["plan", name, "--format", "csv"], /--format is for table, evaluate/],
+    [["plan", name, "--format", "csv"], /--format is for table, moves, evaluate/],
     [["check", name, "--view", "top"], /--view is for svg/],
     [["plan", name, other], /need a folder/],
     [["plan", name, "--jobs", "0"], /--jobs is a whole number/],
@@ -137,6 +137,58 @@ test("wrong use: one line, exit code 2, nothing written", () => {
   assert.ok(!readdirSync(folder).includes("none"), "an empty folder was left behind");
   assert.match(JSON.parse(run(["plan", "missing.json", "--json"]).stderr).error, /There is no file/);
   assert.equal(run([]).status, 2);
+});
+
+const MACRO = "(bore)\nG21 G90\nG0 X1 Y2.5 Z3\nG38.2 X#1 F50\nG3 X1 Y0 I0 J-1.25 F80\nM463 X-12\nG0 Z9\nM2\n";
+
+test("moves: what readProgram reads, as text, CSV and JSON, with its findings", () => {
+  const name = file("bore.ngc", MACRO);
+  const read = touchpath.readProgram(MACRO);
+  const text = run(["moves", name]);
+  assert.equal(text.status, 0);
+  assert.deepEqual(
+    text.stdout.split("\n").map((line) => line.trim().split(/ +/)),
+    [
+      ["line", "kind", "X", "Y", "Z", "feed"],
+      ["3", "rapid", "1.0000", "2.5000", "3.0000", "-"],
+      ["4", "probe", "-", "2.5000", "3.0000", "50.0000"],
+      ["5", "feed", "1.0000", "0.0000", "3.0000", "80.0000"],
+      ["7", "rapid", "-", "-", "9.0000", "-"],
+      [""],
+    ],
+  );
+  for (const { message } of read.findings.filter((f) => f.level !== "info"))
+    assert.ok(text.stderr.includes(message), message);
+  assert.match(text.stderr, /M463 .*line 6/);
+  assert.equal(
+    run(["moves", "--format", "csv", name]).stdout,
+    "line,kind,x,y,z,feed\n3,rapid,1,2.5,3,\n4,probe,,2.5,3,50\n5,feed,1,0,3,80\n7,rapid,,,9,\n",
+  );
+  const json = JSON.parse(run(["moves", "--format", "json", "-"], MACRO.replace("X#1", "X4")).stdout);
+  assert.deepEqual([json.dialect, json.units, json.plane, json.moves.length], ["iso", "mm", "G17", 4]);
+  assert.deepEqual(json.moves[0], { line: 3, kind: "rapid", to: [1, 2.5, 3], feed: null, arc: null });
+  assert.equal(json.moves[3].to[0], null);
+  const arc = JSON.parse(run(["moves", "--format", "json", "-"], "G21 G0 X1 Y0 Z0\nG3 X-1 I-1 F9\n").stdout).moves[1]
+    .arc;
+  assert.deepEqual([arc.center, arc.plane], [[0, 0, 0], "G17"]);
+  assert.ok(Math.abs(arc.sweep - 180) < 1e-9);
+  assert.deepEqual(json.findings, touchpath.readProgram(MACRO.replace("X#1", "X4")).findings);
+});
+
+test("moves: a text without any fails, many go into a folder, and more is read than of a job", () => {
+  const none = run(["moves", file("none.nc", "G21;G91;G38.2 Z-17 F70\n")]);
+  assert.equal(none.status, 1);
+  assert.match(none.stderr, /semicolon.*line 1 \[no-moves\]/);
+  assert.equal(run(["moves", file("a.nc", "G0 X1\n"), file("b.nc", "G0 X2\n")]).status, 2);
+  assert.equal(run(["moves", "a.nc", "b.nc", "--format", "csv", "-o", "lists"]).status, 0);
+  assert.deepEqual(readdirSync(join(folder, "lists")).sort(), ["a-moves.csv", "b-moves.csv"]);
+  assert.match(run(["moves", "a.nc", "--format", "xml"]).stderr, /csv, json, text/);
+  assert.match(run(["moves", "a.nc", "--post", "fanuc"]).stderr, /--post is for/);
+  const long = `G21\n${"G1 X1 F100 (a comment of some length)\n".repeat(60_000)}`;
+  assert.ok(long.length > touchpath.catalog().longestText && long.length < touchpath.catalog().longestProgram);
+  const listed = run(["moves", "--format", "csv", file("long.nc", long)]);
+  assert.deepEqual([listed.status, listed.stdout.split("\n").length], [0, 60_002]);
+  assert.match(run(["import", "long.nc"]).stderr, /At most 2000000 characters/);
 });
 
 /** Every file below a folder, with its text. */

@@ -209,7 +209,9 @@ test("measured points stayed across a change of cycle and units: they belong to 
 });
 
 test("ten megabytes that are pasted, dropped or opened froze the tab: they are refused with a sentence", async () => {
-  const most = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.longest);
+  const most = await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).store.longestProgram,
+  );
   for (const kind of ["paste", "drop"]) {
     await more("Paste");
     const taken = await page.locator("#paste").evaluate(
@@ -236,7 +238,7 @@ test("ten megabytes that are pasted, dropped or opened froze the tab: they are r
   });
   const before = await program();
   await openText(" ".repeat(most + 1));
-  await page.locator(".note", { hasText: "2,000,001 bytes, and at most" }).waitFor();
+  await page.locator(".note", { hasText: "20,000,001 bytes, and at most" }).waitFor();
   assert.equal(await program(), before);
 });
 

@@ -57,6 +57,7 @@ export interface Raw {
   measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
+  limits(): Uint32Array;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;
   svg(codes: Float64Array, text: string, view: unknown): unknown;
@@ -97,8 +98,8 @@ export interface Api {
   /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
   importJob(text: string): Imported;
   /**
-   * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to 20 million characters. What jumps, calls or computes is passed over, and said in
-   * `findings`. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
+   * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. What jumps, calls or computes, and codes that
+   * are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
    */
   readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
   /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
@@ -186,6 +187,12 @@ export function dress(raw: Raw, instance: Instance): Api {
     const values = coded(measured);
     return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
   };
+  /** The longest text that a job is made of, and the longest program, in UTF-16 units: no more is handed over. */
+  let most: Uint32Array | null = null;
+  const fits = (length: number, which: 0 | 1): boolean => {
+    most ??= instance.call<Uint32Array>(() => raw.limits());
+    return length <= (most[which] as number);
+  };
   return {
     catalog: () => instance.call(() => raw.catalog()),
     defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
@@ -229,7 +236,7 @@ export function dress(raw: Raw, instance: Instance): Api {
       };
     },
     importJob: (text) => {
-      const json = parsed(text);
+      const json = typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
       const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
       const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
       // What is a job in JSON is that job, with all that stands in it: then the module gives none.
@@ -242,7 +249,7 @@ export function dress(raw: Raw, instance: Instance): Api {
         ]);
       }
       const { length } = text;
-      const bytes = new TextEncoder().encode(length > 0 && length <= LONGEST_PROGRAM ? text : "");
+      const bytes = new TextEncoder().encode(length > 0 && fits(length, 1) ? text : "");
       const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
       return { ...moves, kinds: ["rapid", "feed", "probe"] };
     },
@@ -257,20 +264,13 @@ export function dress(raw: Raw, instance: Instance): Api {
   };
 }
 
-/** The longest text that is read, in UTF-16 units; the module says so of a longer one. */
-const LONGEST_TEXT = 2_000_000;
-
-/** The longest program whose moves are read, likewise. */
-const LONGEST_PROGRAM = 20_000_000;
-
 /** The deepest JSON that is read as a job, in levels: what lies deeper can be neither copied nor written as JSON again. A job has six. */
 const DEEPEST_JSON = 100;
 
 const TOO_DEEP = "This JSON has more than {most} levels: no job has so many";
 
 /** What a text says as JSON; undefined where it is none. Throws `JobError` where it is nested too deeply. */
-function parsed(text: unknown): unknown {
-  if (typeof text !== "string" || text.length > LONGEST_TEXT) return undefined;
+function parsed(text: string): unknown {
   let json: unknown;
   try {
     json = JSON.parse(text.replace(/^\ufeff/, ""));

@@ -391,6 +391,8 @@ export interface Catalog {
   rapidRate: number;
   /** The most touches that a parameter table of CmdPrm codes holds. What a cycle can have stands in its entry. */
   maxTouches: number;
-  /** The longest text that is read, in characters as JavaScript counts them (UTF-16 units). */
+  /** The longest text that a job is made of, in characters as JavaScript counts them (UTF-16 units). */
   longestText: number;
+  /** The longest program whose moves are read, likewise. */
+  longestProgram: number;
 }

@@ -1,4 +1,4 @@
-import { JobError, type ProgramMoves } from "../core/browser.js";
+import { type Finding, JobError, type ProgramMoves } from "../core/browser.js";
 import { type Reading, read } from "../reading.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -33,6 +33,8 @@ const LONG = 100_000;
 export interface Viewed {
   text: string;
   moves: ProgramMoves;
+  /** Why no job is made of it. */
+  why: Finding[];
 }
 
 /** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
@@ -56,10 +58,10 @@ export class Intake {
     );
   }
 
-  /** A file too large for a job is not even read. */
+  /** A file too large for any program is not even read. */
   async file(file: File): Promise<void> {
     const { signal, document } = this.begin();
-    if (file.size > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
+    if (file.size > this.store.longestProgram) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
@@ -95,7 +97,7 @@ export class Intake {
     const length = there + (data?.getData("text/plain").length ?? 0);
     if (length <= this.store.longest) return;
     event.preventDefault();
-    this.page.tell(this.store.say(this.store.tooLong(length)));
+    this.page.tell(this.store.say(this.store.tooLong(length, "paste")));
   };
 
   /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
@@ -123,10 +125,6 @@ export class Intake {
   async text(text: string, document = this.store.document): Promise<boolean> {
     const { signal } = this.begin();
     try {
-      if (text.length > this.store.longest) {
-        this.page.tell(this.store.say(this.store.tooLong(text.length)));
-        return false;
-      }
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
       if (document === this.store.document) return this.take(text, reading);
@@ -187,11 +185,18 @@ export class Intake {
       if (!(thrown instanceof JobError)) throw thrown;
       const why = this.store.why(thrown);
       // The job that is there stays.
-      if (reading.moves) this.page.showMoves({ text, moves: reading.moves });
+      const { moves } = reading;
+      if (!moves) {
+        this.page.tell(why);
+        return false;
+      }
+      this.page.showMoves({ text, moves, why: thrown.findings.filter((f) => f.level === "error") });
       this.page.tell(
-        reading.moves ? this.store.t("The moves of this program are drawn; no job is made of it. {why}", why) : why,
+        moves.kind.length > 0
+          ? this.store.t("The moves of this program are drawn; no job is made of it. {why}", why)
+          : this.store.t("This program is shown as text; no job is made of it. {why}", why),
       );
-      return reading.moves !== null;
+      return true;
     }
     const notes = reading.findings.filter((f) => f.level !== "error").map((f) => this.store.say(f.said));
     this.page.showJob();

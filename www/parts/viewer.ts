@@ -1,6 +1,6 @@
 // The moves of any program, drawn: each kind in its own style. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { ProgramMoves, Said } from "../core/browser.js";
+import type { Finding, ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
@@ -13,7 +13,7 @@ import { Listing } from "./listing.js";
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
 
 class ViewerPart extends DrawnPart {
-  declare viewed: { text: string; moves: ProgramMoves };
+  declare viewed: { text: string; moves: ProgramMoves; why: Finding[] };
   protected override follows: string[] = [];
   private drawn?: object;
   private pointed: number | null = null;
@@ -33,7 +33,8 @@ class ViewerPart extends DrawnPart {
   static override properties = { viewed: { attribute: false } };
 
   override render(): TemplateResult {
-    const { moves } = this.viewed;
+    const { moves, why } = this.viewed;
+    const notes = [...why, ...moves.findings];
     return html`
       <div class="see">
       ${this.tools(this.t("Picture of the program"))}
@@ -46,7 +47,7 @@ class ViewerPart extends DrawnPart {
         <ul class="key" aria-label=${this.t("Colours")}>
           ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
-        ${moves.findings.length > 0 ? html`<ul class="notes">${moves.findings.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
+        ${notes.length > 0 ? html`<ul class="notes">${notes.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
       </div>
       <div class="read" @keydown=${this.key}>
         <div class="tools">${this.finder.render()}</div>

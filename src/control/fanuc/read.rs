@@ -94,7 +94,8 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
     script.full_circle = true;
     let mut targets = Targets::default();
     let mut numbered = false;
-    lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
+    let semicolons = lines::with_semicolons(text);
+    let read = lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
         let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
             let slot = script.slot(name.as_bytes());
@@ -113,7 +114,16 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
             return Ok(());
         }
         block(script, line, code, grammar, &mut targets)
-    })?;
+    });
+    if !semicolons.is_empty() {
+        let mut troubles = semicolons;
+        troubles.extend(read.err().into_iter().flatten());
+        // Sorted so, the semicolon is what stays of its line.
+        troubles.sort_by_key(|trouble| trouble.line);
+        troubles.dedup_by_key(|trouble| trouble.line);
+        return Err(troubles);
+    }
+    read?;
     targets.resolve(&mut script, false)?;
     script.give_results();
     Ok(script)

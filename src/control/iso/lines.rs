@@ -5,7 +5,10 @@ use std::collections::BTreeMap;
 use crate::control::iso::parse::{Parsed, fault};
 use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
-use crate::text::text;
+use crate::text::{Text, text};
+
+/// What controls take as a blank.
+pub const BLANKS: [char; 2] = [' ', '\t'];
 
 /// A comment of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,10 +27,10 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)
     for (at, b) in line.bytes().enumerate().skip(first) {
         match b {
             b'"' => quoted = !quoted,
-            b';' if !quoted => return Ok((&line[..at], comment(b, line[at + 1..].trim()))),
+            b';' if !quoted => return Ok((&line[..at], comment(b, trimmed(&line[at + 1..])))),
             _ if b != sign || quoted => {}
             b'(' => {
-                let inner = line[at + 1..].trim_end();
+                let inner = trimmed(&line[at + 1..]);
                 let inner = inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands after it"))?;
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return fault(text!("two comments are in one line, or one in another"));
@@ -62,6 +65,7 @@ const MOST_TROUBLES: usize = 200;
 pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut Block<'_, 't>) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
+    let hides = hides(text);
     let mut begun = false;
     // Whether something stands in front of a carriage return that no line feed has followed yet.
     let mut returned = false;
@@ -71,6 +75,10 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             break;
         }
         let full = next_line(&mut rest);
+        if hides && self::hides(full) {
+            troubles.push(Trouble { line, message: hidden(), understood: false });
+            continue;
+        }
         let trimmed = trimmed(full);
         // grbl ends a line there, LinuxCNC does not: `;\r` would hide from it what stands behind.
         if returned && !trimmed.is_empty() {
@@ -84,7 +92,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
                 troubles.push(Trouble { line, message: text!("code stands behind %"), understood: false });
-            } else if begun && rest.split(['\n', '\r']).any(|line| code(line.trim())) {
+            } else if begun && rest.split(['\n', '\r']).any(|line| code(self::trimmed(line))) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
@@ -106,7 +114,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
 /// Whether what stands behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
 fn is_tape_name(behind: &str) -> bool {
     let Ok((code, _)) = split_comment(behind, b'(') else { return false };
-    let code = code.trim();
+    let code = trimmed(code);
     let name = code.strip_prefix("_N_").unwrap_or_default();
     let named = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
     code.bytes().all(|b| b.is_ascii_digit()) || !name.is_empty() && name.bytes().all(named)
@@ -127,12 +135,39 @@ pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
     }
 }
 
-/// Trims a text; nearly always there is nothing to trim.
+/// Whether a text has a vertical tab, a form feed or a NUL: no control takes one for a blank, and LinuxCNC's interpreter ends a line at a NUL.
+pub fn hides(text: &str) -> bool {
+    memchr::memchr3(0x0b, 0x0c, 0, text.as_bytes()).is_some()
+}
+
+/// What is wrong with such a line.
+pub fn hidden() -> Text {
+    text!("a vertical tab, a form feed or a NUL: controls do not take it as a blank")
+}
+
+/// The lines with a semicolon, for a control that has no such comments.
+pub fn with_semicolons(text: &str) -> Vec<Trouble> {
+    let mut troubles = Vec::new();
+    let mut rest = text;
+    // Nearly always there is none.
+    for line in 0.. {
+        if memchr::memchr(b';', rest.as_bytes()).is_none() || troubles.len() == MOST_TROUBLES {
+            break;
+        }
+        if next_line(&mut rest).contains(';') {
+            let message = text!("a semicolon begins no comment on this control: it may end the block");
+            troubles.push(Trouble { line, message, understood: false });
+        }
+    }
+    troubles
+}
+
+/// A text without the blanks around it: spaces and tabs, as controls have them. Nearly always there are none.
 pub fn trimmed(text: &str) -> &str {
     match text.as_bytes() {
         [] => text,
         [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => text,
-        _ => text.trim(),
+        _ => text.trim_matches(BLANKS),
     }
 }
 
@@ -188,7 +223,7 @@ impl Targets<'_> {
 pub fn without_number(code: &str) -> &str {
     let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
     match rest {
-        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start(),
+        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start_matches(BLANKS),
         _ => code,
     }
 }

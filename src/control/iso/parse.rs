@@ -1,5 +1,6 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
+use crate::control::iso::lines::BLANKS;
 use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
 use crate::form::printable;
 use crate::text::{Text, text};
@@ -118,7 +119,7 @@ pub fn fault<T>(text: Text) -> Parsed<T> {
 impl<'t> Cursor<'t> {
     /// The beginning of a text.
     pub fn new(text: &'t str) -> Self {
-        let text = text.trim_start().as_bytes();
+        let text = text.trim_start_matches(BLANKS).as_bytes();
         Cursor { text, rest: text, depth: 0, operators: 0 }
     }
 
@@ -135,6 +136,12 @@ impl<'t> Cursor<'t> {
     /// What was passed since a place.
     pub(super) fn since(&self, at: usize) -> &'t [u8] {
         &self.text[at..self.at()]
+    }
+
+    /// What was passed since a place, without the blanks after it, for a message.
+    pub(super) fn word_since(&self, at: usize) -> String {
+        let word = String::from_utf8_lossy(self.since(at));
+        printable(&word.trim_end_matches(BLANKS).chars().take(40).collect::<String>())
     }
 
     /// What is left, in part, for a message.
@@ -178,19 +185,7 @@ impl<'t> Cursor<'t> {
     /// Goes past blanks.
     #[inline(never)]
     fn trim(&mut self) {
-        self.rest = self.rest.trim_ascii_start();
-        // Blanks that are not ASCII are rare, and one of them is at most four bytes long.
-        while let Some(length) = self.wide_blank() {
-            self.rest = self.rest[length..].trim_ascii_start();
-        }
-    }
-
-    /// The length of the next character where it is a blank and not ASCII.
-    fn wide_blank(&self) -> Option<usize> {
-        let first = self.next().filter(|b| !b.is_ascii())?;
-        let length = (first.leading_ones() as usize).min(self.rest.len());
-        let character = std::str::from_utf8(&self.rest[..length]).ok()?;
-        character.chars().all(char::is_whitespace).then_some(length)
+        self.rest = &self.rest[self.count(|b| matches!(b, b' ' | b'\t'))..];
     }
 
     /// Goes past a word or sign where it is next.
@@ -200,6 +195,12 @@ impl<'t> Cursor<'t> {
             self.advance(word.len());
         }
         next
+    }
+
+    /// Goes past a name where it is next as a whole.
+    pub fn eat_name(&mut self, word: &str) -> bool {
+        let more = self.rest.get(word.len()).is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_');
+        !more && self.eat(word)
     }
 
     /// Goes past a sign that must be next.

@@ -36,14 +36,19 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         }
         let begin = cursor.at();
         cursor.advance(1);
-        let value = cursor.operand(grammar, script)?;
+        let named = cursor.next().is_some_and(|next| next.is_ascii_alphabetic());
+        // A word of more letters is named as a whole.
+        let value = cursor.operand(grammar, script).map_err(|why| match named {
+            true => Box::new(text!("\"{left}\" is not understood", cursor.from(begin))),
+            false => why,
+        })?;
         let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
         if counted && !cursor.since(begin).contains(&b'.') {
             return fault(text!("a number has no decimal point: \"{left}\"", cursor.from(begin)));
         }
         block
             .add(letter, value, grammar, script)
-            .map_err(|reason| text!("{reason}: \"{word}\"", *reason, cursor.from(begin)))?;
+            .map_err(|reason| text!("{reason}: \"{word}\"", *reason, cursor.word_since(begin)))?;
     }
     block.finish(script)
 }

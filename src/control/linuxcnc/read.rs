@@ -1,7 +1,7 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Comment, Targets, after};
+use crate::control::iso::lines::{self, Comment, Targets, after, trimmed};
 use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Node, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
@@ -118,13 +118,13 @@ fn has_own(text: &str) -> bool {
 
 /// Whether a comment says the values of variables that it names.
 fn says_values(comment: Comment<'_>) -> bool {
-    ["PRINT,", "DEBUG,", "LOG,"].iter().any(|word| after(comment.text.trim_start(), word).is_some())
+    ["PRINT,", "DEBUG,", "LOG,"].iter().any(|word| after(trimmed(comment.text), word).is_some())
 }
 
 /// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes
 /// them by, but for Python, which may do anything.
 fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
-    let text = comment.text.trim_start();
+    let text = trimmed(comment.text);
     if ["PY,", "PYRUN,", "PYRELOAD"].iter().any(|word| after(text, word).is_some()) {
         return fault(text!("Python in a comment is not followed"));
     }
@@ -132,7 +132,10 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         return Ok(());
     }
     if let Some(rest) = after(text, "PRINT,") {
-        let (code, value) = rest.split_once('=').ok_or_else(|| text!("a PRINT without its value"))?;
+        // A text alone is shown, and nothing else.
+        let Some((code, value)) = rest.split_once('=') else {
+            return if rest.contains('#') { fault(text!("a PRINT without its value")) } else { Ok(()) };
+        };
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;

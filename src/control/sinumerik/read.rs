@@ -1,7 +1,7 @@
 //! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
 
 use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lines::{self, Targets, trimmed};
 use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
@@ -12,7 +12,7 @@ static GRAMMAR: Grammar =
     Grammar { brackets: (b'(', b')'), points: false, names: Names::Words, operators: SIGN_OPERATORS, system, code };
 
 fn axis_of(name: &str) -> Option<usize> {
-    AXIS_NAMES.iter().position(|axis| *axis == name.trim())
+    AXIS_NAMES.iter().position(|axis| *axis == trimmed(name))
 }
 
 fn system(name: &[u8]) -> Option<System> {
@@ -32,16 +32,16 @@ fn system(name: &[u8]) -> Option<System> {
         ("$MN_SCALING_SYSTEM_IS_METRIC", "") => System::Metric,
         ("$P_UIFR", inner) => {
             let mut parts = inner.split(',');
-            let number = parts.next()?.trim().parse().ok()?;
+            let number = trimmed(parts.next()?).parse().ok()?;
             let axis = axis_of(parts.next()?)?;
-            match parts.next()?.trim() {
+            match trimmed(parts.next()?) {
                 "TR" => System::Offset(Part::Origin(number, axis)),
                 "RT" => System::Offset(Part::Turn(number, axis)),
                 "FI" => System::Fixed(0.0),
                 part => none_of(part)?,
             }
         }
-        ("$P_PFRAME" | "$P_TOOLFRAME" | "$P_WPFRAME", inner) => none_of(inner.split(',').nth(1)?.trim())?,
+        ("$P_PFRAME" | "$P_TOOLFRAME" | "$P_WPFRAME", inner) => none_of(trimmed(inner.split(',').nth(1)?))?,
         _ => return None,
     })
 }
@@ -122,9 +122,9 @@ fn block<'t>(
         return Ok(());
     }
     let mut cursor = Cursor::new(code);
-    let what = if cursor.eat("STOPRE") {
+    let what = if cursor.eat_name("STOPRE") {
         What::Halt
-    } else if cursor.eat("TRANS") {
+    } else if cursor.eat_name("TRANS") {
         What::Nothing
     } else if cursor.eat("DEF INT ") {
         let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
@@ -157,7 +157,9 @@ fn block<'t>(
         return call(script, line, name, arguments);
     } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
         let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
-        cursor.expect("=")?;
+        if !cursor.eat("=") {
+            return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
+        }
         let value = cursor.value(&GRAMMAR, script)?;
         match system(name) {
             // One letter is an axis, or a word with its value; any other name is what the control knows under it.

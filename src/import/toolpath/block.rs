@@ -14,10 +14,23 @@ pub(super) enum Motion {
     Curve,
 }
 
+/// What a block says of a code that makes no place of its axis words.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+pub(super) enum Foreign {
+    /// There is none.
+    No,
+    /// The code sets or stores something: nothing moves.
+    Sets,
+    /// Nothing is known of the code: it may move anything.
+    Unknown,
+}
+
 /// A value of a word.
 #[derive(Clone, Copy)]
 pub(super) enum Word {
     Number(f64),
+    /// A place (true) or a distance, whatever the mode: `AC(5)`, `IC(5)`.
+    Placed(f64, bool),
     /// What the control would compute.
     Computed,
 }
@@ -39,6 +52,9 @@ pub(super) struct Block {
     pub given: Axes,
     /// Those of them that the control would compute.
     pub computed: Axes,
+    /// Those of them that are places, and those that are distances, whatever the mode.
+    pub placed: Axes,
+    pub moved: Axes,
     /// I, J, K from where the arc begins, or as places.
     pub center: [f64; 3],
     pub centered: Axes,
@@ -84,12 +100,24 @@ pub(super) struct Block {
     pub strange: bool,
     /// It jumps.
     pub jumps: bool,
+    /// It names a code that makes no place of its axis words.
+    pub foreign: Foreign,
+    /// An M code stands first in it, and its axis words may be that code's: unless it names a motion.
+    pub led: Foreign,
+    /// Where the name of that code begins and ends in its line.
+    pub name: [usize; 2],
+    /// It calls a subprogram: 97, 98 or 198.
+    pub calls: Option<u8>,
+    /// Whether one of these three is so.
+    pub special: bool,
 }
 
 pub(super) const EMPTY: Block = Block {
     places: [0.0; 3],
     given: 0,
     computed: 0,
+    placed: 0,
+    moved: 0,
     center: [0.0; 3],
     centered: 0,
     radius: None,
@@ -114,19 +142,37 @@ pub(super) const EMPTY: Block = Block {
     twice: false,
     strange: false,
     jumps: false,
+    foreign: Foreign::No,
+    led: Foreign::No,
+    name: [0; 2],
+    calls: None,
+    special: false,
 };
 
 impl Block {
     /// Takes all words out. Places and centres stay: nothing says that they are given.
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
+        (self.placed, self.moved) = (0, 0);
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);
+        if self.special {
+            (self.foreign, self.led, self.calls, self.special) = (Foreign::No, Foreign::No, None, false);
+        }
     }
+}
+
+/// Whether nothing but blanks and comments stands in front of a word.
+pub(super) fn leads(line: &[u8], at: usize) -> bool {
+    let mut before = line[head(line)..at].trim_ascii();
+    while before.first() == Some(&b'(') {
+        before = before[end_of(before, 0, b')')..].trim_ascii();
+    }
+    before.is_empty()
 }
 
 /// A number, and where it ends.

@@ -4,23 +4,36 @@
 //! G0 to G3, probing as `G38.n`, `G31`, `G31.n` and `MEAS=1 G1`, units, planes, absolute and incremental places, arcs by centre or radius.
 
 mod block;
+mod calls;
+mod findings;
+mod foreign;
+mod guess;
+mod heidenhain;
 mod moves;
 mod reader;
 mod words;
 
 use crate::control::iso::lines::{next_line, trimmed};
-use crate::form::Finding;
+use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
-use block::{EMPTY, numbered};
+use crate::text::text;
+use block::EMPTY;
+use calls::{Calls, Place};
+pub(super) use guess::guessed;
 use reader::Reader;
 
 /// The longest program that is read, in UTF-16 units.
-pub const LONGEST_PROGRAM: usize = 20_000_000;
+pub use crate::job::LONGEST_PROGRAM;
 
 /// Refuses a program of so many UTF-16 units.
 pub fn too_long(units: usize) -> JobError {
-    super::longer_than(LONGEST_PROGRAM, units)
+    let message = text!(
+        "This text has {size} million characters: at most {most} million are read",
+        super::millions(units),
+        LONGEST_PROGRAM / 1_000_000
+    );
+    super::refused_as_too_long(message)
 }
 
 /// What a move is, by its place in the column `kind`.
@@ -78,6 +91,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let dialect = dialect.unwrap_or_else(|| guessed(text));
     let mut reader = Reader::new(text, dialect);
     let mut block = EMPTY;
+    let mut calls = Calls::new(text);
     let (bytes, mut at) = (text.as_bytes(), 0);
     while at < bytes.len() {
         let end = memchr::memchr2(b'\n', b'\r', &bytes[at..]).map_or(bytes.len(), |length| at + length);
@@ -85,59 +99,44 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
             line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
             _ => text[at..end].trim().as_bytes(),
         };
-        reader.read(line, &mut block);
+        // Below the end, what ran where it was called is not passed over.
+        if !(reader.ended && calls.has_run(reader.line)) {
+            reader.read(line, &mut block);
+        }
         reader.line += 1;
         at = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+        if reader.turns_off {
+            let next = Place { at, line: reader.line };
+            let next = calls.step(&mut reader, line, next);
+            (at, reader.line) = (next.at, next.line);
+        }
+        while at >= bytes.len() && calls.is_inside() {
+            let next = Place { at, line: reader.line };
+            let next = calls.fall_out(&mut reader, next);
+            (at, reader.line) = (next.at, next.line);
+        }
     }
-    reader.finish()
+    let mut path = reader.finish();
+    if path.is_empty() {
+        path.findings.push(no_moves(text));
+    }
+    path
 }
 
-/// What stands in programs of a SINUMERIK alone.
-const SINUMERIK: [&str; 16] = [
-    "X=", "Y=", "Z=", "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "DEF ", "CR=", "T=\"", "SPOS=",
-];
-
-/// Whether a line gives an R parameter a value: `R1=5`.
-fn parameter(code: &str) -> bool {
-    let value = code.strip_prefix('R').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
-    value.is_some_and(|value| value.len() + 1 < code.len() && value.starts_with('='))
-}
-
-/// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone.
-fn guessed(text: &str) -> &'static str {
+/// Says that a text gives no move, and whether that may be because of its semicolons.
+fn no_moves(text: &str) -> Finding {
+    let is_code = |code: &str| {
+        matches!(code.as_bytes(), [b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z', b'0'..=b'9' | b'-' | b'.', ..])
+    };
     let mut rest = text;
-    for _ in 0..2000 {
-        if rest.is_empty() {
-            break;
+    let mut lines = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)));
+    let hidden = lines
+        .position(|line| line.split_once(';').is_some_and(|(code, behind)| is_code(trimmed(code)) && is_code(trimmed(behind))));
+    let message = match hidden {
+        Some(line) => {
+            text!("No move was found in this text: the code after a semicolon is a comment, as in line {line}", line + 1)
         }
-        let line = trimmed(next_line(&mut rest)).as_bytes();
-        // What an archive begins with.
-        if line.starts_with(b"%_N_") || line.starts_with(b";$PATH=") {
-            return DIALECTS[1];
-        }
-        let line = numbered(line);
-        // Most lines begin with a G or an axis, and assign nothing.
-        let begins =
-            line.first().is_some_and(|b| matches!(b.to_ascii_uppercase(), b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
-        if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
-            || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
-        {
-            continue;
-        }
-        // A variable by its number is of no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
-        if line.contains(&b'#') {
-            continue;
-        }
-        // A comment may say anything.
-        let code = line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default();
-        let code = String::from_utf8_lossy(code).to_ascii_uppercase();
-        let called = line.get(code.len()) == Some(&b'(');
-        if called && (code == "MSG" || code.starts_with("CYCLE"))
-            || SINUMERIK.iter().any(|word| code.contains(word))
-            || parameter(&code)
-        {
-            return DIALECTS[1];
-        }
-    }
-    DIALECTS[0]
+        None => text!("No move was found in this text"),
+    };
+    Finding::new(Level::Warning, "no-moves", "", message)
 }

@@ -2,7 +2,8 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Motion};
-use crate::import::toolpath::reader::{Reader, count};
+use crate::import::toolpath::findings::count;
+use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
 /// More whole turns in a program, by P, are straight: whoever draws them has an end.
@@ -13,6 +14,8 @@ impl Reader {
     pub fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
+        // Which axes are given as places, and not as distances.
+        let places = if self.modes.absolute { !block.moved } else { block.placed };
         for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
             let x = block.places[axis] * self.modes.scale;
             *place = if block.computed & (1 << axis) != 0 {
@@ -20,7 +23,7 @@ impl Reader {
                 f64::NAN
             } else if block.machine {
                 f64::NAN
-            } else if self.modes.absolute {
+            } else if places & (1 << axis) != 0 {
                 x
             } else if from[axis].is_nan() {
                 // The start is not known: it is counted from 0.
@@ -30,7 +33,7 @@ impl Reader {
                 from[axis] + x
             };
         }
-        self.relative = if self.modes.absolute { self.relative & !block.given } else { self.relative | block.given };
+        self.relative = self.relative & !block.given | block.given & !places;
         if block.machine {
             count(&mut self.machine, self.line);
         }

@@ -1,17 +1,12 @@
-//! What stays in force from block to block, and what of a program is passed over.
+//! What stays in force from block to block.
 
-use crate::form::Checker;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Axes, Block, Motion, end_of, end_of_value, head, next_word, number, numbered, valued};
+use crate::import::toolpath::block::{
+    Axes, Block, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
+};
+use crate::import::toolpath::calls::Call;
+use crate::import::toolpath::findings::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
-use crate::text::{Text, text};
-
-/// Something that is said once, with how often and where first.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Count {
-    pub times: usize,
-    pub first: usize,
-}
 
 /// What stays in force from block to block.
 #[derive(Clone, Copy, PartialEq)]
@@ -19,6 +14,8 @@ pub(super) struct Modes {
     pub motion: Motion,
     /// A cycle runs at every place, from G81 until G80 or a motion.
     pub cycle: bool,
+    /// Places are control points of a spline, until a motion or its end.
+    pub spline: bool,
     pub absolute: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
@@ -35,6 +32,8 @@ pub(super) struct Reader {
     pub path: Toolpath,
     pub line: usize,
     pub sinumerik: bool,
+    /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
+    pub heidenhain: bool,
     pub place: [f64; 3],
     pub modes: Modes,
     /// The plane that was chosen first.
@@ -55,6 +54,12 @@ pub(super) struct Reader {
     pub begun: bool,
     /// After the end of the program.
     pub ended: bool,
+    /// The subprogram that the block calls: where it is followed, whoever gives the lines gives its lines next.
+    pub call: Option<Call>,
+    /// Whether the block goes back to where its subprogram was called from.
+    pub returned: bool,
+    /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
+    pub turns_off: bool,
     pub feed: f64,
     /// Whole turns of arcs by P.
     pub turns: f64,
@@ -76,6 +81,8 @@ pub(super) struct Reader {
     pub others: Count,
     pub optional: Count,
     pub twice: Count,
+    /// Codes that make no place of their axis words, by name.
+    pub foreign: Vec<(String, Foreign, Count)>,
     /// The line of the first units, where moves stand above it.
     pub late_units: Option<usize>,
 }
@@ -95,10 +102,12 @@ impl Reader {
             path,
             line: 0,
             sinumerik: dialect == DIALECTS[1],
+            heidenhain: false,
             place: [f64::NAN; 3],
             modes: Modes {
                 motion: Motion::Rapid,
                 cycle: false,
+                spline: false,
                 absolute: true,
                 centers_absolute: false,
                 plane: None,
@@ -115,6 +124,9 @@ impl Reader {
             leaps: false,
             begun: false,
             ended: false,
+            call: None,
+            returned: false,
+            turns_off: false,
             feed: f64::NAN,
             turns: 0.0,
             kept: None,
@@ -131,6 +143,7 @@ impl Reader {
             others: Count::default(),
             optional: Count::default(),
             twice: Count::default(),
+            foreign: Vec::new(),
             late_units: None,
         }
     }
@@ -139,12 +152,18 @@ impl Reader {
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
         let Some(&first) = line.first() else { return };
         if first == b'%' {
+            if !self.sinumerik && line.last() == Some(&b'*') {
+                return self.heidenhain_head(line);
+            }
             // `%_N_PART_MPF` and `%100` name a program.
             self.ended |= self.begun && line[1..].trim_ascii().is_empty();
             return;
         }
         self.begun |= !matches!(first, b'(' | b';');
         if first == b';' || first == b'(' && self.ended {
+            return;
+        }
+        if self.ended && self.heidenhain && line.get(head(line)) == Some(&b'%') {
             return;
         }
         if self.ended {
@@ -155,6 +174,7 @@ impl Reader {
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
+            Some(b'%') if self.heidenhain => return self.ended = true,
             Some(_) if self.sinumerik => match frame(&line[begin..]) {
                 Some(true) => return count(&mut self.transformed, self.line),
                 // Alone it takes the shifts away.
@@ -173,6 +193,8 @@ impl Reader {
             at = match line[at] {
                 b' ' | b'\t' => at + 1,
                 b';' => break,
+                // The end of a block on a HEIDENHAIN, and of old.
+                b'*' if !self.sinumerik && line[at + 1..].trim_ascii().is_empty() => break,
                 b'(' if !self.sinumerik => end_of(line, at, b')'),
                 b'@' | b'^' if !self.sinumerik => self.polar(line, at, block),
                 letter if letter.is_ascii_alphabetic() => match self.word(line, at, block) {
@@ -189,7 +211,8 @@ impl Reader {
                 self.modes = before;
             }
             self.settle(block, before);
-            let gone = if self.sinumerik && runs_cycle(line) { 7 } else { block.given };
+            let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || self.sinumerik && runs_cycle(line);
+            let gone = if lost { 7 } else { block.given };
             self.forget(gone);
             // It is said of the line already.
             self.lost &= !gone;
@@ -204,20 +227,24 @@ impl Reader {
         // With block skip on, the control leaves it out: an end there ends nothing.
         let skips = line[..begin].contains(&b'/');
         let moves_before = self.path.len();
-        self.follow(block, before, leaped || skips);
+        self.follow(line, block, before, leaped || skips);
         if skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
             count(&mut self.optional, self.line);
         }
     }
 
     /// Follows a block of words.
-    fn follow(&mut self, block: &mut Block, before: Modes, leaped: bool) {
-        if block.returns && block.p.is_some() {
-            // It continues in another line.
-            self.place = [f64::NAN; 3];
-            count(&mut self.skipped, self.line);
+    fn follow(&mut self, line: &[u8], block: &mut Block, before: Modes, leaped: bool) {
+        if block.returns {
+            // It continues in another line, or goes back.
+            if block.p.is_some() {
+                self.lose(self.line);
+            } else {
+                self.returned = !leaped && self.conditions == 0;
+                self.turns_off |= self.returned;
+                block.ends = true;
+            }
         }
-        block.ends |= block.returns && block.p.is_none();
         if block.renames && block.given != 0 {
             count(&mut self.transformed, self.line);
         }
@@ -227,6 +254,18 @@ impl Reader {
             self.shift(block);
         }
         self.settle(block, before);
+        if block.special && self.pass_by(line, block) {
+            return;
+        }
+        self.place_of(block);
+        if let Some(code) = block.calls.filter(|_| block.special) {
+            self.call(code, block);
+        }
+    }
+
+    /// Goes to the place of a block, where it names one.
+    #[inline]
+    fn place_of(&mut self, block: &mut Block) {
         let waits = block.dwells && !block.motion && (self.sinumerik || block.p.is_none());
         if block.elsewhere || waits {
             return;
@@ -240,6 +279,10 @@ impl Reader {
         if self.modes.cycle && block.once.is_none() && block.given != 0 {
             self.place = [f64::NAN; 3];
             return count(&mut self.skipped, self.line);
+        }
+        if self.modes.spline && block.once.is_none() && block.given != 0 {
+            self.forget(block.given);
+            return count(&mut self.arcs_unsolved, self.line);
         }
         if self.modes.diameter {
             block.places[0] *= 0.5;
@@ -261,6 +304,7 @@ impl Reader {
         match line[at].to_ascii_uppercase() {
             axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => block.given |= 1 << (axis - b'X'),
             b'F' if !self.sinumerik => block.feed = Some(f64::NAN),
+            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => self.modes.spline = true,
             b',' | b'#' | b'A'..=b'Z' => {}
             // The number before may go on: F1 00.
             _ => block.feed = block.feed.map(|_| f64::NAN),
@@ -309,7 +353,7 @@ impl Reader {
     /// is another one now.
     fn give_back(&mut self) {
         let Some((kept, feed)) = self.kept else { return };
-        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, ..kept };
+        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, spline: self.modes.spline, ..kept };
         self.feed = feed;
         self.lengthen(self.lengthened);
     }
@@ -320,9 +364,10 @@ impl Reader {
             // G54.1 P2, G154 P2: one of many.
             let offset =
                 if matches!(code, 541 | 1540) { code.saturating_add((10_000.0 * block.p.unwrap_or(0.0)) as i32) } else { code };
+            if self.path.is_empty() {
+                self.offset = Some(offset);
             // Moves before any selection were in G54.
-            let first = if self.path.is_empty() { offset } else { 540 };
-            if *self.offset.get_or_insert(first) != offset {
+            } else if *self.offset.get_or_insert(540) != offset {
                 count(&mut self.transformed, self.line);
             }
         }
@@ -382,85 +427,13 @@ impl Reader {
     }
 
     /// These axes are somewhere else.
-    fn forget(&mut self, axes: Axes) {
+    pub fn forget(&mut self, axes: Axes) {
         for (axis, place) in self.place.iter_mut().enumerate() {
             if axes & (1 << axis) != 0 {
                 *place = f64::NAN;
             }
         }
     }
-
-    /// The path, with what was passed over as its findings.
-    pub fn finish(mut self) -> Toolpath {
-        let mut checker = Checker::default();
-        let mut say = |count: Count, code: &str, what: Text| {
-            if count.times > 0 {
-                let message = if count.times == 1 {
-                    text!("{what}: once, in line {line}", what, count.first + 1)
-                } else {
-                    text!("{what}: {times} times, the first in line {line}", what, count.times, count.first + 1)
-                };
-                checker.warning(code, "", message);
-            }
-        };
-        say(
-            self.skipped,
-            "lines-skipped",
-            text!(
-                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
-            ),
-        );
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
-        say(
-            self.computed,
-            "places-computed",
-            text!(
-                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
-            ),
-        );
-        say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
-        say(
-            self.transformed,
-            "places-transformed",
-            text!(
-                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
-            ),
-        );
-        say(
-            self.from_unknown,
-            "start-unknown",
-            text!("Incremental moves begin at a place that is not known: they are counted from 0"),
-        );
-        say(
-            self.arcs_unsolved,
-            "arc-unsolved",
-            text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
-        );
-        say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
-        say(
-            self.optional,
-            "lines-optional",
-            text!("Blocks with / are read: the control leaves them out where block skip is on"),
-        );
-        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
-        if let Some(line) = self.late_units {
-            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
-            checker.warning("no-units", "", message);
-        }
-        if self.path.metric.is_none() && !self.path.is_empty() {
-            checker.info("no-units", "", text!("The program does not say its units"));
-        }
-        self.path.findings = checker.findings();
-        self.path.plane = self.plane.unwrap_or_default();
-        self.path
-    }
-}
-
-pub(super) fn count(count: &mut Count, line: usize) {
-    if count.times == 0 {
-        count.first = line;
-    }
-    count.times += 1;
 }
 
 fn jumps(line: &[u8]) -> bool {
@@ -483,4 +456,11 @@ fn runs_cycle(line: &[u8]) -> bool {
     let code = numbered(line).to_ascii_uppercase();
     let names: [&[u8]; 5] = [b"CYCLE", b"POCKET", b"HOLES", b"SLOT", b"LONGHOLE"];
     names.iter().any(|name| code.starts_with(name)) && !code.starts_with(b"CYCLE832")
+}
+
+/// Whether a word of a SINUMERIK begins splines, polynomials, involutes, or arcs that are not by centre or radius.
+fn begins_curve(code: &[u8]) -> bool {
+    const WORDS: [&[u8]; 8] = [b"ASPLINE", b"BSPLINE", b"CSPLINE", b"POLY", b"INVCW", b"INVCCW", b"CIP", b"CT"];
+    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    WORDS.iter().any(|known| word.eq_ignore_ascii_case(known))
 }

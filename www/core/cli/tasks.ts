@@ -9,16 +9,18 @@ import {
   JobError,
   type Measurement,
   measure,
+  type ProgramMoves,
   type Programmed,
   plan,
   programs,
   type ResultRow,
+  readProgram,
   svg,
 } from "../node.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "evaluate" | "svg";
+  command: "plan" | "check" | "table" | "import" | "moves" | "evaluate" | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
@@ -55,7 +57,7 @@ type Done = Omit<Outcome, "source" | "place">;
 /** Does the task. Never throws for anything that stands in the text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
-    return { source, place, ...done(task, item) };
+    return { source, place, ...done(task, source, item) };
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
     const findings =
@@ -64,9 +66,10 @@ export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   }
 }
 
-function done(task: Task, { text, refused }: Pick<Item, "text" | "refused">): Done {
+function done(task: Task, source: string, { text, refused }: Pick<Item, "text" | "refused">): Done {
   if (refused !== undefined) throw new JobError(refused, [problem("too-long", refused)]);
   if (task.command === "import") return imported(text);
+  if (task.command === "moves") return moves(text, task.format ?? "text", source);
   const { job, overruled } = read(text, task);
   const control = controlOf(job);
   if (task.command === "check") {
@@ -167,7 +170,7 @@ function read(text: string, { post, form }: Task): { job: unknown; overruled: Fi
 function imported(text: string): Done {
   const { job, findings } = importJob(text);
   if (job === null) {
-    const none = "This program says no job, only moves: there is no job to write";
+    const none = "This program says no job, only moves: there is no job to write. touchpath moves lists them";
     return { output: null, control: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
   }
   const name = typeof job.name === "string" ? job.name : "";
@@ -177,6 +180,62 @@ function imported(text: string): Done {
     findings,
     failed: findings.some((f) => f.level === "error"),
   };
+}
+
+/** The moves of a program, line by line as an editor counts them. A text without any is a failure: there is nothing to list. */
+function moves(text: string, format: NonNullable<Task["format"]>, source: string): Done {
+  const read = readProgram(text);
+  const name = (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
+  const ending = `-moves.${format === "text" ? "txt" : format}`;
+  const out = format === "json" ? movesAsJson(read) : format === "csv" ? movesAsCsv(read) : movesAsText(read);
+  return { output: { name, ending, text: out }, control: null, findings: read.findings, failed: read.kind.length === 0 };
+}
+
+/** One move as a row: what is not known is NaN. */
+function* rowsOf({ line, kind, kinds, to, feed }: ProgramMoves): Generator<[number, string, number[]]> {
+  for (const [i, at] of line.entries())
+    yield [at + 1, kinds[kind[i] as number] as string, [...to.subarray(3 * i, 3 * i + 3), feed[i] as number]];
+}
+
+function movesAsJson(read: ProgramMoves): string {
+  const { dialect, units, plane, arcs, findings } = read;
+  const known = (x: number) => (Number.isNaN(x) ? null : x);
+  const list = [...rowsOf(read)].map(([line, kind, [x, y, z, feed]]) => ({
+    line,
+    kind,
+    to: [x, y, z].map((x) => known(x as number)),
+    feed: known(feed as number),
+    arc: null as { center: number[]; sweep: number; plane: string } | null,
+  }));
+  for (let i = 0; i < arcs.length; i += 6) {
+    const [move, x, y, z, sweep, plane] = arcs.subarray(i, i + 6) as unknown as [
+      number,
+      number,
+      number,
+      number,
+      number,
+      number,
+    ];
+    const own = list[move];
+    if (own) own.arc = { center: [x, y, z], sweep, plane: `G${plane}` };
+  }
+  return `${JSON.stringify({ dialect, units, plane, moves: list, findings }, null, 2)}\n`;
+}
+
+function movesAsCsv(read: ProgramMoves): string {
+  let out = "line,kind,x,y,z,feed\n";
+  for (const [line, kind, numbers] of rowsOf(read))
+    out += `${line},${kind},${numbers.map((x) => (Number.isNaN(x) ? "" : x)).join(",")}\n`;
+  return out;
+}
+
+function movesAsText(read: ProgramMoves): string {
+  const row = ([line, kind, ...numbers]: string[]) =>
+    `${(line as string).padStart(7)}  ${(kind as string).padEnd(5)}${numbers.map((x) => `  ${x.padStart(11)}`).join("")}\n`;
+  let out = row(["line", "kind", "X", "Y", "Z", "feed"]);
+  for (const [line, kind, numbers] of rowsOf(read))
+    out += row([String(line), kind, ...numbers.map((x) => (Number.isNaN(x) ? "-" : x.toFixed(4)))]);
+  return out;
 }
 
 /** Results as columns for people. */

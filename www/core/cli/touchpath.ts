@@ -20,6 +20,7 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath table JOB…      the parameter table          --format text|csv|json
   touchpath svg JOB…        the picture                  --view isometric|top|front|side
   touchpath import TEXT…    a job from a dump or a program
+  touchpath moves PROGRAM…  the moves of any program     --format text|csv|json
   touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
   touchpath schema          the JSON Schema of a job
   touchpath catalog         cycles, fields and controls
@@ -38,10 +39,11 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 
 With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
-Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, 2 wrong use.
+Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors or a
+program without moves, 2 wrong use.
 `;
 
-const COMMANDS = ["plan", "check", "table", "import", "evaluate", "svg", "schema", "catalog"] as const;
+const COMMANDS = ["plan", "check", "table", "import", "moves", "evaluate", "svg", "schema", "catalog"] as const;
 type Command = (typeof COMMANDS)[number];
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
@@ -75,9 +77,9 @@ function taskOf(command: Task["command"], values: Values): Task {
     if (values[option] !== undefined && !commands.includes(command))
       throw new Refused(`--${option} is for ${commands.join(", ")}`);
   };
-  only("out", "plan", "table", "svg", "import", "evaluate");
+  only("out", "plan", "table", "svg", "import", "moves", "evaluate");
   if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
-  only("format", "table", "evaluate");
+  only("format", "table", "moves", "evaluate");
   only("view", "svg");
   const jobs = ["plan", "check", "table", "svg", "evaluate"];
   only("post", ...jobs);
@@ -94,7 +96,7 @@ function taskOf(command: Task["command"], values: Values): Task {
     task.format = oneOf<NonNullable<Task["format"]>>(
       "--format",
       values.format,
-      command === "table" ? ["csv", "json", "text"] : ["json", "text"],
+      command === "table" || command === "moves" ? ["csv", "json", "text"] : ["json", "text"],
     );
   return task;
 }
@@ -130,8 +132,7 @@ const isLines = (file: string, values: Values) =>
 const streamOf = (file: string) => (file === "-" ? process.stdin : createReadStream(file));
 
 /** Every job of the files, one after the other, never more than are asked for. */
-async function* itemsOf(files: string[], values: Values, progress: Progress): AsyncGenerator<Item> {
-  const longest = catalog().longestText;
+async function* itemsOf(files: string[], values: Values, longest: number, progress: Progress): AsyncGenerator<Item> {
   const refused = `At most ${longest} characters are read`;
   for (const file of files) {
     const source = file === "-" ? "standard input" : file;
@@ -320,11 +321,13 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)
     throw new Refused("--jobs is a whole number from 1 to 64");
+  const { longestText, longestProgram } = catalog();
+  const longest = command === "moves" ? longestProgram : longestText;
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
   const folder = values.out === undefined ? null : await folderOf(values.out, files, values.flat === true);
   try {
-    const outcomes = performAll(task, itemsOf(files, values, progress), threads);
+    const outcomes = performAll(task, itemsOf(files, values, longest, progress), threads);
     const failed = folder
       ? await fileAway(task, values, outcomes, byLine, folder, progress)
       : await handOut(task, values, outcomes, byLine, progress);

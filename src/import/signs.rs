@@ -1,0 +1,130 @@
+//! Which control a text is written for, by what no other control's programs have.
+
+use crate::control::iso::lines::{after, next_line, trimmed, without_number};
+
+/// What a text is written for, as far as its signs say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Names in `#< >`, O words: LinuxCNC.
+    LinuxCnc,
+    /// `G38.2` and its kin: LinuxCNC, grbl and theirs.
+    Rs274,
+    /// `G31`: Fanuc and its kin.
+    LikeFanuc,
+    /// `BEGIN PGM`: HEIDENHAIN Klartext.
+    Klartext,
+    /// `{ }`, `param.x`: RepRapFirmware.
+    RepRap,
+}
+
+/// The keywords of O words, but for those that a label of a SINUMERIK may begin with.
+const O_WORDS: [&str; 14] = [
+    "sub",
+    "endsub",
+    "call",
+    "return",
+    "if",
+    "elseif",
+    "else",
+    "endif",
+    "while",
+    "endwhile",
+    "do",
+    "repeat",
+    "endrepeat",
+    "continue",
+];
+
+/// What of RepRapFirmware's expressions stands outside of braces, too.
+const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
+
+/// The first sign in a text. A code of a probing move says less than the rest.
+pub fn of(text: &str) -> Option<Sign> {
+    let mut probing = None;
+    let mut rest = text;
+    while !rest.is_empty() {
+        let line = trimmed(next_line(&mut rest));
+        if after(without_number(line).trim_start_matches(|c: char| c.is_ascii_digit() || c == ' '), "BEGIN PGM").is_some() {
+            return Some(Sign::Klartext);
+        }
+        let code = outside_comments(line);
+        if is_linuxcnc(&code) {
+            return Some(Sign::LinuxCnc);
+        }
+        if code.contains('{') || REP_RAP.iter().any(|word| code.contains(word)) {
+            return Some(Sign::RepRap);
+        }
+        probing = probing.or_else(|| probes(&code));
+    }
+    probing
+}
+
+fn is_linuxcnc(code: &str) -> bool {
+    if code.contains("#<") {
+        return true;
+    }
+    let Some(label) = trimmed(without_number(code)).strip_prefix(['o', 'O']) else { return false };
+    let number = label.trim_start_matches(|c: char| c.is_ascii_digit());
+    label.starts_with('<')
+        || number.len() < label.len() && {
+            let word = trimmed(number);
+            let word = &word[..word.bytes().take_while(u8::is_ascii_alphabetic).count()];
+            O_WORDS.iter().any(|known| word.eq_ignore_ascii_case(known))
+        }
+}
+
+/// Whether a code of a probing move stands there: `G38.2`, `G31`.
+fn probes(code: &str) -> Option<Sign> {
+    let bytes = code.as_bytes();
+    memchr::memchr2_iter(b'G', b'g', bytes).find_map(|at| match bytes[at + 1..] {
+        [b'3', b'8', b'.', b'2'..=b'9', ..] => Some(Sign::Rs274),
+        [b'3', b'1'] => Some(Sign::LikeFanuc),
+        [b'3', b'1', next, ..] if !next.is_ascii_digit() => Some(Sign::LikeFanuc),
+        _ => None,
+    })
+}
+
+/// A line without its comments and what stands between quotes.
+fn outside_comments(line: &str) -> std::borrow::Cow<'_, str> {
+    if memchr::memchr3(b'(', b';', b'"', line.as_bytes()).is_none() {
+        return line.into();
+    }
+    let mut code = String::with_capacity(line.len());
+    let mut within: Option<char> = None;
+    for c in line.chars() {
+        match (within, c) {
+            (None, ';') => break,
+            (None, '(') => within = Some(')'),
+            (None, '"') => within = Some('"'),
+            (None, c) => code.push(c),
+            (Some(end), c) if c == end => within = None,
+            _ => {}
+        }
+    }
+    code.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_counts_outside_of_comments_and_texts() {
+        for (text, sign) in [
+            ("(right)\no<a> sub\n", Some(Sign::LinuxCnc)),
+            ("N5 O100 if [#1 EQ 2]\n", Some(Sign::LinuxCnc)),
+            ("#<x>=1\n", Some(Sign::LinuxCnc)),
+            ("G38.2 Z-5\n#<x>=1\n", Some(Sign::LinuxCnc)),
+            ("G21\ng38.3z-5\n", Some(Sign::Rs274)),
+            ("O100 (SUB)\nG31Z-5.\n", Some(Sign::LikeFanuc)),
+            ("N1G31.1 Z-5.\n", Some(Sign::LikeFanuc)),
+            ("0  BEGIN PGM A MM\n", Some(Sign::Klartext)),
+            ("if {param.X} > 3\n", Some(Sign::RepRap)),
+            ("G1 X{var.x}\n", Some(Sign::RepRap)),
+            ("var x = param.X\n", Some(Sign::RepRap)),
+            ("G38 X1\nG310 X1\n(G38.2 #<x> {)\n; G31\n\"G31\"\nO100\nG1 X5\n", None),
+        ] {
+            assert_eq!(of(text), sign, "{text}");
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! Subprograms that stand in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
+
+use crate::import::toolpath::block::Block;
+use crate::import::toolpath::findings::count;
+use crate::import::toolpath::reader::Reader;
+
+/// So deep a subprogram may call the next one.
+const DEEPEST: usize = 10;
+
+/// So many lines of subprograms are read in all: whoever repeats more has an end.
+const MOST_LINES: usize = 500_000;
+
+/// A call of a subprogram.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    /// Whether its lines begin at a block number, and not at a program's.
+    local: bool,
+    number: u32,
+    times: u32,
+}
+
+/// Where a line begins, and its number from 0.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub at: usize,
+    pub line: usize,
+}
+
+/// A call under way: where it continues, where its lines begin, and how often they run again.
+struct Frame {
+    back: Place,
+    begin: Place,
+    left: u32,
+}
+
+/// Follows calls through a text.
+pub(super) struct Calls<'t> {
+    text: &'t str,
+    /// Numbers of programs, and numbers of blocks, with where their lines begin: made when one is asked for.
+    places: [Option<Vec<(u32, Place)>>; 2],
+    stack: Vec<Frame>,
+    lines: usize,
+    /// The lines of subprograms that ran: from, up to.
+    ran: Vec<(usize, usize)>,
+}
+
+impl<'t> Calls<'t> {
+    pub fn new(text: &'t str) -> Self {
+        Calls { text, places: [None, None], stack: Vec::new(), lines: 0, ran: Vec::new() }
+    }
+
+    /// Whether a subprogram is under way.
+    pub fn is_inside(&self) -> bool {
+        !self.stack.is_empty()
+    }
+
+    /// Whether a line ran where it was called.
+    pub fn has_run(&self, line: usize) -> bool {
+        self.ran.iter().any(|(from, to)| (*from..*to).contains(&line))
+    }
+
+    /// After a line was read: which one is read next.
+    pub fn step(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
+        let next = self.turn(reader, line, next);
+        reader.turns_off = self.is_inside();
+        next
+    }
+
+    fn turn(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
+        let returned = std::mem::take(&mut reader.returned);
+        if let Some(call) = reader.call.take() {
+            return self.enter(reader, call, next);
+        }
+        if !self.is_inside() {
+            return next;
+        }
+        self.lines += 1;
+        if returned {
+            reader.ended = false;
+            return self.leave(next);
+        }
+        // The end of the program, or another program: whoever called does not continue, or nobody knows how.
+        if reader.ended || self.lines > MOST_LINES {
+            let back = self.stack[0].back;
+            self.stack.clear();
+            if !reader.ended {
+                reader.lose(next.line - 1);
+            }
+            return back;
+        }
+        if numbered(line, false).is_some() { self.fall_out(reader, next) } else { next }
+    }
+
+    /// The lines of a subprogram come to an end without M99.
+    pub fn fall_out(&mut self, reader: &mut Reader, next: Place) -> Place {
+        reader.lose(next.line.saturating_sub(1));
+        self.stack.pop().map_or(next, |frame| frame.back)
+    }
+
+    fn enter(&mut self, reader: &mut Reader, call: Call, next: Place) -> Place {
+        match self.find(call).filter(|_| self.stack.len() < DEEPEST && self.lines < MOST_LINES) {
+            Some(begin) => {
+                self.stack.push(Frame { back: next, begin, left: call.times - 1 });
+                begin
+            }
+            None => {
+                reader.lose(next.line - 1);
+                next
+            }
+        }
+    }
+
+    fn leave(&mut self, next: Place) -> Place {
+        let Some(frame) = self.stack.last_mut() else { return next };
+        if frame.left > 0 {
+            frame.left -= 1;
+            return frame.begin;
+        }
+        // With the line of its number.
+        let lines = (frame.begin.line.saturating_sub(1), next.line);
+        let back = frame.back;
+        self.stack.pop();
+        if !self.ran.contains(&lines) {
+            self.ran.push(lines);
+        }
+        back
+    }
+
+    /// Where the lines begin; none where the number is not there once.
+    fn find(&mut self, call: Call) -> Option<Place> {
+        let Calls { text, places, .. } = self;
+        let places = places[usize::from(call.local)].get_or_insert_with(|| places_of(text.as_bytes(), call.local));
+        let first = places.partition_point(|(number, _)| *number < call.number);
+        let mut found = places[first..].iter().take_while(|(number, _)| *number == call.number);
+        let (_, place) = found.next()?;
+        found.next().is_none().then_some(*place)
+    }
+}
+
+impl Reader {
+    /// A subprogram is called, by M97, M98 or M198.
+    pub(super) fn call(&mut self, code: u8, block: &Block) {
+        let whole = |x: f64, most: f64| (x.fract() == 0.0 && (1.0..=most).contains(&x)).then_some(x as u32);
+        let number = block.p.and_then(|p| whole(p, 99_999_999.0)).filter(|_| code != 198 && !self.sinumerik);
+        let times = block.l.map_or(Some(1), |l| whole(l, 9999.0));
+        match (number, times) {
+            // P30100 is O100 three times.
+            (Some(number), Some(1)) if number > 9999 && block.l.is_none() => {
+                self.take_up(Call { local: code == 97, number: number % 10_000, times: number / 10_000 });
+            }
+            (Some(number), Some(times)) => self.take_up(Call { local: code == 97, number, times }),
+            _ => self.lose(self.line),
+        }
+    }
+
+    fn take_up(&mut self, call: Call) {
+        (self.call, self.turns_off) = (Some(call), true);
+    }
+
+    /// After what is not followed: where the axes are is not known.
+    pub(super) fn lose(&mut self, line: usize) {
+        self.place = [f64::NAN; 3];
+        count(&mut self.skipped, line);
+    }
+}
+
+/// All numbers of programs, or of blocks, sorted.
+fn places_of(text: &[u8], local: bool) -> Vec<(u32, Place)> {
+    let mut places = Vec::new();
+    let mut at = 0;
+    let mut line = 0;
+    while at < text.len() {
+        let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
+        let next = end + if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
+        if let Some(number) = numbered(text[at..end].trim_ascii(), local) {
+            // A block runs from its own number on, a program below the line of its number.
+            places.push((number, if local { Place { at, line } } else { Place { at: next, line: line + 1 } }));
+        }
+        (at, line) = (next, line + 1);
+    }
+    places.sort_by_key(|(number, _)| *number);
+    places
+}
+
+/// The number of a block, `N100 G0`, or the one of a program, which stands alone: `O100 (A COMMENT)`.
+fn numbered(line: &[u8], local: bool) -> Option<u32> {
+    let (letter, rest) = line.split_first()?;
+    if letter.to_ascii_uppercase() != if local { b'N' } else { b'O' } {
+        return None;
+    }
+    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+    let alone = matches!(rest[digits..].trim_ascii_start().first(), None | Some(b'(' | b';'));
+    let number = std::str::from_utf8(&rest[..digits]).ok()?.parse().ok()?;
+    (local || alone).then_some(number)
+}

@@ -1,0 +1,89 @@
+//! What of a program is passed over: counted, and said once.
+
+use crate::form::Checker;
+use crate::import::toolpath::Toolpath;
+use crate::import::toolpath::foreign::by_name;
+use crate::import::toolpath::reader::Reader;
+use crate::text::{Text, text};
+
+/// Something that is said once, with how often and where first.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Count {
+    pub times: usize,
+    pub first: usize,
+}
+
+pub(super) fn count(count: &mut Count, line: usize) {
+    if count.times == 0 {
+        count.first = line;
+    }
+    count.times += 1;
+}
+
+impl Reader {
+    /// The path, with what was passed over as its findings.
+    pub fn finish(mut self) -> Toolpath {
+        let mut checker = Checker::default();
+        let mut say = |count: Count, code: &str, what: Text| {
+            if count.times > 0 {
+                let message = if count.times == 1 {
+                    text!("{what}: once, in line {line}", what, count.first + 1)
+                } else {
+                    text!("{what}: {times} times, the first in line {line}", what, count.times, count.first + 1)
+                };
+                checker.warning(code, "", message);
+            }
+        };
+        say(
+            self.skipped,
+            "lines-skipped",
+            text!(
+                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
+            ),
+        );
+        self.foreign.into_iter().for_each(|(name, foreign, count)| say(count, "lines-skipped", by_name(name, foreign)));
+        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
+        say(
+            self.computed,
+            "places-computed",
+            text!(
+                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
+            ),
+        );
+        say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
+        say(
+            self.transformed,
+            "places-transformed",
+            text!(
+                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
+            ),
+        );
+        say(
+            self.from_unknown,
+            "start-unknown",
+            text!("Incremental moves begin at a place that is not known: they are counted from 0"),
+        );
+        say(
+            self.arcs_unsolved,
+            "arc-unsolved",
+            text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
+        );
+        say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
+        say(
+            self.optional,
+            "lines-optional",
+            text!("Blocks with / are read: the control leaves them out where block skip is on"),
+        );
+        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
+        if let Some(line) = self.late_units {
+            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
+            checker.warning("no-units", "", message);
+        }
+        if self.path.metric.is_none() && !self.path.is_empty() {
+            checker.info("no-units", "", text!("The program does not say its units"));
+        }
+        self.path.findings = checker.findings();
+        self.path.plane = self.plane.unwrap_or_default();
+        self.path
+    }
+}

@@ -1,0 +1,61 @@
+//! Codes whose axis words are no place: they are passed by, and named.
+
+use crate::form::printable;
+use crate::import::toolpath::block::{Block, Foreign};
+use crate::import::toolpath::findings::{Count, count};
+use crate::import::toolpath::reader::Reader;
+use crate::text::{Text, text};
+
+/// So many codes are named; others are lines that are not understood.
+const MOST_NAMES: usize = 12;
+
+impl Reader {
+    /// Passes by a block whose axis words may be no place; false where it is followed as any other.
+    pub(super) fn pass_by(&mut self, line: &[u8], block: &Block) -> bool {
+        let names_axes = block.given | block.centered != 0 || block.others;
+        let moves = block.motion || block.once.is_some();
+        // Axis words behind a motion are the motion's, and an M code without axis words moves none.
+        let led = if names_axes && !moves { block.led } else { Foreign::No };
+        match if block.foreign == Foreign::No { led } else { block.foreign } {
+            Foreign::No => return false,
+            Foreign::Sets if !names_axes => return false,
+            Foreign::Sets => self.forget(block.given),
+            Foreign::Unknown => self.forget(7),
+        }
+        // Its F may be anything.
+        if block.feed.is_some() {
+            self.feed = f64::NAN;
+        }
+        let [begin, end] = block.name;
+        let foreign = if block.foreign == Foreign::No { led } else { block.foreign };
+        self.named(&line[begin..end], foreign);
+        true
+    }
+
+    fn named(&mut self, name: &[u8], foreign: Foreign) {
+        const LONGEST: usize = 12;
+        let letters = name.iter().filter(|b| !b.is_ascii_whitespace()).take(LONGEST);
+        let name: String = letters.map(|b| char::from(b.to_ascii_uppercase())).collect();
+        if let Some((.., times)) = self.foreign.iter_mut().find(|(known, ..)| *known == name) {
+            return count(times, self.line);
+        }
+        if self.foreign.len() == MOST_NAMES {
+            return count(&mut self.skipped, self.line);
+        }
+        let mut times = Count::default();
+        count(&mut times, self.line);
+        self.foreign.push((printable(&name), foreign, times));
+    }
+}
+
+/// What is said of such a code.
+pub(super) fn by_name(name: String, foreign: Foreign) -> Text {
+    if foreign == Foreign::Sets {
+        text!("{code} moves nothing here, and the axis words beside it are not a position: its block is not followed", name)
+    } else {
+        text!(
+            "{code} is not known here: its block is not followed, and positions after it are not known until a number is given",
+            name
+        )
+    }
+}

@@ -1,0 +1,85 @@
+//! Which of the dialects a text is written in.
+
+use crate::control::iso::lines::{next_line, trimmed};
+use crate::import::signs;
+use crate::import::toolpath::DIALECTS;
+use crate::import::toolpath::block::numbered;
+
+/// What stands in programs of a SINUMERIK alone.
+const ALONE: [&str; 12] = ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(", "=DC("];
+
+/// What others have, too: an Okuma assigns, a macro has texts.
+const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
+
+/// Axes that are assigned, and codes of units that they stand beside on a SINUMERIK.
+const AXES: [&str; 3] = ["X=", "Y=", "Z="];
+const UNITS: [&str; 4] = ["G70", "G71", "G700", "G710"];
+
+/// So many lines are looked at.
+const MOST_LINES: usize = 2000;
+
+/// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone. What other controls do as well counts only where no sign of theirs
+/// is in the text.
+pub(in crate::import) fn guessed(text: &str) -> &'static str {
+    let [mut likely, mut assigns, mut units] = [false; 3];
+    let mut rest = text;
+    for _ in 0..MOST_LINES {
+        if rest.is_empty() {
+            break;
+        }
+        let line = trimmed(next_line(&mut rest)).as_bytes();
+        // What an archive begins with.
+        if line.starts_with(b"%_N_") || line.starts_with(b";$PATH=") {
+            return DIALECTS[1];
+        }
+        let line = numbered(line);
+        units |= !units && begins_with_units(line);
+        // Most lines begin with a G or an axis, and assign nothing.
+        let begins =
+            line.first().is_some_and(|b| matches!(b.to_ascii_uppercase(), b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
+        if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
+            || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
+        {
+            continue;
+        }
+        // A variable by its number is of no SINUMERIK, whatever the text around it: DPRNT[MEAS=#101[43]].
+        if line.contains(&b'#') {
+            continue;
+        }
+        // A comment may say anything, and so may a text.
+        let code = line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default();
+        let plain = String::from_utf8_lossy(before_text(code)).to_ascii_uppercase();
+        // AC(5) and its kin are no comments.
+        let whole = String::from_utf8_lossy(before_text(line)).to_ascii_uppercase();
+        let called = line.get(code.len()) == Some(&b'(');
+        if called && (plain == "MSG" || plain.starts_with("CYCLE"))
+            || ALONE.iter().any(|word| if word.ends_with('(') { whole.contains(word) } else { plain.contains(word) })
+        {
+            return DIALECTS[1];
+        }
+        likely |= LIKELY.iter().any(|word| plain.contains(word)) || parameter(&plain);
+        assigns |= AXES.iter().any(|word| plain.contains(word));
+        units |= UNITS.iter().any(|code| plain.split_ascii_whitespace().any(|word| word == *code));
+    }
+    let sinumerik = (likely || assigns && units) && signs::of(text).is_none();
+    DIALECTS[usize::from(sinumerik)]
+}
+
+/// A line up to the text in it, with the quote that begins that.
+fn before_text(line: &[u8]) -> &[u8] {
+    &line[..memchr::memchr(b'"', line).map_or(line.len(), |at| at + 1)]
+}
+
+/// Whether a line begins with G70, G71, G700 or G710.
+fn begins_with_units(line: &[u8]) -> bool {
+    matches!(line, [b'G' | b'g', b'7', b'0' | b'1', rest @ ..] if {
+        let rest = rest.strip_prefix(b"0").unwrap_or(rest);
+        !rest.first().is_some_and(|b| b.is_ascii_digit() || *b == b'.')
+    })
+}
+
+/// Whether a line gives an R parameter a value: `R1=5`.
+fn parameter(code: &str) -> bool {
+    let value = code.strip_prefix('R').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    value.is_some_and(|value| value.len() + 1 < code.len() && value.starts_with('='))
+}

@@ -1,0 +1,376 @@
+//! Codes that are no moves, and texts that are read for what they are: never a move that is not in the text.
+
+use crate::common::{interpret, with};
+use touchpath::form::Value;
+use touchpath::import::toolpath::KINDS;
+use touchpath::import::{Toolpath, import, read_program};
+
+/// The moves of a line, counted from 1: what each is, and where it ends.
+fn on(path: &Toolpath, line: u32) -> Vec<(&'static str, [f64; 3])> {
+    let moves = (0..path.len()).filter(|i| path.line[*i] + 1 == line);
+    moves.map(|i| (KINDS[usize::from(path.kind[i])], path.end(i).to_array())).collect()
+}
+
+fn messages(path: &Toolpath) -> String {
+    path.findings.iter().map(|f| format!("{}: {}\n", f.code, f.message)).collect()
+}
+
+/// Codes beside which X and Y are a place, typed from the manuals: LinuxCNC, Fanuc, Haas.
+const PLACES: [&str; 77] = [
+    "0", "1", "2", "3", "5", "5.1", "7", "8", "9", "13.1", "15", "17", "18", "19", "20", "21", "31", "31.1", "31.2", "31.3",
+    "31.4", "31.5", "31.6", "31.7", "31.8", "31.9", "32", "33", "38.2", "38.3", "38.4", "38.5", "38.6", "38.7", "38.8", "38.9",
+    "40", "40.1", "41", "41.1", "42", "42.1", "43", "43.4", "43.5", "44", "45", "46", "47", "48", "49", "54", "54.1", "55",
+    "56", "57", "58", "59", "59.1", "59.2", "59.3", "61", "61.1", "62", "63", "64", "67", "69", "80", "90", "90.1", "91",
+    "91.1", "94", "96", "97", "98",
+];
+/// More of them: the end of a spline, inverse time, feed a turn, a Haas's offsets.
+const MORE_PLACES: [&str; 27] = [
+    "5.3", "6.3", "93", "95", "99", "110", "111", "112", "113", "114", "115", "116", "117", "118", "119", "120", "121", "122",
+    "123", "124", "125", "126", "127", "128", "129", "154", "4",
+];
+/// Codes that are known, and whose X and Y are no place: what they are for is said, or they do nothing that is drawn.
+const KNOWN: [&str; 45] = [
+    "5.2", "6.2", "10", "12", "12.1", "13", "16", "28", "30", "33.1", "43.1", "43.2", "50", "50.1", "51", "51.1", "52", "53",
+    "65", "66", "66.1", "68", "68.2", "68.3", "68.4", "73", "74", "75", "76", "81", "82", "83", "84", "85", "86", "87", "88",
+    "89", "92", "92.1", "92.2", "92.3", "150", "-", "-",
+];
+/// The same of a SINUMERIK.
+const PLACES_840D: [&str; 46] = [
+    "0", "1", "2", "3", "4", "9", "17", "18", "19", "33", "34", "35", "38.2", "38.3", "38.4", "38.5", "38.6", "38.7", "38.8",
+    "38.9", "40", "41", "42", "54", "55", "56", "57", "60", "61", "62", "63", "64", "70", "71", "90", "90.1", "91", "91.1",
+    "93", "94", "95", "96", "97", "80", "331", "332",
+];
+const MORE_840D: [&str; 19] = [
+    "450", "451", "500", "601", "602", "603", "641", "642", "643", "644", "645", "700", "710", "961", "962", "971", "972",
+    "973", "-",
+];
+const KNOWN_840D: [&str; 12] = ["10", "25", "26", "53", "58", "59", "74", "75", "110", "111", "112", "153"];
+
+/// Every code there may be, before and behind places, in either dialect.
+#[test]
+fn a_code_that_is_not_known_makes_no_place_of_its_words() {
+    let mut checked = 0;
+    for dialect in ["iso", "sinumerik"] {
+        for number in 0..=9999 {
+            for tenth in 0..=9 {
+                let code = if tenth == 0 { number.to_string() } else { format!("{number}.{tenth}") };
+                let own = |lists: &[&[&str]]| lists.iter().any(|list| list.contains(&code.as_str()));
+                let offset = dialect == "sinumerik" && tenth == 0 && (505..=599).contains(&number);
+                // Cycles with a decimal stay cycles.
+                let cycle = dialect == "iso" && (81..=88).contains(&number);
+                let (place, known) = match dialect {
+                    "iso" => (own(&[&PLACES, &MORE_PLACES]), own(&[&KNOWN]) || cycle),
+                    _ => (own(&[&PLACES_840D, &MORE_840D]) || offset, own(&[&KNOWN_840D])),
+                };
+                if place {
+                    continue;
+                }
+                let text = format!("G90\nG1 F50 X1 Y2 Z3\nG{code} X7 Y8\nG1 Z9\nG1 X1 Y2\nX7 Y8 G{code}\nG1 Z9\n");
+                let path = read_program(&text, Some(dialect));
+                for line in [3, 6] {
+                    let drawn = on(&path, line);
+                    assert!(drawn.iter().all(|(_, to)| to[0].is_nan() && to[1].is_nan()), "{dialect} G{code}: {drawn:?}");
+                }
+                if !known {
+                    for line in [4, 7] {
+                        let [(_, to)] = on(&path, line)[..] else { panic!("{dialect} G{code}: one move in line {line}") };
+                        assert!(to[0].is_nan() && to[1].is_nan() && to[2] == 9.0, "{dialect} G{code}: {to:?}");
+                    }
+                    let said = messages(&path);
+                    let named = format!("lines-skipped: G{code} ");
+                    assert!(
+                        said.contains(&named) && said.contains("2 times, the first in line 3"),
+                        "{dialect} G{code}: {said}"
+                    );
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 199_000, "{checked}");
+}
+
+/// The same of M codes: first in their block they may be anything, behind a motion they are the machine's.
+#[test]
+fn an_m_code_in_front_of_places_makes_none_of_them() {
+    // Stops, spindle, tool, coolant, clamps, overrides, inputs and outputs, modes.
+    let plain: &[&[u32]] = &[
+        &[0, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 19, 50, 51, 52, 53],
+        &[60, 61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73],
+    ];
+    for dialect in ["iso", "sinumerik"] {
+        for number in 0..=9999u32 {
+            // Ends, and calls, have tests of their own.
+            if matches!(number, 2 | 17 | 30 | 97 | 98 | 99 | 198) {
+                continue;
+            }
+            let gears = dialect == "sinumerik" && (40..=45).contains(&number);
+            for tenth in 0..=9 {
+                let code = if tenth == 0 { format!("M{number}") } else { format!("M{number}.{tenth}") };
+                let known = tenth == 0 && (plain.iter().any(|list| list.contains(&number)) || gears);
+                let text =
+                    format!("G90\nG1 F50 X1 Y2 Z3\n{code} X7 Y8\nG1 Z9\nG1 X1 Y2 Z4\nX7 Y8 {code}\nG1 Z9\n{code} G1 X5\n");
+                let path = read_program(&text, Some(dialect));
+                let (before, behind) = (on(&path, 3), on(&path, 6));
+                // A SINUMERIK's new tool is longer or shorter.
+                let tool = dialect == "sinumerik" && code == "M6";
+                let [(kind, to)] = behind[..] else { panic!("{dialect} {code}: {behind:?}") };
+                let level = if tool { to[2].is_nan() } else { to[2] == 4.0 };
+                assert!(kind == "feed" && to[..2] == [7.0, 8.0] && level, "{dialect} {code}: {to:?}");
+                assert_eq!(on(&path, 8)[0].1[0], 5.0, "{dialect} {code}");
+                if known {
+                    assert!(before.len() == 1 && before[0].1[..2] == [7.0, 8.0], "{dialect} {code}: {before:?}");
+                    continue;
+                }
+                assert!(before.is_empty(), "{dialect} {code}: {before:?}");
+                let after = on(&path, 4)[0].1;
+                assert!(after[0].is_nan() && after[1].is_nan() && after[2] == 9.0, "{dialect} {code}: {after:?}");
+                let said = messages(&path);
+                assert!(
+                    said.contains(&format!("lines-skipped: {code} ")) && said.contains("once, in line 3"),
+                    "{dialect} {code}: {said}"
+                );
+            }
+        }
+    }
+}
+
+/// Probing codes of a firmware, a slicer's settings, stored places: each was drawn as a rapid to its arguments.
+#[test]
+fn arguments_of_other_makers_codes_were_places() {
+    let path = read_program(
+        "(vise)\nG21 G90\nG0 X3 Y4 Z25\nM462 X-11 Y-14 F300\nG0 Z20\nG6512.1 I0 X61 Z-7\nG30.1 Y5\nX9\nM204 X900\nG1 X4 F50\n",
+        None,
+    );
+    assert_eq!(on(&path, 4), []);
+    let place = |line| on(&path, line)[0].1;
+    assert!(place(5)[0].is_nan() && place(5)[1].is_nan() && place(5)[2] == 20.0);
+    assert_eq!(on(&path, 6), []);
+    assert_eq!(on(&path, 7), []);
+    assert!(
+        place(8)[0] == 9.0 && place(8)[1].is_nan() && place(8)[2].is_nan(),
+        "a probing routine may leave any axis anywhere"
+    );
+    for (name, line) in [("M462", 4), ("G6512.1", 6), ("G30.1", 7), ("M204", 9)] {
+        assert!(
+            path.findings.iter().any(|f| f.message.starts_with(name) && f.message.ends_with(&format!("in line {line}"))),
+            "{name}: {}",
+            messages(&path)
+        );
+    }
+    // What stores a place moves nothing else.
+    let stored = read_program("G21 G90\nG0 X1 Y2 Z3\nG28.1 Y33\nG1 X7 F200\n", None);
+    assert!(on(&stored, 4)[0].1[1].is_nan() && on(&stored, 4)[0].1[2] == 3.0);
+    // A code without axis words may move them, too. Its F may be anything.
+    let alone = read_program("G21 G90\nG0 X1 Y2 Z3\nG1 X2 F100\nG6500 F3\nX5\n", None);
+    let last = on(&alone, 5)[0].1;
+    assert!(last[0] == 5.0 && last[1].is_nan() && last[2].is_nan() && alone.feed[2].is_nan(), "{}", messages(&alone));
+    // Behind a comment and a number an M code still comes first.
+    assert_eq!(on(&read_program("G90\nG0 X1\nN5 (CORNER) M463 X-12\n", None), 3), []);
+    // Of very many codes the first are named.
+    let many: String = (600..700).map(|code| format!("G{code} X1\n")).collect();
+    let said = read_program(&format!("G21\nG0 X0\n{many}"), None).findings;
+    assert!(said.len() < 20 && said.iter().any(|f| f.message.contains("88 times")), "{said:?}");
+    // In a line with what is no word, too.
+    let odd = read_program("G21 G90\nG0 X1 Y2 Z3\nG6500 X5 ,R2\nG0 X6\n", None);
+    assert!(on(&odd, 4)[0].1[1].is_nan(), "{}", messages(&odd));
+}
+
+/// Control points were drawn as cuts; so were the places of other curves.
+#[test]
+fn control_points_of_a_spline_are_no_moves() {
+    for (begin, end, dialect) in [
+        ("G5.2 P1 L3", "G5.3", "iso"),
+        ("G6.2 Q1", "G6.3", "iso"),
+        ("BSPLINE", "G1", "sinumerik"),
+        ("CSPLINE X1 Y1", "G1", "sinumerik"),
+        ("N7 POLY PO[X]=(1,2)", "G1", "sinumerik"),
+        ("CIP X4 Y4 I1=2", "G1", "sinumerik"),
+    ] {
+        let path =
+            read_program(&format!("G90\nG1 X0 Y0 Z2 F90\n{begin}\nX4 Y2 P1\nX6 Y9 P2\n{end}\nG1 Z1\nX3\n"), Some(dialect));
+        assert_eq!((on(&path, 4).len(), on(&path, 5).len()), (0, 0), "{begin}");
+        let after = on(&path, 7)[0].1;
+        assert!(after[0].is_nan() && after[1].is_nan() && after[2] == 1.0, "{begin}: {after:?}");
+        assert_eq!(on(&path, 8)[0].1[0], 3.0, "{begin}");
+        assert!(path.findings.iter().any(|f| f.code == "arc-unsolved"), "{begin}: {}", messages(&path));
+    }
+}
+
+/// A Haas has offsets beyond G59; a selection before anything moves is the first one.
+#[test]
+fn other_work_offsets_of_a_haas_were_unsaid() {
+    let codes = |text: &str| read_program(text, None).findings.iter().any(|f| f.code == "places-transformed");
+    for code in (110..=129).chain([154]) {
+        let code = format!("G{code}{}", if code == 154 { " P3" } else { "" });
+        assert!(codes(&format!("G21 G90\nG54 G0 X0 Y0\n{code} G0 X15\n")), "{code}");
+        if code != "G112" {
+            assert!(!codes(&format!("G21 G90\n{code}\nG0 X0 Y0\n{code} X15\n")), "{code}");
+        }
+    }
+    assert!(!codes("G21 G54\nG110\nG0 X1\n") && codes("G21\nG0 X1\nG110\nX2\n"));
+}
+
+#[test]
+fn a_value_by_its_own_is_a_place_or_a_distance() {
+    let text = "N1 G17 G90 G71\nN2 G0 X12 Y21 Z33\nN3 G0 Z=IC(-35)\nN4 MEAS=1 G1 X=AC( 26 ) F120\nN5 G0 X = IC(-9) Y=ic(2)\nN6 G91 X1 Y=AC(5)\nN7 Z=AC(R1)\nN8 X=IC(2*3)\nN9 M30\n";
+    let path = read_program(text, None);
+    assert_eq!(path.dialect, "sinumerik");
+    assert_eq!(on(&path, 3), [("rapid", [12.0, 21.0, -2.0])]);
+    assert_eq!(on(&path, 4), [("probe", [26.0, 21.0, -2.0])]);
+    assert_eq!(on(&path, 5), [("rapid", [17.0, 23.0, -2.0])]);
+    assert_eq!(on(&path, 6), [("rapid", [18.0, 5.0, -2.0])]);
+    assert!(on(&path, 7)[0].1[2].is_nan() && on(&path, 8)[0].1[0].is_nan());
+    // A distance in a loop leaves the axis somewhere.
+    let looped = read_program("G90\nG1 X1 Y1 Z1 F100\nLOOP\nX=IC(5) Y4\nENDLOOP\nZ2\n", Some("sinumerik"));
+    assert!(on(&looped, 6)[0].1[0].is_nan() && on(&looped, 6)[0].1[1] == 4.0);
+}
+
+/// Other makers assign as well, and a text may say anything.
+#[test]
+fn an_assigned_axis_alone_is_no_sinumerik() {
+    let okuma = read_program("O81\nG21\nG15 H3\nG0 X31 Y0 Z61\nVC7=19\nG31 Z=-VC7 F90\nG0 Z61\nM2\n", None);
+    assert_eq!(okuma.dialect, "iso");
+    assert!(on(&okuma, 6).iter().all(|(kind, to)| *kind == "probe" && to[2].is_nan()), "{:?}", on(&okuma, 6));
+    assert!(messages(&okuma).contains("2 times, the first in line 5"), "{}", messages(&okuma));
+    for (text, dialect) in [
+        ("G21\nG0 X1\nZ=VC1\n", "iso"),
+        ("G21\nG0 Z=5\n", "iso"),
+        ("M4000 P0 R3 S\"CR=0 T=1\"\nG21\nG1 X5\n", "iso"),
+        ("G21\nR1=5\nG31 X5 F100\n", "iso"),
+        ("G21\nCR=5\n#<a>=1\n", "iso"),
+        ("G71\nG0 X=5\n", "sinumerik"),
+        ("N5 G710 G90\nN6 G0 Z=R1\n", "sinumerik"),
+        ("G2 X5 Y5 CR=5\n", "sinumerik"),
+        ("G0 X=AC(5)\n", "sinumerik"),
+        ("T=\"PROBE\"\nM6\nG0 X5\n", "sinumerik"),
+        ("G31 X5\nSTOPRE\nG1 X5\n", "sinumerik"),
+    ] {
+        assert_eq!(read_program(text, None).dialect, dialect, "{text}");
+    }
+}
+
+/// Nothing was read, and nothing was said.
+#[test]
+fn a_text_without_moves_says_so() {
+    let no_moves = |text: &str| read_program(text, None).findings.into_iter().find(|f| f.code == "no-moves").map(|f| f.message);
+    let behind = no_moves("(macro)\nG21;G91;G38.2 Z-17 F70;G0 Z2\n").unwrap();
+    assert!(behind.contains("semicolon") && behind.ends_with("line 2"), "{behind}");
+    for text in ["", "G6500\n", "hello\n", "G21 ; mm\nM2\n", "0 BEGIN PGM A MM\n", ";G1 X5\n", "G21 ; G1 is not here\n"] {
+        let said = no_moves(text).unwrap_or_else(|| panic!("{text:?}"));
+        assert_eq!(said.contains("semicolon"), text.contains("G21 ; G1"), "{text:?}");
+    }
+    assert_eq!(no_moves("G21\nG0 X5\n"), None);
+}
+
+/// A refusal named another control, cut words in two, and took a line for each line of the text.
+#[test]
+fn a_refusal_names_the_control_of_the_text_and_whole_words() {
+    let refused = |text: &str| {
+        let error = import(text).unwrap_err();
+        assert_eq!(error.findings.len(), 1, "{error}");
+        error.findings[0].message.clone()
+    };
+    let macros = "(left edge)\no<left> sub\n  #<ball> = #3101 (=3.0)\n  G92.1\n  o10 if [#5400 NE #<ball>]\n    (abort, wrong tool)\n  o10 endif\n  G91\n  G38.2 X-[#<ball>] F[#3103]\n  G90\no<left> endsub\n";
+    let said = refused(macros);
+    assert!(said.contains("LinuxCNC") && !said.contains("Fanuc") && said.contains("other lines"), "{said}");
+    let grbl = refused("G21\nG91 G21\nif [#1] foo\nG38.2 Z-5 F10\nM2\n");
+    assert!(!grbl.contains("Fanuc") && !grbl.contains("Haas"), "{grbl}");
+    // A code alone is named, not what is behind it.
+    assert!(grbl.contains("\"G91\"") && !grbl.contains("\"G91 G21\""), "{grbl}");
+    let macro_b = refused("G21\nWHILE [#1 LT 3] DO1\nG31 Z-5. F10.\nEND1\nM30\n");
+    assert!(macro_b.contains("Fanuc") && macro_b.contains("\"WHILE [#1 LT 3] DO1\""), "{macro_b}");
+    for word in ["endif", "if [#5400 NE #<_n>]", "TRANSMIT"] {
+        let text = if word == "TRANSMIT" {
+            format!("STOPRE\n{word}\nMEAS=1 G1 X1 F100\nM30\n")
+        } else {
+            format!("G21\n{word}\nG38.2 X1 F10\nM2\n")
+        };
+        assert!(refused(&text).contains(&format!("\"{word}\"")), "{}", refused(&text));
+    }
+    let rep_rap = refused("; corner\nif { !exists(param.H) }\n  abort {\"H\"}\nG6512 X{param.H}\n");
+    assert!(rep_rap.contains("RepRapFirmware") && rep_rap.contains("not known here"), "{rep_rap}");
+    let klartext = refused("0 BEGIN PGM A MM\n1 L X+5 FMAX\n2 TCH PROBE 417 Q263=+7\n3 END PGM A MM\n");
+    assert!(!klartext.contains("read as a program for"), "{klartext}");
+}
+
+/// The ISO of a HEIDENHAIN ends its blocks with `*`: no move of it was read.
+#[test]
+fn a_heidenhain_program_in_iso_has_moves() {
+    let text = "%PLATE G71 *\nN10 G30 G17 X+0 Y+0 Z-20 *\nN20 G31 G90 X+100 Y+80 Z+0 *\nN30 T5 G17 S2500 *\nN40 G00 G40 G90 Z+50 M3 *\nN50 X-20 Y+7 *\nN60 G01 Z-3 F200 *\nN70 G41 X+5 *\nN80 I+20 J+20 *\nN90 G03 X+20 Y+35 *\nN100 G54 X+10 *\nN110 G00 Z+100 M2 *\nN99999 %PLATE G71 *\n";
+    let path = read_program(text, None);
+    assert_eq!((path.metric, path.dialect), (Some(true), "iso"));
+    // The blank's corners are no moves, and no touches.
+    assert_eq!((on(&path, 2).len(), on(&path, 3).len()), (0, 0));
+    assert_eq!(on(&path, 6), [("rapid", [-20.0, 7.0, 50.0])]);
+    assert_eq!(on(&path, 7), [("feed", [-20.0, 7.0, -3.0])]);
+    assert_eq!(on(&path, 8)[0].1, [5.0, 7.0, -3.0]);
+    assert_eq!(on(&path, 9), [], "the pole of a circle");
+    assert_eq!(on(&path, 10), [("feed", [20.0, 35.0, -3.0])]);
+    assert_eq!(on(&path, 12), [("rapid", [20.0, 35.0, 100.0])]);
+    let codes: Vec<&str> = path.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["places-transformed", "arc-unsolved"], "{}", messages(&path));
+    let inch = read_program("%A G70 *\nN10 G00 G90 X1 *\nN20 G10 R5 H30 *\nN30 Y2 *\n", None);
+    assert!(
+        inch.metric == Some(false) && on(&inch, 4)[0].1[0].is_nan() && messages(&inch).contains("G10 "),
+        "{}",
+        messages(&inch)
+    );
+    // Of old, a block ended so on any control.
+    assert_eq!(on(&read_program("G21*\nG0 X5 *\nX6* (end)\n", None), 2)[0].1[0], 5.0);
+}
+
+/// After a call nothing was known, also where the subprogram stands in the same text.
+#[test]
+fn a_subprogram_in_the_same_text_is_followed() {
+    for text in [
+        "G21 G90 G17\nG0 X1 Y2 Z3\nM98 P100\nG0 Z9\nM2\nO100\nG1 F100 X4 Y4\nM99\n",
+        "G21 G90 G17 F100\nG0 X1 Y2 Z3\nM98 P100 L3\nG0 Z9\nM2\nO100 (SUB)\nG91 G1 X4\nG90\nM99\n",
+        "G21 G90 G17 F100\nG0 X1 Y2 Z3\nM98 P7 L2\nX5\nM2\nO7\nG91 G1 X4\nM98 P8 L2\nG90\nM99\nO8\nY1\nM99\n",
+    ] {
+        let ran = interpret(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let path = read_program(text, None);
+        let ends: Vec<[f64; 3]> = (0..path.len()).map(|i| path.end(i).to_array()).collect();
+        assert_eq!(ends, ran.moves.iter().map(|step| step.to).collect::<Vec<_>>(), "{text}");
+        assert_eq!(messages(&path), "", "{text}");
+    }
+    // The moves stand in the lines of the subprogram.
+    let path = read_program("G21 G90\nG0 X1 Y2 Z3\nX5 M98 P20100\nG0 Z9\nM30\nO100\nG31 Y7. F50.\nM99\n%\n", None);
+    assert_eq!(path.line, [1, 2, 6, 6, 3]);
+    assert_eq!(path.end(4).to_array(), [5.0, 7.0, 9.0]);
+    let local = read_program("G21 G90\nG0 X1 Y2 Z3\nM97 P50 L2\nG0 Z9\nM30\nN50 G91 G1 X4. F50.\nN51 G90 M99\n%\n", None);
+    assert_eq!((on(&local, 4)[0].1, messages(&local).as_str()), ([9.0, 2.0, 9.0], ""));
+    // Where it is not there, or not once, does not end, or is called with what is computed, nothing is known after it.
+    for text in [
+        "M98 P100\nG0 Z9\nM30\n",
+        "M98 P100\nG0 Z9\nM30\nO100\nM99\nO100\nM99\n",
+        "M98 P#1\nG0 Z9\nM30\nO1\nX5\nM99\n",
+        "M98 P100\nG0 Z9\nM30\nO100\nX5\nO200\nM99\n",
+        "M98 P100\nG0 Z9\nM30\nO100\nX5\n",
+        "M98 P100 L0\nG0 Z9\nM30\nO100\nX5\nM99\n",
+        "M198 P100\nG0 Z9\nM30\nO100\nX5\nM99\n",
+    ] {
+        let path = read_program(&format!("G21 G90\nG0 X1 Y2 Z3\n{text}"), None);
+        let after = on(&path, 4);
+        assert!(after.len() == 1 && after[0].1[0].is_nan() && after[0].1[2] == 9.0, "{text}: {after:?}");
+        assert!(messages(&path).contains("lines-skipped"), "{text}");
+    }
+    // An end inside is the end; what calls itself has an end, too, and so has what repeats without measure.
+    let ended = read_program("G21 G90\nG0 X1\nM98 P5\nG0 X2\nM30\nO5\nG0 X3\nM30\n", None);
+    assert_eq!(ended.line, [1, 6]);
+    for text in [
+        "M98 P5\nM30\nO5\nG91 G1 X1 F10\nM98 P5\nM99\n",
+        "M98 P5 L9999\nM30\nO5\nX1\nM98 P6 L9999\nM99\nO6\nY1\nM98 P7 L9999\nM99\nO7\nZ1\nM99\n",
+    ] {
+        let path = read_program(&format!("G21 G90\nG0 X1 Y1\n{text}"), None);
+        assert!(path.len() < 600_000 && messages(&path).contains("lines-skipped"), "{text}");
+    }
+}
+
+/// What stands in the way of the moves of a header's job stays refused.
+#[test]
+fn a_job_whose_program_has_a_code_of_another_maker_is_refused() {
+    let job = with(&touchpath::job::default_job("hole").unwrap(), "control.post", Value::Text("linuxcnc".to_owned()));
+    let text = touchpath::job::plan(&job).unwrap().program.text.replacen("M2\n", "M463 X-12 Y-12\nM2\n", 1);
+    assert!(import(&text).unwrap_err().findings.iter().any(|f| f.code == "not-understood" && f.message.contains("M463")));
+}
