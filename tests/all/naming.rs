@@ -3,7 +3,7 @@
 use crate::common::{job, number, planned, point, with};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Level, Value};
-use touchpath::import::import;
+use crate::common::import;
 use touchpath::job::{check, convert_units, default_job, job_name, plan};
 
 fn text(t: &str) -> Value {
