@@ -14,7 +14,7 @@ let folder;
 let Store;
 /** @type {(text: string) => any} */
 let read;
-/** @type {(text: string, unit?: string, units?: string, comma?: boolean) => number | string} */
+/** @type {(text: string, unit?: string, units?: string, comma?: boolean, size?: boolean) => number | string} */
 let readNumber;
 
 before(async () => {

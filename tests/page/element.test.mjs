@@ -231,10 +231,10 @@ test("the user's changes have their events, and a program is saved by the page w
   await heard();
   const save = page.getByRole("button", { name: /^Save / });
   const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
-  assert.equal(download.suggestedFilename(), "POCKET-80X50.ngc");
+  assert.equal(download.suggestedFilename(), "BORE-D45.ngc");
   const text = await on((element) => element.plan.program.text);
   assert.deepEqual(await heard(), [
-    ["program-save", { name: "POCKET-80X50.ngc", text, post: "linuxcnc", extension: "ngc" }],
+    ["program-save", { name: "BORE-D45.ngc", text, post: "linuxcnc", extension: "ngc" }],
   ]);
   let saved = 0;
   page.on("download", () => saved++);

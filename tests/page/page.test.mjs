@@ -294,8 +294,8 @@ test("words are found in the program, in its folded header too, and stay found w
   assert.equal(await said(), "4 of 4");
   await field("cycle.width1").fill("70");
   assert.equal(await page.locator("tp-program .line.match").count(), 4);
-  await find.fill("Job: POCKET-80X50");
-  await page.locator("tp-program .line.here", { hasText: "Job: POCKET-80X50" }).waitFor({ state: "visible" });
+  await find.fill("Job: POCKET-70X50");
+  await page.locator("tp-program .line.here", { hasText: "Job: POCKET-70X50" }).waitFor({ state: "visible" });
   await find.fill("no such words");
   assert.equal(await said(), "not found");
   await find.fill("");

@@ -81,7 +81,7 @@ pub fn pocket() -> JsValue {
 #[wasm_bindgen_test]
 fn a_plan_comes_as_numbers_and_a_text() {
     let (text, numbers) = plan(&pocket()).expect("a plan");
-    assert!(text.starts_with("linuxcncngc(Job: PROBE)\n"), "{}", &text[..40]);
+    assert!(text.starts_with("linuxcncngc(Job: POCKET-80X50)\n"), "{}", &text[..40]);
     assert!(text.contains("\nM2\n") && text.contains("center.x"));
     // 27 moves of three numbers and four words, and more.
     assert!(numbers > 7 * 27);
