@@ -1,9 +1,9 @@
 //! Names and numbers of programs. Each test is named after a failure that was seen.
 
+use crate::common::import;
 use crate::common::{job, number, planned, point, with};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Level, Value};
-use crate::common::import;
 use touchpath::job::{check, convert_units, default_job, job_name, plan};
 
 fn text(t: &str) -> Value {

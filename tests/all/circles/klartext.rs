@@ -41,7 +41,8 @@ fn block_lines(program: &str) -> Vec<String> {
 fn the_manuals_example_is_read_and_written() {
     let imported = import(SEED).unwrap();
     assert_eq!(imported.job.get("cycle").unwrap().get("diameter1"), Some(&number(0.0)));
-    let mut job = with(&imported.job, "cycle.diameter1", number(10.0));
+    // A text without a name gets that of what is measured.
+    let mut job = with(&with(&imported.job, "cycle.diameter1", number(10.0)), "name", Value::Text("PROBE".to_owned()));
     job = with(&job, "cycle.diameter2", number(10.0));
     job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
     let program = planned(&job).program.text;

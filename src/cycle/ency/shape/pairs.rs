@@ -91,9 +91,11 @@ impl Shape for Pairs {
             }
             if checker.sound(&[&width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
                 let message = text!(
-                    "{label} ({width}) must be larger than the ball ({ball}): the ball does not go in",
+                    "{label} ({width}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                     label,
                     checker.length(side.width),
+                    checker.length(2.0 * (setup.radius + SHORTEST_TOUCH)),
+                    checker.length(2.0 * SHORTEST_TOUCH),
                     checker.length(2.0 * setup.radius)
                 );
                 checker.error("ball-too-wide", width_path, message);

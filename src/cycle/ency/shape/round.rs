@@ -95,8 +95,10 @@ impl Shape for Circle {
             let ball = 2.0 * setup.radius;
             if self.diameter < ball + 2.0 * SHORTEST_TOUCH - 1e-6 {
                 let message = text!(
-                    "Diameter ({diameter}) must be larger than the ball ({ball}): the ball does not go in",
+                    "Diameter ({diameter}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                     checker.length(self.diameter),
+                    checker.length(ball + 2.0 * SHORTEST_TOUCH),
+                    checker.length(2.0 * SHORTEST_TOUCH),
                     checker.length(ball)
                 );
                 checker.error("ball-too-wide", "cycle.diameter", message);

@@ -179,9 +179,11 @@ impl TwoCircles {
         let (number, diameter) = (object.number, object.nominal_diameter());
         if object.hole && diameter < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
             let message = text!(
-                "Hole {number} ({diameter}) must be larger than the ball ({ball})",
+                "Hole {number} ({diameter}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                 number,
                 checker.length(diameter),
+                checker.length(2.0 * (setup.radius + SHORTEST_TOUCH)),
+                checker.length(2.0 * SHORTEST_TOUCH),
                 checker.length(2.0 * setup.radius)
             );
             checker.error("ball-too-wide", diameter_path, message);
