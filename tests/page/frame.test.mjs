@@ -612,7 +612,7 @@ test("a note that a link was copied went on after the job was another one", asyn
   await page.setViewportSize({ width: 900, height: 800 });
   await page.getByRole("tab", { name: "Results" }).click();
   await saveButton().click();
-  assert.match(await textOf(note), /Saved POCKET-80X50\.ngc/);
+  assert.match(await textOf(note), /Saved POCKET-81X50\.ngc/);
 });
 
 test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {

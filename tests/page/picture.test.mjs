@@ -52,7 +52,7 @@ test("a dragged part ran away where errors came up under an open list: the canva
   const { x, y, scale, height } = await handle("shift");
   // So far that touches no longer meet their walls.
   await drag({ x, y }, 90, -70, 12);
-  await page.locator("tp-findings .verdict.error").waitFor();
+  await page.locator("tp-badge .badge", { hasText: /^[2-9]/ }).waitFor();
   assert.equal((await handle("shift")).height, height);
   const offset = /** @type {number[]} */ (await held("part.offset"));
   near(offset[0] ?? 0, 90 / scale, "X");
