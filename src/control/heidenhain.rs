@@ -25,7 +25,9 @@ pub static DEF: PostDef = PostDef {
     computes: false,
     when: When::AtTheEnd,
     nearest_trigger: 0.0,
-    orients: Err(words!("cycle 1411 orients the probe itself, as the probe table says (TRACK): leave the orientation empty")),
+    orients: Err(words!(
+        "cycle 1411 orients the probe itself, as the probe table says (TRACK): the orientation of the job is not used"
+    )),
     watches: false,
     shortest_probe: 0.0,
     constant_error: 1e-12,

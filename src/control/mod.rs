@@ -362,7 +362,7 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
 /// A spindle that is to be turned to an angle by a control whose program cannot.
 fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     if let (Some(_), Err(why)) = (request.orient, request.post.orients) {
-        checker.error("orient-unsupported", "control.orient", Text::words(why));
+        checker.warning("orient-unsupported", "control.orient", Text::words(why));
     }
 }
 

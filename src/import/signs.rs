@@ -47,14 +47,14 @@ pub fn of(text: &str) -> Option<Sign> {
         if after(without_number(line).trim_start_matches(|c: char| c.is_ascii_digit() || c == ' '), "BEGIN PGM").is_some() {
             return Some(Sign::Klartext);
         }
-        let code = outside_comments(line);
-        if is_linuxcnc(&code) {
+        let code = code_of(line);
+        if is_linuxcnc(code) {
             return Some(Sign::LinuxCnc);
         }
         if code.contains('{') || REP_RAP.iter().any(|word| code.contains(word)) {
             return Some(Sign::RepRap);
         }
-        probing = probing.or_else(|| probes(&code));
+        probing = probing.or_else(|| probes(code));
     }
     probing
 }
@@ -84,24 +84,13 @@ fn probes(code: &str) -> Option<Sign> {
     })
 }
 
-/// A line without its comments and what stands between quotes.
-fn outside_comments(line: &str) -> std::borrow::Cow<'_, str> {
-    if memchr::memchr3(b'(', b';', b'"', line.as_bytes()).is_none() {
-        return line.into();
+/// The code of a line in front of the first comment or text in it; a comment at its beginning is passed by.
+fn code_of(line: &str) -> &str {
+    let mut code = line;
+    while let Some((_, rest)) = code.strip_prefix('(').and_then(|inner| inner.split_once(')')) {
+        code = trimmed(rest);
     }
-    let mut code = String::with_capacity(line.len());
-    let mut within: Option<char> = None;
-    for c in line.chars() {
-        match (within, c) {
-            (None, ';') => break,
-            (None, '(') => within = Some(')'),
-            (None, '"') => within = Some('"'),
-            (None, c) => code.push(c),
-            (Some(end), c) if c == end => within = None,
-            _ => {}
-        }
-    }
-    code.into()
+    &code[..memchr::memchr3(b'(', b';', b'"', code.as_bytes()).unwrap_or(code.len())]
 }
 
 #[cfg(test)]
@@ -118,6 +107,7 @@ mod tests {
             ("G21\ng38.3z-5\n", Some(Sign::Rs274)),
             ("O100 (SUB)\nG31Z-5.\n", Some(Sign::LikeFanuc)),
             ("N1G31.1 Z-5.\n", Some(Sign::LikeFanuc)),
+            ("(A) (B) G31 Z-5. (G38.2)\n", Some(Sign::LikeFanuc)),
             ("0  BEGIN PGM A MM\n", Some(Sign::Klartext)),
             ("if {param.X} > 3\n", Some(Sign::RepRap)),
             ("G1 X{var.x}\n", Some(Sign::RepRap)),

@@ -178,6 +178,7 @@ impl Control {
                     "G17" | "G18" | "G19" | "G40" | "G80" | "G90" | "G94" | "G53" | "M5" | "M9" => {}
                     "G54" | "G55" | "G56" | "G57" | "G58" | "G59" => self.offset = (*word).to_owned(),
                     "G154" if self.haas => self.offset = code.to_owned(),
+                    "G54.1" if !self.haas => self.offset = code.to_owned(),
                     "G103" if self.haas => {}
                     "M78" if self.haas => free = true,
                     "M79" if self.haas => must = true,
@@ -188,7 +189,7 @@ impl Control {
                     "POPEN" | "PCLOS" => {}
                     _ if word.starts_with("DPRNT[") => {}
                     "M30" => return Ok(true),
-                    _ if word.starts_with('P') && self.haas => {}
+                    _ if word.starts_with('P') && matches!(words[0], "G154" | "G103" | "G54.1") => {}
                     _ => return Err(format!("{word} is not known")),
                 },
             }

@@ -190,7 +190,7 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
 fn skip_is_sane(plan: &Plan) -> Result<(), String> {
     let text = &plan.program.text;
     let mut control = super::fanuc::Control::new(plan.program.post == "haas", text.contains("\nG20\n"));
-    for offset in (5221..=5321).step_by(20).chain((14_001..=15_973).step_by(20)) {
+    for offset in (5221..=5321).step_by(20).chain((7001..=7941).step_by(20)).chain((14_001..=15_973).step_by(20)) {
         control.variables.extend((0..3).map(|axis| (offset + axis, 0.0)));
     }
     control.contacts = plan.moves.iter().filter(|m| m.kind == "touch").map(|m| m.to).collect();

@@ -176,7 +176,7 @@ test("a program that was refused was not shown: its text is, with the reason, al
   for (const [name, text, why] of /** @type {[string, string, RegExp][]} */ ([
     [
       "edge.ngc",
-      "o<edge> sub\n  o10 if [#5400 NE #3101]\n    (abort, wrong tool)\n  o10 endif\n  G38.2 X-[#1] F[#2]\no<edge> endsub\n",
+      "o<edge> sub\n  o10 if [#5400 NE #3101]\n    (abort, wrong tool)\n  o10 endif\n  G91\n  G38.2 X-[#<reach>] F[#2]\no<edge> endsub\n",
       /LinuxCNC/,
     ],
     ["macro.nc", "G21;G91;G38.2 Z-17 F70;G0 Z2\n", /semicolon/],

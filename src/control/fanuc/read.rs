@@ -116,11 +116,10 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
         block(script, line, code, grammar, &mut targets)
     });
     if !semicolons.is_empty() {
+        // Of a line with a semicolon nothing else is said.
         let mut troubles = semicolons;
-        troubles.extend(read.err().into_iter().flatten());
-        // Sorted so, the semicolon is what stays of its line.
-        troubles.sort_by_key(|trouble| trouble.line);
-        troubles.dedup_by_key(|trouble| trouble.line);
+        let lines: Vec<usize> = troubles.iter().map(|trouble| trouble.line).collect();
+        troubles.extend(read.err().into_iter().flatten().filter(|trouble| lines.binary_search(&trouble.line).is_err()));
         return Err(troubles);
     }
     read?;

@@ -17,6 +17,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question};
 use crate::geom::Vec3;
+use crate::num::decimal;
 use crate::path::{Move, Touch};
 use crate::text::{text, words};
 
@@ -34,7 +35,7 @@ pub static DEF: PostDef = PostDef {
     computes: false,
     when: When::AtTheEnd,
     nearest_trigger: 0.0,
-    orients: Err(words!("grbl cannot turn a spindle to an angle: turn it by hand, and leave the orientation empty")),
+    orients: Err(words!("grbl cannot turn a spindle to an angle: turn it by hand")),
     watches: false,
     shortest_probe: 0.0,
     constant_error: 1e-12,
@@ -122,7 +123,13 @@ impl Moves for Grbl<'_> {
                  down to {place}. That way must be free"));
         }
         w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
-        w.comment(&orientation_line(self.request));
+        w.comment(&match self.request.orient {
+            Some(angle) => format!(
+                "Turn the spindle to {} degrees by hand first: the probe must be calibrated at that angle",
+                decimal(angle, 3)
+            ),
+            None => orientation_line(self.request),
+        });
         w.says_job();
         w.modes();
         w.line("M5 M9");

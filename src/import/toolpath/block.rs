@@ -106,9 +106,11 @@ pub(super) struct Block {
     pub led: Foreign,
     /// Where the name of that code begins and ends in its line.
     pub name: [usize; 2],
+    /// Where the words begin, behind the block's number.
+    pub begin: usize,
     /// It calls a subprogram: 97, 98 or 198.
     pub calls: Option<u8>,
-    /// Whether one of these three is so.
+    /// Whether one of these is so, or an axis is a place or a distance by its own.
     pub special: bool,
 }
 
@@ -145,6 +147,7 @@ pub(super) const EMPTY: Block = Block {
     foreign: Foreign::No,
     led: Foreign::No,
     name: [0; 2],
+    begin: 0,
     calls: None,
     special: false,
 };
@@ -153,7 +156,6 @@ impl Block {
     /// Takes all words out. Places and centres stay: nothing says that they are given.
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
-        (self.placed, self.moved) = (0, 0);
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
@@ -162,13 +164,14 @@ impl Block {
         (self.returns, self.renames, self.twice) = (false, false, false);
         if self.special {
             (self.foreign, self.led, self.calls, self.special) = (Foreign::No, Foreign::No, None, false);
+            (self.placed, self.moved) = (0, 0);
         }
     }
 }
 
 /// Whether nothing but blanks and comments stands in front of a word.
-pub(super) fn leads(line: &[u8], at: usize) -> bool {
-    let mut before = line[head(line)..at].trim_ascii();
+pub(super) fn leads(line: &[u8], begin: usize, at: usize) -> bool {
+    let mut before = line[begin..at].trim_ascii();
     while before.first() == Some(&b'(') {
         before = before[end_of(before, 0, b')')..].trim_ascii();
     }

@@ -10,6 +10,9 @@ const DEEPEST: usize = 10;
 /// So many lines of subprograms are read in all: whoever repeats more has an end.
 const MOST_LINES: usize = 500_000;
 
+/// So many numbers are looked for: each costs a look through the text.
+const MOST_NUMBERS: usize = 100;
+
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
 pub(super) struct Call {
@@ -36,8 +39,8 @@ struct Frame {
 /// Follows calls through a text.
 pub(super) struct Calls<'t> {
     text: &'t str,
-    /// Numbers of programs, and numbers of blocks, with where their lines begin: made when one is asked for.
-    places: [Option<Vec<(u32, Place)>>; 2],
+    /// What was called: whether it is a block, its number, and where its lines begin.
+    places: Vec<(bool, u32, Option<Place>)>,
     stack: Vec<Frame>,
     lines: usize,
     /// The lines of subprograms that ran: from, up to.
@@ -46,7 +49,7 @@ pub(super) struct Calls<'t> {
 
 impl<'t> Calls<'t> {
     pub fn new(text: &'t str) -> Self {
-        Calls { text, places: [None, None], stack: Vec::new(), lines: 0, ran: Vec::new() }
+        Calls { text, places: Vec::new(), stack: Vec::new(), lines: 0, ran: Vec::new() }
     }
 
     /// Whether a subprogram is under way.
@@ -60,6 +63,8 @@ impl<'t> Calls<'t> {
     }
 
     /// After a line was read: which one is read next.
+    #[cold]
+    #[inline(never)]
     pub fn step(&mut self, reader: &mut Reader, line: &[u8], next: Place) -> Place {
         let next = self.turn(reader, line, next);
         reader.turns_off = self.is_inside();
@@ -92,6 +97,8 @@ impl<'t> Calls<'t> {
     }
 
     /// The lines of a subprogram come to an end without M99.
+    #[cold]
+    #[inline(never)]
     pub fn fall_out(&mut self, reader: &mut Reader, next: Place) -> Place {
         reader.lose(next.line.saturating_sub(1));
         self.stack.pop().map_or(next, |frame| frame.back)
@@ -126,19 +133,25 @@ impl<'t> Calls<'t> {
         back
     }
 
-    /// Where the lines begin; none where the number is not there once.
+    /// Where the lines begin; none where the number is not there once. Each is looked for once, and not very many are.
     fn find(&mut self, call: Call) -> Option<Place> {
-        let Calls { text, places, .. } = self;
-        let places = places[usize::from(call.local)].get_or_insert_with(|| places_of(text.as_bytes(), call.local));
-        let first = places.partition_point(|(number, _)| *number < call.number);
-        let mut found = places[first..].iter().take_while(|(number, _)| *number == call.number);
-        let (_, place) = found.next()?;
-        found.next().is_none().then_some(*place)
+        let known = self.places.iter().find(|(local, number, _)| (*local, *number) == (call.local, call.number));
+        if let Some((.., place)) = known {
+            return *place;
+        }
+        if self.places.len() == MOST_NUMBERS {
+            return None;
+        }
+        let place = place_of(self.text.as_bytes(), call);
+        self.places.push((call.local, call.number, place));
+        place
     }
 }
 
 impl Reader {
     /// A subprogram is called, by M97, M98 or M198.
+    #[cold]
+    #[inline(never)]
     pub(super) fn call(&mut self, code: u8, block: &Block) {
         let whole = |x: f64, most: f64| (x.fract() == 0.0 && (1.0..=most).contains(&x)).then_some(x as u32);
         let number = block.p.and_then(|p| whole(p, 99_999_999.0)).filter(|_| code != 198 && !self.sinumerik);
@@ -158,28 +171,31 @@ impl Reader {
     }
 
     /// After what is not followed: where the axes are is not known.
+    #[cold]
+    #[inline(never)]
     pub(super) fn lose(&mut self, line: usize) {
         self.place = [f64::NAN; 3];
         count(&mut self.skipped, line);
     }
 }
 
-/// All numbers of programs, or of blocks, sorted.
-fn places_of(text: &[u8], local: bool) -> Vec<(u32, Place)> {
-    let mut places = Vec::new();
-    let mut at = 0;
-    let mut line = 0;
+/// Where the lines of a subprogram begin; none where its number is not there once.
+fn place_of(text: &[u8], call: Call) -> Option<Place> {
+    let mut found = None;
+    let (mut at, mut line) = (0, 0);
     while at < text.len() {
         let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
         let next = end + if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
-        if let Some(number) = numbered(text[at..end].trim_ascii(), local) {
+        if numbered(text[at..end].trim_ascii(), call.local) == Some(call.number) {
             // A block runs from its own number on, a program below the line of its number.
-            places.push((number, if local { Place { at, line } } else { Place { at: next, line: line + 1 } }));
+            let place = if call.local { Place { at, line } } else { Place { at: next, line: line + 1 } };
+            if found.replace(place).is_some() {
+                return None;
+            }
         }
         (at, line) = (next, line + 1);
     }
-    places.sort_by_key(|(number, _)| *number);
-    places
+    found
 }
 
 /// The number of a block, `N100 G0`, or the one of a program, which stands alone: `O100 (A COMMENT)`.

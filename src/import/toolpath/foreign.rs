@@ -11,6 +11,8 @@ const MOST_NAMES: usize = 12;
 
 impl Reader {
     /// Passes by a block whose axis words may be no place; false where it is followed as any other.
+    #[cold]
+    #[inline(never)]
     pub(super) fn pass_by(&mut self, line: &[u8], block: &Block) -> bool {
         let names_axes = block.given | block.centered != 0 || block.others;
         let moves = block.motion || block.once.is_some();

@@ -11,9 +11,9 @@ const ALONE: [&str; 12] = ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "
 /// What others have, too: an Okuma assigns, a macro has texts.
 const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
 
-/// Axes that are assigned, and codes of units that they stand beside on a SINUMERIK.
+/// Axes that are assigned, and codes of units that they stand beside on a SINUMERIK: G70, G710 …
 const AXES: [&str; 3] = ["X=", "Y=", "Z="];
-const UNITS: [&str; 4] = ["G70", "G71", "G700", "G710"];
+const UNITS: [&str; 2] = ["G70", "G71"];
 
 /// So many lines are looked at.
 const MOST_LINES: usize = 2000;
@@ -33,7 +33,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
             return DIALECTS[1];
         }
         let line = numbered(line);
-        units |= !units && begins_with_units(line);
+        units |= matches!(line, [b'G' | b'g', b'7', b'0' | b'1', ..]);
         // Most lines begin with a G or an axis, and assign nothing.
         let begins =
             line.first().is_some_and(|b| matches!(b.to_ascii_uppercase(), b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
@@ -59,7 +59,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
         }
         likely |= LIKELY.iter().any(|word| plain.contains(word)) || parameter(&plain);
         assigns |= AXES.iter().any(|word| plain.contains(word));
-        units |= UNITS.iter().any(|code| plain.split_ascii_whitespace().any(|word| word == *code));
+        units |= UNITS.iter().any(|code| plain.contains(code));
     }
     let sinumerik = (likely || assigns && units) && signs::of(text).is_none();
     DIALECTS[usize::from(sinumerik)]
@@ -68,14 +68,6 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
 /// A line up to the text in it, with the quote that begins that.
 fn before_text(line: &[u8]) -> &[u8] {
     &line[..memchr::memchr(b'"', line).map_or(line.len(), |at| at + 1)]
-}
-
-/// Whether a line begins with G70, G71, G700 or G710.
-fn begins_with_units(line: &[u8]) -> bool {
-    matches!(line, [b'G' | b'g', b'7', b'0' | b'1', rest @ ..] if {
-        let rest = rest.strip_prefix(b"0").unwrap_or(rest);
-        !rest.first().is_some_and(|b| b.is_ascii_digit() || *b == b'.')
-    })
 }
 
 /// Whether a line gives an R parameter a value: `R1=5`.

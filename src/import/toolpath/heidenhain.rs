@@ -7,6 +7,8 @@ use crate::import::toolpath::reader::Reader;
 
 impl Reader {
     /// `%NAME G71 *`: the units of what follows.
+    #[cold]
+    #[inline(never)]
     pub(super) fn heidenhain_head(&mut self, line: &[u8]) {
         let says =
             |code: &[u8]| line.split(|b| b.is_ascii_whitespace() || *b == b'*').any(|word| word.eq_ignore_ascii_case(code));
@@ -18,6 +20,8 @@ impl Reader {
     }
 
     /// What a G code does there, by ten times its number.
+    #[cold]
+    #[inline(never)]
     pub(super) fn heidenhain_code(&mut self, tenths: i32, block: &mut Block) -> Foreign {
         match tenths {
             0 => self.go(Motion::Rapid, block),

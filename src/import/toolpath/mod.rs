@@ -124,6 +124,8 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
 }
 
 /// Says that a text gives no move, and whether that may be because of its semicolons.
+#[cold]
+#[inline(never)]
 fn no_moves(text: &str) -> Finding {
     let is_code = |code: &str| {
         matches!(code.as_bytes(), [b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z', b'0'..=b'9' | b'-' | b'.', ..])

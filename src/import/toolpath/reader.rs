@@ -8,14 +8,23 @@ use crate::import::toolpath::calls::Call;
 use crate::import::toolpath::findings::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
+/// What places are, until a motion.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Given {
+    /// Where the axes go.
+    Place,
+    /// Where a cycle runs, from G81 on; G80 ends it, too.
+    Cycle,
+    /// Control points of a spline; its end ends them, too.
+    Control,
+}
+
 /// What stays in force from block to block.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
     pub motion: Motion,
-    /// A cycle runs at every place, from G81 until G80 or a motion.
-    pub cycle: bool,
-    /// Places are control points of a spline, until a motion or its end.
-    pub spline: bool,
+    /// What the places are.
+    pub given: Given,
     pub absolute: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
@@ -106,8 +115,7 @@ impl Reader {
             place: [f64::NAN; 3],
             modes: Modes {
                 motion: Motion::Rapid,
-                cycle: false,
-                spline: false,
+                given: Given::Place,
                 absolute: true,
                 centers_absolute: false,
                 plane: None,
@@ -163,7 +171,7 @@ impl Reader {
         if first == b';' || first == b'(' && self.ended {
             return;
         }
-        if self.ended && self.heidenhain && line.get(head(line)) == Some(&b'%') {
+        if self.ended && self.heidenhain && line.contains(&b'%') {
             return;
         }
         if self.ended {
@@ -185,6 +193,7 @@ impl Reader {
         }
         let before = self.modes;
         block.empty();
+        block.begin = begin;
         // Between a jump and the end that it leaves out may stand comments, and variables that get a value.
         let leaped = self.leaps;
         self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
@@ -276,11 +285,10 @@ impl Reader {
         if block.others {
             count(&mut self.others, self.line);
         }
-        if self.modes.cycle && block.once.is_none() && block.given != 0 {
-            self.place = [f64::NAN; 3];
-            return count(&mut self.skipped, self.line);
-        }
-        if self.modes.spline && block.once.is_none() && block.given != 0 {
+        if self.modes.given != Given::Place && block.once.is_none() && block.given != 0 {
+            if self.modes.given == Given::Cycle {
+                return self.lose(self.line);
+            }
             self.forget(block.given);
             return count(&mut self.arcs_unsolved, self.line);
         }
@@ -304,7 +312,7 @@ impl Reader {
         match line[at].to_ascii_uppercase() {
             axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => block.given |= 1 << (axis - b'X'),
             b'F' if !self.sinumerik => block.feed = Some(f64::NAN),
-            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => self.modes.spline = true,
+            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => self.modes.given = Given::Control,
             b',' | b'#' | b'A'..=b'Z' => {}
             // The number before may go on: F1 00.
             _ => block.feed = block.feed.map(|_| f64::NAN),
@@ -353,7 +361,7 @@ impl Reader {
     /// is another one now.
     fn give_back(&mut self) {
         let Some((kept, feed)) = self.kept else { return };
-        self.modes = Modes { motion: self.modes.motion, cycle: self.modes.cycle, spline: self.modes.spline, ..kept };
+        self.modes = Modes { motion: self.modes.motion, given: self.modes.given, ..kept };
         self.feed = feed;
         self.lengthen(self.lengthened);
     }

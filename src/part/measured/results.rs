@@ -1,4 +1,4 @@
-//! Results that a control printed: `center.x=1.2345`, or `CENTER X= 1.2345` as DPRNT prints it.
+//! Results that a control printed: `center.x=1.2345`, `CENTER X= 1.2345`, or `CENTER X 1.2345` as DPRNT prints it.
 
 use crate::form::Checker;
 use crate::formula::{ResultDef, Unit};
@@ -40,9 +40,29 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     found
 }
 
+/// `CENTER X 1.2345`: the code of a result and its number, and nothing else.
+fn spaced<'a>(line: &'a str, defs: &[ResultDef]) -> Option<Pair<'a>> {
+    let line = line.trim();
+    let begins = |code: &str| {
+        let same = |(a, b): (u8, u8)| a.eq_ignore_ascii_case(&b) || (a == b' ' && b == b'.');
+        line.len() > code.len() && line.bytes().zip(code.bytes()).all(same) && line.as_bytes()[code.len()].is_ascii_whitespace()
+    };
+    let code = defs.iter().map(|def| def.code).filter(|code| begins(code)).max_by_key(|code| code.len())?;
+    let (name, rest) = line.split_at(code.len());
+    let (value, after) = line::number(rest.trim_start())?;
+    after.trim().is_empty().then_some(Pair { name, value: Some(value) })
+}
+
+/// The results that a line says.
+fn stated<'a>(line: &'a str, defs: &[ResultDef]) -> Vec<Pair<'a>> {
+    let pairs = pairs(line);
+    if pairs.is_empty() { spaced(line, defs).into_iter().collect() } else { pairs }
+}
+
 /// Whether a line has a result of this job.
 pub fn known(line: &str, expected: &Expected<'_>) -> bool {
-    pairs(line).iter().any(|pair| expected.path.formula.results.iter().any(|def| ends_with(pair.name, def.code)))
+    let defs = &expected.path.formula.results;
+    stated(line, defs).iter().any(|pair| defs.iter().any(|def| ends_with(pair.name, def.code)))
 }
 
 /// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
@@ -54,7 +74,7 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
             continue;
         }
         let bare = line::without_comments(line);
-        let pairs = pairs(&bare);
+        let pairs = stated(&bare, defs);
         // A single number in the first line is the name of a program.
         let name = i == 0 && !bare.contains(char::is_whitespace);
         if pairs.is_empty() && is_numbers(&bare) && !name {

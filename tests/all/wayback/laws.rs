@@ -88,7 +88,7 @@ fn a_log_gives_what_its_points_give() {
 /// Printed results give rows with these values, as points would.
 #[test]
 fn printed_results_give_their_rows() {
-    law(600, 100, (whole_job(), any::<bool>()), |(job, dprnt)| {
+    law(900, 80, (whole_job(), any::<bool>()), |(job, dprnt)| {
         let Ok(predicted) = plan(&job) else { return Ok(false) };
         let planned = planned(&job).unwrap();
         let defs = planned.path.formula.results.iter().filter(|def| def.variable.is_some());

@@ -39,6 +39,22 @@ fn printed_results_give_rows() {
     }
 }
 
+/// What the programs themselves show: LinuxCNC's messages, a message of a SINUMERIK, its log, and DPRNT.
+#[test]
+fn what_the_programs_show_is_read() {
+    for form in [
+        "center.x=0.1\ncenter.y=0.2\nwidth1=80.04\nwidth2=50",
+        "center.x=0.1 center.y=0.2 width1=80.04 width2=50",
+        "; center.x=0.1\n; center.y=0.2\n; width1=80.04\n; width2=50",
+        "CENTER X     .100\nCENTER Y     .200\nWIDTH1   80.040\nWIDTH2   50.000",
+    ] {
+        let found = measured(&pocket(), form);
+        for (code, wanted) in RESULTS {
+            near(value(&found, code).unwrap(), wanted);
+        }
+    }
+}
+
 /// DPRNT puts the sign in front of the blanks, and no digit in front of the point.
 #[test]
 fn a_sign_stands_before_blanks() {
@@ -115,7 +131,9 @@ fn points_by_their_letters() {
 /// contact: the pocket is 10 wider.
 #[test]
 fn what_linuxcnc_prints_is_read_as_it_comes() {
-    let job = with(&pocket(), "control", crate::common::job(r#"{ "post": "linuxcnc", "protection": "none" }"#));
+    let job =
+        with(&pocket(), "control", crate::common::job(r#"{ "post": "linuxcnc", "protection": "none", "report": "none" }"#));
+    let job = crate::common::unlimited(&job);
     let output = crate::common::canonical(&plan(&job).unwrap().program.text).join("\n");
     let found = measured(&job, &output);
     near(value(&found, "center.x").unwrap(), 0.0);
