@@ -88,7 +88,7 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
         .map(|(i, line)| (i + 1, line.trim()))
         .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
         .collect();
-    let of = |form: Form| lines.iter().find(|(_, line)| Form::of(line) == Some(form)).map(|(number, _)| *number);
+    let of = |form: Form| lines.iter().find(|(_, line)| Form::of(line, expected) == Some(form)).map(|(number, _)| *number);
     let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);
     if log.is_some() {
         // A sender names other values, too.
@@ -128,13 +128,13 @@ enum Form {
 
 impl Form {
     /// None where a line is none of these: plain numbers, or no measurement.
-    fn of(text: &str) -> Option<Form> {
+    fn of(text: &str, expected: &Expected<'_>) -> Option<Form> {
         let bare = line::without_comments(text);
         if bare.contains("PRB:") {
             Some(Form::Log)
         } else if line::letters(&bare).is_some() && !line::is_sent(&bare) {
             Some(Form::Letters)
-        } else if !results::pairs(&bare).is_empty() {
+        } else if !results::pairs(&bare).is_empty() || results::known(&bare, expected) {
             Some(Form::Result)
         } else {
             None
