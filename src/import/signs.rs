@@ -51,7 +51,9 @@ pub fn of(text: &str) -> Option<Sign> {
         if is_linuxcnc(code) {
             return Some(Sign::LinuxCnc);
         }
-        if code.contains('{') || REP_RAP.iter().any(|word| code.contains(word)) {
+        // A brace in front is JSON that is not whole.
+        let braced = code.contains('{') && code.starts_with(|c: char| c.is_ascii_alphabetic());
+        if braced || REP_RAP.iter().any(|word| code.contains(word)) {
             return Some(Sign::RepRap);
         }
         probing = probing.or_else(|| probes(code));
@@ -101,6 +103,9 @@ mod tests {
     fn a_sign_counts_outside_of_comments_and_texts() {
         for (text, sign) in [
             ("(right)\no<a> sub\n", Some(Sign::LinuxCnc)),
+            ("{ \"format\": 1, \"cycle\"", None),
+            ("{{{{", None),
+            ("G1 X{var.x}\n", Some(Sign::RepRap)),
             ("N5 O100 if [#1 EQ 2]\n", Some(Sign::LinuxCnc)),
             ("#<x>=1\n", Some(Sign::LinuxCnc)),
             ("G38.2 Z-5\n#<x>=1\n", Some(Sign::LinuxCnc)),

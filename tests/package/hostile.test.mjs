@@ -29,7 +29,7 @@ test("what JSON cannot say is found", () => {
     change(job);
     return codes(job);
   };
-  const feeds = "format name units plane overtravel stylus feeds control tool part cycle".split(" ");
+  const feeds = "format name units plane overtravel stylus feeds limits machine control tool part cycle".split(" ");
   assert.deepEqual(
     broken((job) => {
       job.cycle.width1 = Number.NaN;

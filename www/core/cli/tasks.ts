@@ -188,7 +188,12 @@ function moves(text: string, format: NonNullable<Task["format"]>, source: string
   const name = (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
   const ending = `-moves.${format === "text" ? "txt" : format}`;
   const out = format === "json" ? movesAsJson(read) : format === "csv" ? movesAsCsv(read) : movesAsText(read);
-  return { output: { name, ending, text: out }, control: null, findings: read.findings, failed: read.kind.length === 0 };
+  return {
+    output: { name, ending, text: out },
+    control: null,
+    findings: read.findings,
+    failed: read.kind.length === 0,
+  };
 }
 
 /** One move as a row: what is not known is NaN. */
