@@ -246,7 +246,7 @@ fn program(seed: u64) -> (String, Vec<bool>) {
         inch: Vec::new(),
         motion: "G0",
     };
-    writer.modes.inch = seed % 3 == 0;
+    writer.modes.inch = seed.is_multiple_of(3);
     let begin = if writer.modes.inch { "G20 G90 G17 F100" } else { "G21 G90 G17 F100" };
     writer.line(begin);
     let first = format!("G0{}", writer.place([0, 0, 80], [true; 3]));
