@@ -215,7 +215,7 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
   const checks = page.locator("tp-checks");
   assert.match(
     await textOf(checks.locator(".proof")),
-    /27 moves match the path, and the arithmetic is right; 13 safety rules hold; 1 this/,
+    /27 moves match the path, and the arithmetic is right; 15 safety rules hold; 1 this/,
   );
   assert.equal(await checks.locator(".checks li").count(), 14);
   assert.match(

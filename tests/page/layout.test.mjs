@@ -75,7 +75,7 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
 }
 
 test("a warning was a closed line in the colour of text: it is counted and read out at the foot of the page", async () => {
-  await field("feeds.work").fill("4000");
+  await field("feeds.work").fill("3000");
   const line = page.locator("tp-findings .verdict");
   assert.match(await textOf(line), /1 warning:\s+\S.*feed/i);
   const colours = await line.evaluate((node) => ({
