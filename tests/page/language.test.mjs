@@ -204,7 +204,10 @@ test("the picture that is saved has the names and numbers of the page's language
   const svg = readFileSync(await download.path(), "utf8");
   const texts = svg.replaceAll(/<\/?tspan[^>]*>/g, "").replaceAll(/\s+/g, " ");
   assert.ok(texts.includes(`>${words["Width 1"]} 80,5<`), "a dimension");
-  assert.ok(svg.includes(`<title>POCKET-80_5X50: ${words["Internal rectangle, protected"]}</title>`), svg.slice(0, 400));
+  assert.ok(
+    svg.includes(`<title>POCKET-80_5X50: ${words["Internal rectangle, protected"]}</title>`),
+    svg.slice(0, 400),
+  );
 });
 
 test("where nothing can be kept, a chosen language lasts as long as the page", async () => {
