@@ -294,3 +294,40 @@ fn every_work_offset_has_its_word() {
         assert!(text.lines().any(|l| l == word) && text.contains(&format!("$P_UIFR[{n},X,TR]=")), "{n}");
     }
 }
+
+/// The way back from a touch can run into the part: here it is led through the opposite wall.
+#[test]
+fn a_way_back_that_meets_the_part_is_a_collision() {
+    let job = job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected" } }"#);
+    let planned = touchpath::job::planned(&job).unwrap();
+    let (mut path, setup) = (planned.path.clone(), planned.job.setup);
+    let run = |path: &touchpath::path::Path| touchpath::part::run(path, &planned.surfaces, &setup).collision;
+    assert_eq!(run(&path), None);
+    let back = path.moves.iter().position(|step| matches!(step.purpose, touchpath::path::Purpose::Back(0))).unwrap();
+    // The walls are 40 mm from the middle: a ball of 6 mm meets the far one with its centre at −37.
+    path.moves[back].to.x = -60.0;
+    let (index, center) = run(&path).expect("the ball meets the far wall");
+    assert_eq!(index, back);
+    assert!((center.x + 37.0).abs() < 1e-6, "{center}");
+}
+
+/// How much the virtual part differs is a length like any other.
+#[test]
+fn sizes_of_the_virtual_part_are_converted_with_the_units() {
+    let job = with(&default_job("hole").unwrap(), "part.sizes.diameter", number(0.254));
+    let inch = touchpath::job::convert_units(&job, "inch").unwrap();
+    let size = |job: &Value| job.get("part").and_then(|part| part.get("sizes")).and_then(|sizes| sizes.get("diameter")).cloned();
+    assert_eq!(size(&inch), Some(number(0.01)));
+    assert_eq!(size(&touchpath::job::convert_units(&inch, "mm").unwrap()), Some(number(0.254)));
+}
+
+/// The object of 1411 is taken to go up half-way to where the ball is free: touched at −10, with a ball of 6 mm free above 20 − 3 = 17, to 3.5.
+#[test]
+fn an_object_of_1411_is_higher_than_its_touches() {
+    let planned = touchpath::job::planned(&default_job("probing-two-circles").unwrap()).unwrap();
+    for surface in &planned.path.surfaces {
+        let touchpath::path::Surface::Round(round) = surface else { panic!("{surface:?}") };
+        assert!((round.center.z - 3.5).abs() < 1e-9, "{round:?}");
+    }
+    assert_eq!(planned.path.surfaces.len(), 2);
+}

@@ -134,7 +134,7 @@ class ResultsPart extends Part {
     const bounds = [this.number(low, digits), this.number(high, digits)] as const;
     const verdict: Said = said.verdict ?? ["–"];
     const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
-    const bad = /^(rework|scrap)/.test(r.verdict ?? "");
+    const bad = /^(rework|scrap|implausible)/.test(r.verdict ?? "");
     return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
@@ -160,7 +160,7 @@ class ResultsPart extends Part {
     const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code> <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
-        ? html` <span class=${/^(rework|scrap)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
+        ? html` <span class=${/^(rework|scrap|implausible)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
         : nothing;
     if (r.unit === "") {
       return measured
