@@ -596,16 +596,17 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else { return Vec::new() };
     let block_of = |line: usize| script.blocks.iter().position(|block| block.line == line).unwrap_or(0);
     let from = block_of(first.line);
+    let mut touches: Vec<usize> = trace.touch_lines().collect();
+    touches.sort_unstable();
     let starts: Vec<usize> = match case.restarts {
         Restarts::Every => (from..script.blocks.len()).collect(),
         Restarts::Telling => {
             /// So many blocks lead up to a write.
             const BEFORE: usize = 6;
-            let mut touches = trace.touch_lines().map(|line| block_of(line) + 1);
             let last = trace.writes.last().map_or(0, |write| block_of(write.line));
             let writing = block_of(write.line).saturating_sub(BEFORE).max(from)..=last;
-            let after: Vec<usize> = touches.next().into_iter().chain(touches.last()).collect();
-            after.into_iter().chain(writing).collect()
+            let after = touches.first().into_iter().chain(touches.last()).map(|line| block_of(*line) + 1);
+            after.chain(writing).collect()
         }
     };
     let empty = vec![script.vacant.unwrap_or(f64::NAN); script.slots];
@@ -614,12 +615,14 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     for (i, (_, slot)) in script.outputs().enumerate() {
         left[slot as usize] += 0.37 + 0.11 * i as f64;
     }
-    let writes = |block: &usize| {
+    let writes = |(i, block): &(usize, &usize)| {
         let left = script.vacant.map(|_| left.as_slice());
-        let mut values = std::iter::once(empty.as_slice()).chain(left);
-        values.any(|values| machine::restarted(script, *begin, trace, *block, values))
+        // The longest way is gone with one of the two.
+        let once = *i == 0 && case.restarts == Restarts::Telling && left.is_some();
+        let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
+        values.any(|values| machine::restarted(script, *begin, (trace, &touches), **block, values))
     };
-    let bad = starts.iter().filter(|block| writes(block)).map(|block| script.blocks[*block].line);
+    let bad = starts.iter().enumerate().filter(writes).map(|(_, block)| block).map(|block| script.blocks[*block].line);
     bad.map(|line| (Some(line), text!("Started again at this line, the program writes though not every touch was made")))
         .collect()
 }

@@ -316,18 +316,19 @@ fn a_way_back_that_meets_the_part_is_a_collision() {
 fn sizes_of_the_virtual_part_are_converted_with_the_units() {
     let job = with(&default_job("hole").unwrap(), "part.sizes.diameter", number(0.254));
     let inch = touchpath::job::convert_units(&job, "inch").unwrap();
-    let size = |job: &Value| job.get("part").and_then(|part| part.get("sizes")).and_then(|sizes| sizes.get("diameter")).cloned();
+    let size =
+        |job: &Value| job.get("part").and_then(|part| part.get("sizes")).and_then(|sizes| sizes.get("diameter")).cloned();
     assert_eq!(size(&inch), Some(number(0.01)));
     assert_eq!(size(&touchpath::job::convert_units(&inch, "mm").unwrap()), Some(number(0.254)));
 }
 
-/// The object of 1411 is taken to go up half-way to where the ball is free: touched at −10, with a ball of 6 mm free above 20 − 3 = 17, to 3.5.
+/// The object of 1411 is taken to go up half-way to where the ball is free: touched at −10, with a ball of 6 mm free above 100 − 3 = 97, to 43.5.
 #[test]
 fn an_object_of_1411_is_higher_than_its_touches() {
     let planned = touchpath::job::planned(&default_job("probing-two-circles").unwrap()).unwrap();
     for surface in &planned.path.surfaces {
         let touchpath::path::Surface::Round(round) = surface else { panic!("{surface:?}") };
-        assert!((round.center.z - 3.5).abs() < 1e-9, "{round:?}");
+        assert!((round.center.z - 43.5).abs() < 1e-9, "{round:?}");
     }
     assert_eq!(planned.path.surfaces.len(), 2);
 }

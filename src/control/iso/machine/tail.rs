@@ -67,13 +67,19 @@ impl Tail {
 }
 
 /// Whether a program that is started at a block, with these values in its variables, changes a work offset though not all of its touches were
-/// made in this run. `trace` is that of the whole program; what touches there touches here, too.
-pub fn restarted(script: &Script<'_>, run: Run, trace: &Trace, block: usize, values: &[f64]) -> bool {
+/// made in this run. `trace` is that of the whole program; what touches there, in these lines in their order, touches here, too.
+pub fn restarted(
+    script: &Script<'_>,
+    run: Run,
+    (trace, touch_lines): (&Trace, &[usize]),
+    block: usize,
+    values: &[f64],
+) -> bool {
     let mut machine = Machine::new(script, Run { strict: true, known: true, ..run });
     machine.state.slots.copy_from_slice(values);
     machine.state.pc = block;
     machine.state.modes = trace.modes;
-    let wanted = trace.touch_lines().count();
+    let wanted = touch_lines.len();
     let mut touched = 0;
     while let Some(own) = script.blocks.get(machine.state.pc) {
         let line = machine.line(own.line);
@@ -91,7 +97,7 @@ pub fn restarted(script: &Script<'_>, run: Run, trace: &Trace, block: usize, val
             Ok(Flow::Wrote(..)) => {}
             Ok(Flow::Moved(words, motion)) => {
                 let Ok(step) = machine.motion(line, words, motion) else { return false };
-                let touches = motion.probes() && trace.touch_lines().any(|touch| touch == line);
+                let touches = motion.probes() && touch_lines.binary_search(&line).is_ok();
                 touched += usize::from(touches);
                 let middle: Place = [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
                 let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
