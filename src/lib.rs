@@ -21,8 +21,8 @@
 //! them); the job's units are converted once on the way in and once on the way out. All frames are right-handed; angles
 //! count counter-clockwise seen against the tool axis.
 //!
-//! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, limits or spindles; the
-//! stylus is a ball without a shaft; and no program made here has been run on a machine by its authors.
+//! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, axis limits or spindles; of the
+//! stylus it knows what the job says; and no program made here has been run on a machine by its authors.
 
 // What only a test or the other target asks for is no dead code: with `internals` the compiler sees all of it as public.
 #![cfg_attr(not(feature = "internals"), allow(dead_code, unused_imports))]
