@@ -566,7 +566,12 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
         let unit = if question.angle { 1.0 } else { case.request.scale };
         asked.push((question, slot, [question.wanted, question.limit].map(|x| x / unit)));
     }
-    // Each result by itself is a little beyond its limit, the others are what they should be; then all are a little within.
+    // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within. A program that was
+    // edited is tried far beyond, too.
+    let beyond: &[f64] = match case.restarts {
+        Restarts::Telling => &[-1.01, 1.01],
+        Restarts::Every => &[-1.01, 1.01, -3.0, 3.0, -1000.0, 1000.0],
+    };
     let outcome = |off: Option<Slot>, share: f64| {
         let value = |(_, slot, [wanted, limit]): &(_, Slot, [f64; 2])| {
             let moved = off.is_none_or(|off| off == *slot);
@@ -576,13 +581,20 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     };
     let mut breaks: Vec<Break> = Vec::new();
     for (question, slot, _) in &asked {
-        if [-1.01, 1.01].iter().any(|share| {
+        if beyond.iter().any(|share| {
             let outcome = outcome(Some(*slot), *share);
             !outcome.stops || outcome.writes
         }) {
             let message = text!("This writes though {code} is off by more than its limit", question.code);
             breaks.push((Some(write.line), message));
         }
+    }
+    let all_beyond = |share: &f64| {
+        let outcome = outcome(None, *share);
+        !outcome.stops || outcome.writes
+    };
+    if !asked.is_empty() && beyond.iter().any(all_beyond) {
+        breaks.push((Some(write.line), text!("This writes though every result is off by more than its limit")));
     }
     if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(None, *share).ends) {
         breaks
@@ -615,14 +627,19 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
     for (i, (_, slot)) in script.outputs().enumerate() {
         left[slot as usize] += 0.37 + 0.11 * i as f64;
     }
-    let writes = |(i, block): &(usize, &usize)| {
+    let mut budget = 4 * machine::BUDGET;
+    let mut writes = |(i, block): &(usize, &usize)| {
         let left = script.vacant.map(|_| left.as_slice());
         // The longest way is gone with one of the two.
         let once = *i == 0 && case.restarts == Restarts::Telling && left.is_some();
         let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
-        values.any(|values| machine::restarted(script, *begin, (trace, &touches), **block, values))
+        values.any(|values| machine::restarted(script, *begin, (trace, &touches), (**block, values), &mut budget))
     };
-    let bad = starts.iter().enumerate().filter(writes).map(|(_, block)| block).map(|block| script.blocks[*block].line);
+    let bad: Vec<&usize> = starts.iter().enumerate().filter(|start| writes(start)).map(|(_, block)| block).collect();
+    if budget == 0 {
+        return vec![(Some(write.line), text!("The program is too long to be started again at each of its blocks"))];
+    }
+    let bad = bad.into_iter().map(|block| script.blocks[*block].line);
     bad.map(|line| (Some(line), text!("Started again at this line, the program writes though not every touch was made")))
         .collect()
 }

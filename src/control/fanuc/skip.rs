@@ -405,12 +405,10 @@ impl Moves for Skip<'_> {
         // A program that is started in its middle finds no count and no changes, and writes nothing.
         let count = variable(self.count());
         w.line(&format!("IF [{count} NE {}] GOTO {INCOMPLETE}", self.request.path.touches.len()));
+        w.line(&format!("{count}=0"));
         for (axis, change) in &changed {
             let origin = format!("#{}", origin(number, self.flavour.more_origins) + axis);
             w.line(&format!("{origin}={origin}+{change}"));
-        }
-        w.line(&format!("{count}=0"));
-        for (_, change) in &changed {
             w.line(&format!("{change}=0"));
         }
         w.line(&(self.request.post.work_offset_word)(number));

@@ -513,11 +513,9 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     w.line(&format!("IF R{touches}<>{} GOTOF TP_INCOMPLETE", request.path.touches.len()));
     let parts = [(ca, a, "TR"), (co, o, "TR"), (ct, tool, "TR"), (turns, tool, "RT")];
     let changed = parts.iter().zip(changes(datum)).filter(|(_, changes)| *changes).map(|(part, _)| *part);
-    for (register, axis, part) in changed.clone() {
-        w.line(&format!("{0}={0}+R{register}", frame(axis, part)));
-    }
     w.line(&format!("R{touches}=0"));
-    for (register, ..) in changed {
+    for (register, axis, part) in changed {
+        w.line(&format!("{0}={0}+R{register}", frame(axis, part)));
         w.line(&format!("R{register}=0"));
     }
     w.line(&(DEF.work_offset_word)(n));

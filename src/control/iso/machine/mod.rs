@@ -15,7 +15,7 @@ use crate::geom::Plane;
 use crate::text::{Text, text};
 
 /// How much is done for one program: blocks, the numbers and signs of their formulas, and copies of its variables at its motions. A second or so.
-const BUDGET: usize = 20_000_000;
+pub const BUDGET: usize = 20_000_000;
 
 /// What a motion counts for: it is kept.
 const MOTION: usize = 20;
@@ -143,7 +143,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     let mut scratch = State::default();
     let mut tail = Tail::default();
     // The way that the last condition since the last motion did not go, and the alarm after which it was gone all the same.
-    let mut fork: Option<State> = None;
+    let (mut forks, mut fork) = (false, State::default());
     let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.what, What::Words(_)) {
@@ -153,12 +153,15 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
         let at = machine.state.pc;
         let flow = machine.step()?;
         match &block.what {
-            What::Set(slot, _) if marks.contains(slot) => tail.keep(&machine.state),
+            What::Set(slot, _) if marks.contains(slot) => {
+                machine.spend(1 + script.slots / 8);
+                tail.keep(&machine.state);
+            }
             What::JumpIf(_, target) | What::JumpUnless(_, target) => {
-                let mut other = State::default();
-                other.become_like(&machine.state);
-                other.pc = if machine.state.pc == at + 1 { *target } else { at + 1 };
-                fork = Some(other);
+                machine.spend(1 + script.slots / 8);
+                forks = true;
+                fork.become_like(&machine.state);
+                fork.pc = if machine.state.pc == at + 1 { *target } else { at + 1 };
             }
             _ => {}
         }
@@ -173,10 +176,11 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
             }
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
             // What the touches read here is no good part: a result that the program takes for a fault is none.
-            Flow::Alarm if fork.is_some() => {
-                machine.spend(MOTION);
+            Flow::Alarm if forks && (!marks.is_empty() || !run.strict) => {
+                machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
-                fork.take().into_iter().for_each(|other| machine.state = other);
+                forks = false;
+                machine.state.become_like(&fork);
             }
             Flow::Alarm => return Err(trouble(line, stops())),
             Flow::End => {
@@ -187,7 +191,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
                 if let Some(line) = implausible.filter(|_| run.strict) {
                     return Err(trouble(line, stops()));
                 }
-                fork = None;
+                forks = false;
                 let modes = machine.state.modes;
                 let first = *machine.first.get_or_insert(modes);
                 trace.modes = first;

@@ -67,45 +67,57 @@ impl Tail {
 }
 
 /// Whether a program that is started at a block, with these values in its variables, changes a work offset though not all of its touches were
-/// made in this run. `trace` is that of the whole program; what touches there, in these lines in their order, touches here, too.
+/// made in this run. All restarts share what is `left` to be done. `trace` is that of the whole program; what touches there, in these lines in their order, touches here, too.
 pub fn restarted(
     script: &Script<'_>,
     run: Run,
     (trace, touch_lines): (&Trace, &[usize]),
-    block: usize,
-    values: &[f64],
+    (block, values): (usize, &[f64]),
+    left: &mut usize,
 ) -> bool {
     let mut machine = Machine::new(script, Run { strict: true, known: true, ..run });
     machine.state.slots.copy_from_slice(values);
     machine.state.pc = block;
     machine.state.modes = trace.modes;
-    let wanted = touch_lines.len();
-    let mut touched = 0;
-    while let Some(own) = script.blocks.get(machine.state.pc) {
-        let line = machine.line(own.line);
-        let flow = machine.step();
-        // A variable that nothing has set is an error where the control does not keep them.
-        if let What::Set(slot, _) = own.what
-            && script.vacant.is_none()
-            && machine.state.slots[slot as usize].is_nan()
-        {
-            return false;
-        }
-        match flow {
-            Ok(Flow::Next | Flow::Output(..)) => {}
-            Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
-            Ok(Flow::Wrote(..)) => {}
-            Ok(Flow::Moved(words, motion)) => {
-                let Ok(step) = machine.motion(line, words, motion) else { return false };
-                let touches = motion.probes() && touch_lines.binary_search(&line).is_ok();
-                touched += usize::from(touches);
-                let middle: Place = [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
-                let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
-                machine.arrive(step.to, met);
+    machine.left.set(*left);
+    let writes = machine.writes_too_early(touch_lines);
+    *left = machine.left.get().saturating_sub(1 + script.slots / 8);
+    writes
+}
+
+impl Machine<'_, '_> {
+    /// Goes on to the end, or to a change of a work offset before as many touches as these.
+    fn writes_too_early(&mut self, touch_lines: &[usize]) -> bool {
+        let script = self.script;
+        let machine = self;
+        let wanted = touch_lines.len();
+        let mut touched = 0;
+        while let Some(own) = script.blocks.get(machine.state.pc) {
+            let line = machine.line(own.line);
+            let flow = machine.step();
+            // A variable that nothing has set is an error where the control does not keep them.
+            if let What::Set(slot, _) = own.what
+                && script.vacant.is_none()
+                && machine.state.slots[slot as usize].is_nan()
+            {
+                return false;
             }
-            // The control, or the program itself, stops.
-            Ok(Flow::Alarm | Flow::End | Flow::Native) | Err(_) => return false,
+            match flow {
+                Ok(Flow::Next | Flow::Output(..)) => {}
+                Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
+                Ok(Flow::Wrote(..)) => {}
+                Ok(Flow::Moved(words, motion)) => {
+                    let Ok(step) = machine.motion(line, words, motion) else { return false };
+                    let touches = motion.probes() && touch_lines.binary_search(&line).is_ok();
+                    touched += usize::from(touches);
+                    let middle: Place = [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
+                    let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
+                    machine.arrive(step.to, met);
+                }
+                // The control, or the program itself, stops.
+                Ok(Flow::Alarm | Flow::End | Flow::Native) | Err(_) => return false,
+            }
         }
+        false
     }
-    false
 }
