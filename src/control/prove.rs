@@ -5,7 +5,7 @@ use crate::control::iso::script::{Script, Slot};
 use crate::control::safety::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
-use crate::formula::{Dual, Variable};
+use crate::formula::{Dual, Role, Variable};
 use crate::geom::Vec3;
 use crate::path::{Arc, Move, Purpose, Touch};
 use crate::text::{Text, text, words};
@@ -116,18 +116,14 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         run,
         &mut |step: &Step| {
             if part == Part::Unknown {
-                return Met::Unknown;
+                return expected.meets(step, &triggers).unwrap_or(Met::Unknown);
             }
             let Some((k, (begin, end))) = expected.touches.get(next) else { return Met::Nothing };
             if !(expected.near(step.to, *end) && expected.near(step.from, *begin)) {
                 return Met::Nothing;
             }
             next += 1;
-            // The axes stop on the line that the program commands, rounded as it is.
-            let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
-            let trigger = triggers[*k] / request.scale;
-            let along = (trigger - from).dot((to - from).normalize_or_zero());
-            Met::Something((from + (to - from).normalize_or_zero() * along).to_array(), trigger.to_array())
+            expected.contact(step, triggers[*k])
         },
         &marks,
     )
@@ -217,6 +213,20 @@ impl Expected {
 
     fn place(&self, place: Vec3) -> Place {
         (place / self.scale).to_array()
+    }
+
+    /// What a motion of a program that may be another one meets, where it is one of the touches.
+    fn meets(&self, step: &Step, triggers: &[Vec3]) -> Option<Met> {
+        let own = |touch: &&(usize, (Place, Place))| self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0);
+        let (k, _) = self.touches.iter().find(own)?;
+        Some(self.contact(step, triggers[*k]))
+    }
+
+    /// A contact: the axes stop on the line that the program commands, rounded as it is.
+    fn contact(&self, step: &Step, trigger: Vec3) -> Met {
+        let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
+        let (trigger, way) = (trigger / self.scale, (to - from).normalize_or_zero());
+        Met::Something((from + way * (trigger - from).dot(way)).to_array(), trigger.to_array())
     }
 
     /// The place as the program writes it, to its last digit.
@@ -356,6 +366,9 @@ fn words(kind: Kind) -> &'static str {
     }
 }
 
+/// So much a residual may differ from the formula's, in mm: far less than any limit a shop sets.
+const RESIDUAL_ERROR: f64 = 1e-3;
+
 /// The program's own arithmetic, and what it writes, on the triggers of the proof.
 fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> {
     let (path, trace, expected) = (request.path, &followed.trace, &followed.expected);
@@ -369,8 +382,13 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     let mut given = trace.outputs.iter();
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
+        let same = |x: f64| match result.role {
+            // At 0 it has no derivative, so that nothing is known of how its errors grow.
+            Role::Residual if value.value.is_finite() => (x * unit - value.value).abs() <= RESIDUAL_ERROR,
+            _ => equal(x, value, unit, expected.size),
+        };
         match given.next() {
-            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && equal(*x, value, unit, expected.size) => {}
+            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && same(*x) => {}
             Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
                 return Err(Fault::of(text!("the program's {code} differs from the formula's", code.clone())));
             }

@@ -1,7 +1,7 @@
 //! Where a program goes where a probing move, or the probe itself, does not do as on the path: to an exit, or on.
 
 use super::{Flow, Machine, Run, State};
-use crate::control::iso::script::{Motion, Script, Trouble};
+use crate::control::iso::script::{Motion, Script, Trouble, What};
 use crate::control::trace::{Ending, Place};
 
 /// The most blocks that are followed after a probing move that went the other way: an exit is short.
@@ -50,9 +50,15 @@ impl Machine<'_, '_> {
     fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
         let (deflected, mut probes) = (probe != Probe::Free, 0);
+        // An exit computes nothing. Of a program of someone else it is not known what its results should be: an alarm after them is none of the move.
+        const COMPUTES: usize = 2;
+        let mut computed = 0;
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
+            if let What::Set(_, value) = block.what {
+                computed += usize::from(self.script.number(value).is_none());
+            }
             let flow = match self.step() {
                 // What is refused may go on: it is no stop of the control.
                 Err(_) if self.refused.take() => return Ok(Ending::GoesOn),
@@ -62,6 +68,7 @@ impl Machine<'_, '_> {
                 Flow::Next | Flow::Output(..) => {}
                 Flow::Wrote(..) => writes = true,
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
+                Flow::Alarm if !self.run.strict && computed >= COMPUTES => return Ok(Ending::GoesOn),
                 Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
                 Flow::Moved(words, motion) => {
                     let from = self.state.at;

@@ -46,8 +46,11 @@ impl Tail {
         &self.end
     }
 
-    /// The end of the program where variables hold these values.
+    /// The end of the program where variables hold these values: nothing, where the program never came to its results.
     pub fn outcome(&self, script: &Script<'_>, run: Run, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
+        if !self.begun {
+            return Outcome::default();
+        }
         let mut machine = Machine::new(script, run);
         machine.state.become_like(&self.state);
         values.for_each(|(slot, value)| machine.state.slots[slot as usize] = value);
