@@ -190,6 +190,8 @@ struct Expected {
     digit: f64,
     /// How many last digits a unit has.
     steps: f64,
+    /// The largest distance of a touch from the origin, mm.
+    far: f64,
     /// By how much rounded constants may move a place that is as far from the origin as the touches, mm.
     size: f64,
     /// The touches in the order of the path: which one, and begin and end of its probing move.
@@ -203,7 +205,7 @@ impl Expected {
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let digit = request.post.half_digit(request.scale);
         let steps = 10f64.powi(request.post.decimals(request.scale) as i32);
-        let mut expected = Expected { scale: request.scale, digit, steps, size, touches: Vec::new() };
+        let mut expected = Expected { scale: request.scale, digit, steps, far, size, touches: Vec::new() };
         for (k, from, step) in path.searches() {
             let end = expected.place(search_end(step, &path.touches[k]));
             expected.touches.push((k, (expected.place(from.unwrap_or(Vec3::NAN)), end)));
@@ -366,8 +368,8 @@ fn words(kind: Kind) -> &'static str {
     }
 }
 
-/// So much a residual may differ from the formula's, in mm: far less than any limit a shop sets.
-const RESIDUAL_ERROR: f64 = 1e-3;
+/// The root of what is left where sums of squares cancel: some digits of a double, of the largest place.
+const CANCELLED: f64 = 1e-7;
 
 /// The program's own arithmetic, and what it writes, on the triggers of the proof.
 fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> {
@@ -383,8 +385,10 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
         let same = |x: f64| match result.role {
-            // At 0 it has no derivative, so that nothing is known of how its errors grow.
-            Role::Residual if value.value.is_finite() => (x * unit - value.value).abs() <= RESIDUAL_ERROR,
+            // A root mean square moves no more than its places do; at 0 it has no derivative that would say so.
+            Role::Residual if value.value.is_finite() => {
+                (x - value.value / unit).abs() <= expected.size + CANCELLED * expected.far
+            }
             _ => equal(x, value, unit, expected.size),
         };
         match given.next() {

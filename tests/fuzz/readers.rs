@@ -97,14 +97,15 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
     if let Ok(rows) = evaluate(job, &Value::Text(text.clone())) {
         // The direction of a wall through touches a thousandth apart has the last decimals of the triggers in it.
         let noise = 1e-9 / nearest(&triggers).max(1e-9);
+        let far = triggers.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
         // A verdict hangs on values that the last decimals of the triggers may have moved over their limit.
         let judged = plan.results.iter().zip(&rows).filter(|(shown, _)| shown.verdict.is_some() && !shown.unit.is_empty());
         let moved = judged.filter_map(|(a, b)| Some((a.value? - b.value?).abs())).fold(0.0, f64::max);
         for (shown, read) in plan.results.iter().zip(&rows) {
             let same = match (shown.value, read.value) {
                 _ if shown.unit.is_empty() && moved > 2e-8 => shown.value.is_some() == read.value.is_some(),
-                // The root of a difference of large sums.
-                (Some(a), Some(b)) if shown.code.starts_with("residual") => (a - b).abs() <= 1e-3 + noise,
+                // The root of what is left where sums of squares cancel.
+                (Some(a), Some(b)) if shown.code.starts_with("residual") => (a - b).abs() <= 1e-6 + noise + 1e-7 * far,
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()) + noise,
                 (a, b) => a.is_some() == b.is_some(),
             };
