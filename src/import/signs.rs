@@ -115,7 +115,6 @@ mod tests {
             ("(A) (B) G31 Z-5. (G38.2)\n", Some(Sign::LikeFanuc)),
             ("0  BEGIN PGM A MM\n", Some(Sign::Klartext)),
             ("if {param.X} > 3\n", Some(Sign::RepRap)),
-            ("G1 X{var.x}\n", Some(Sign::RepRap)),
             ("var x = param.X\n", Some(Sign::RepRap)),
             ("G38 X1\nG310 X1\n(G38.2 #<x> {)\n; G31\n\"G31\"\nO100\nG1 X5\n", None),
         ] {

@@ -559,3 +559,41 @@ fn and_beside_a_comparison_needs_brackets() {
     assert_eq!(import(text).unwrap().trace.unwrap().moves[0].to[0], Some(1.0));
     assert_eq!(interpret_until_stop(&format!("G21\n{text}")).0.moves[0].to[0], 1.0);
 }
+
+/// The fuzzer's: a program that writes and ends before it has results has no values to try the rest of it with.
+#[test]
+fn a_program_that_writes_before_its_results_was_a_panic() {
+    for (post, writes) in [("linuxcnc", "G10"), ("sinumerik", "$P_UIFR"), ("fanuc", "#5221="), ("haas", "#5221=")] {
+        let job = default_job("internal-rectangle-protected").unwrap();
+        let job = with(&with(&job, "control.post", Value::Text(post.to_owned())), "control.workOffset", Value::Number(1.0));
+        let text = planned(&job).program.text;
+        let lines: Vec<&str> = text.lines().collect();
+        let first = lines.iter().position(|line| line.starts_with('G')).unwrap();
+        let write = lines.iter().find(|line| line.starts_with(writes)).unwrap();
+        for at in (first..lines.len() - 1).step_by(7) {
+            let cut = [&lines[..at], &[write, "M30"], &lines[at..]].concat().join("\n") + "\n";
+            assert_ne!(said(&cut), [""; 0], "{post} line {at}");
+        }
+    }
+}
+
+/// A thousandth of a millimetre was granted to a residual, whatever the size of the part.
+#[test]
+fn a_residual_that_is_off_by_half_a_micrometre_is_not_proven() {
+    let boss = with(&default_job("boss").unwrap(), "control.post", Value::Text("fanuc".to_owned()));
+    let text = planned(&boss).program.text;
+    let last = text.lines().find(|line| line.starts_with("#104=")).unwrap();
+    assert_eq!(said(&text), [""; 0]);
+    for more in ["+0.0005", "-0.0005", "*1.001"] {
+        assert_ne!(said(&text.replacen(last, &format!("{last}{more}"), 1)), [""; 0], "{last}{more}");
+    }
+}
+
+/// Touches hundreds of millimetres apart: the root of their scatter is held against what sums of that size leave of it.
+#[test]
+fn a_corner_with_a_long_wall_was_not_proven() {
+    let job =
+        job(r#"{ "format": 1, "plane": "G18", "cycle": { "type": "double-wall-internal-corner", "clearance1": 50.499210021065,
+        "count2": 3, "step1": 343, "step2": 244, "feedDistance": 262 } }"#);
+    assert!(planned(&job).program.proof.is_some());
+}
