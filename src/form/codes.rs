@@ -211,7 +211,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("unknown-parameter", "A program has a parameter that its cycle does not know."),
     ("unknown-result", "A text gives a result that the job does not have."),
     ("unknown-type", "A dump has a type number that is not known."),
-    ("unknown-value", "A word is none of those that are allowed."),
+    ("unknown-value", "The value is not one of those allowed."),
     ("unreadable", "A value cannot be read at all, as a revoked proxy in JavaScript."),
     ("unsafe-program", "A program moves unwatched, or lacks a check."),
     ("unusable", "The form cannot show a job: the message says which part of it."),
