@@ -29,6 +29,9 @@ test("what JSON cannot say is found", () => {
     change(job);
     return codes(job);
   };
+  /** What the job says as it is. */
+  const said = codes(pocket());
+  assert.deepEqual(said, ["stylus-not-known stylus.length"]);
   const feeds = "format name units plane overtravel stylus feeds limits machine control tool part cycle".split(" ");
   assert.deepEqual(
     broken((job) => {
@@ -82,11 +85,11 @@ test("what JSON cannot say is found", () => {
     broken((job) => {
       job.feeds.approach = undefined;
     }),
-    [],
+    said,
   );
   assert.deepEqual(
     broken((job) => Object.assign(job, { [Symbol("mine")]: 1 })),
-    [],
+    said,
   );
 });
 
