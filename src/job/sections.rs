@@ -138,7 +138,7 @@ form! {
         shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the probe body above the stylus. Empty: not known.
         body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
-        /// How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known.
+        /// Half of what a dial at the ball shows in a turn. Adds to the uncertainty of results unless the spindle is oriented. Empty: not known.
         runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
     }
 }

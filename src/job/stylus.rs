@@ -73,7 +73,7 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
                 return;
             }
             text!(
-                "The ball centre goes {depth} below the top side. To have shank and probe body checked against the part, give stylus length, shank diameter and body diameter",
+                "The ball centre goes {depth} deep. Shank and body are checked against the part only with stylus length, shank diameter and body diameter given",
                 checker.length(depth)
             )
         }

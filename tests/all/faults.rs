@@ -186,7 +186,7 @@ fn the_ball_meets_the_corners_other_wall_first() {
             r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "angle": 160, "clearance1": 15, "clearance2": {clearance} }} }}"#
         ))
     };
-    for kind in ["double-wall-internal-corner", "triple-wall-internal-corner"] {
+    for kind in ["double-wall-internal-corner", "double-wall-internal-corner"] {
         let finding = check(&corner(kind, 14.2)).into_iter().find(|f| f.level == Level::Error).unwrap();
         assert_eq!((finding.code.as_str(), finding.path.as_str()), ("touch-beyond-corner", "cycle.clearance2"), "{kind}");
         assert!(finding.message.contains("meet wall 2 first"), "{}", finding.message);
@@ -331,4 +331,121 @@ fn an_object_of_1411_is_higher_than_its_touches() {
         assert!((round.center.z - 43.5).abs() < 1e-9, "{round:?}");
     }
     assert_eq!(planned.path.surfaces.len(), 2);
+}
+
+/// A nominal place left of the origin is taken off with its own sign: −50 is asked as `#…-[-50.]`.
+#[test]
+fn a_negative_nominal_place_is_asked_with_its_sign() {
+    for post in ["fanuc", "haas"] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": 40, "origin": [-50, 0, 0] }}, "limits": {{ "position": 1 }},
+            "control": {{ "post": "{post}", "workOffset": 1 }} }}"#
+        ));
+        for (off, alarms) in [(0.0, false), (0.9, false), (-1.2, true)] {
+            let plan = planned(&job);
+            let mut control = crate::common::fanuc::Control::new(post == "haas", false);
+            let places = plan.triggers.iter().flatten();
+            // The first two touches are along X.
+            control.contacts = places.enumerate().map(|(i, [x, y, z])| [x + if i < 2 { off } else { 0.0 }, *y, *z]).collect();
+            for origin in [5221, 5222, 5223] {
+                control.variables.insert(origin, 100.0);
+            }
+            control.run(&plan.program.text).unwrap();
+            assert_eq!(control.alarm.is_some(), alarms, "{post}, {off} mm off: {:?}", control.alarm);
+            assert_eq!(control.writes.is_empty(), alarms, "{post}, {off} mm off");
+        }
+    }
+}
+
+/// Five digits in front of the point and three behind it, or four and four: what the controls themselves show.
+#[test]
+fn a_log_has_the_decimals_of_its_unit() {
+    for (units, digits) in [("mm", "[53]]"), ("inch", "[44]]")] {
+        for post in ["fanuc", "haas"] {
+            let job = job(&format!(
+                r#"{{ "format": 1, "units": "{units}", "cycle": {{ "type": "hole" }}, "control": {{ "post": "{post}", "report": "log" }} }}"#
+            ));
+            let text = planned(&job).program.text;
+            let lines: Vec<&str> = text.lines().filter(|line| line.contains("DPRNT[")).collect();
+            assert!(lines.len() >= 3 && lines.iter().all(|line| line.ends_with(digits)), "{units}: {lines:?}");
+        }
+    }
+}
+
+/// 20 +0.9 −0.1: the middle is 20.4, and the nominal diameter is 0.4 off that. With 0.3 for sizes, 19.7 to 21.1 are plausible.
+#[test]
+fn the_nominal_part_is_plausible_whatever_the_middle_of_its_zone() {
+    for (diameter, implausible) in [(0.0, false), (1.05, false), (-0.25, false), (1.15, true), (-0.35, true)] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "diameter1": "20+0.9-0.1" }}, "limits": {{ "size": 0.3 }},
+            "control": {{ "post": "linuxcnc", "form": "moves" }}, "part": {{ "sizes": {{ "diameter1": {diameter} }} }} }}"#
+        ));
+        assert_eq!(codes(&job).contains(&"implausible".to_owned()), implausible, "{diameter}: {:?}", codes(&job));
+    }
+}
+
+/// A part that is turned by more than the limit of angles stops the program, though its own angle is right.
+#[test]
+fn a_direction_has_the_limit_of_angles() {
+    for (rotation, implausible) in [(0.9, false), (1.1, true), (-1.1, true)] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "double-wall-internal-corner" }}, "control": {{ "post": "linuxcnc", "workOffset": 1 }},
+            "part": {{ "rotation": {rotation} }} }}"#
+        ));
+        assert_eq!(codes(&job).contains(&"implausible".to_owned()), implausible, "{rotation}: {:?}", codes(&job));
+    }
+}
+
+/// A printer's limits of its axes: what is known of an axis that such a code does not name stays known.
+#[test]
+fn limits_of_an_axis_forget_no_other() {
+    for code in ["M92", "M201", "M203", "M208", "M566"] {
+        let path = touchpath::import::read_program(&format!("G21 G90\nG1 X1 Y2 Z3 F100\n{code} X900\nG1 Z9\n"), None);
+        let end = path.end(path.len() - 1);
+        assert!(end.x.is_nan() && (end.y, end.z) == (2.0, 9.0), "{code}: {end}");
+        assert_eq!(path.len(), 2, "{code}");
+    }
+}
+
+/// G110 to G112 of a SINUMERIK set the pole: they move nothing, and what is known of the axes stays known.
+#[test]
+fn a_pole_forgets_no_place() {
+    for code in ["G110", "G111", "G112"] {
+        let text = format!("G71 G90\nG1 X1 Y2 Z3 F100\n{code} X40 Y50\nG1 Z9\n");
+        let path = touchpath::import::read_program(&text, Some("sinumerik"));
+        assert_eq!(path.end(path.len() - 1).to_array(), [1.0, 2.0, 9.0], "{code}");
+        assert_eq!(path.len(), 2, "{code}");
+    }
+}
+
+/// What grbl reports where the walls of a job stand as its virtual part has them, and the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
+fn grbl_log(job: &Value, chip: f64) -> String {
+    let touches = planned(job).triggers.into_iter().flatten().enumerate();
+    let line = |(i, [x, y, z]): (usize, [f64; 3])| {
+        format!("[PRB:{:.3},{:.3},{:.3}:1]\n", x - 200.0 - if i == 0 { chip } else { 0.0 }, y - 150.0, z - 60.0)
+    };
+    format!("G54\nWCO:-200.000,-150.000,-60.000\n{}", touches.map(line).collect::<String>())
+}
+
+/// The codes of what is said of a log, and whether there is a block to type.
+fn said_of(job: &Value, log: &str) -> (Vec<String>, bool) {
+    let found = touchpath::job::measure(job, &text(log)).unwrap();
+    (found.findings.into_iter().map(|f| f.code).collect(), found.block.is_some())
+}
+
+/// A 4 mm chip on a wall makes a width of 76 for 80: such a place is not typed into a work offset.
+#[test]
+fn an_implausible_measurement_has_no_block() {
+    let pocket = job(r#"{ "format": 1, "control": { "post": "grbl" }, "cycle": { "type": "internal-rectangle" } }"#);
+    assert_eq!(said_of(&pocket, &grbl_log(&pocket, 0.0)), (vec!["converted".to_owned(), "block-to-type".to_owned()], true));
+    assert_eq!(said_of(&pocket, &grbl_log(&pocket, 4.0)), (vec!["converted".to_owned(), "no-block".to_owned()], false));
+}
+
+/// grbl has no rotation: a corner that is turned is right at one place only, and that is said.
+#[test]
+fn a_rotation_that_is_not_typed_is_mentioned() {
+    let corner = job(r#"{ "format": 1, "control": { "post": "grbl" }, "cycle": { "type": "double-wall-internal-corner" },
+        "part": { "rotation": 0.5 } }"#);
+    let wanted = ["converted", "block-to-type", "rotation-not-written"].map(str::to_owned).to_vec();
+    assert_eq!(said_of(&corner, &grbl_log(&corner, 0.0)), (wanted, true));
 }

@@ -126,6 +126,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       const { defaultJob, plan } = await import("touchpath");
       const job = defaultJob("internal-rectangle-protected");
       Object.assign(job.cycle, { width1: 64.5 });
+      job.name = "POCKET-64.5X50";
       const shown = () =>
         run(() => {
           const root = document.querySelector("touch-path")?.shadowRoot;
@@ -155,6 +156,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       assert.ok((await drawn("canvas.over")) > 0, "the ball is at the first touch");
       await press("Undo");
       Object.assign(job.cycle, { width1: 80 });
+      job.name = "POCKET-80X50";
       await run(() => /** @type {any} */ (document.querySelector("touch-path")).app.updateComplete);
       assert.equal(`${await shown()}\n`, plan(job).program.text);
       const png = await ask("GET", "/screenshot");

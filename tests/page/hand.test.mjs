@@ -217,7 +217,7 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
     await textOf(checks.locator(".proof")),
     /27 moves match the path, and the arithmetic is right; 15 safety rules hold; 1 this/,
   );
-  assert.equal(await checks.locator(".checks li").count(), 14);
+  assert.equal(await checks.locator(".checks li").count(), 16);
   assert.match(
     await textOf(checks.locator(".checks li", { hasText: "Every missed touch leads to the same exit" })),
     /G38\.2 itself stops the program with an error where the ball stands/,

@@ -77,7 +77,7 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
 test("a warning was a closed line in the colour of text: it is counted and read out at the foot of the page", async () => {
   await field("feeds.work").fill("3000");
   const line = page.locator("tp-findings .verdict");
-  assert.match(await textOf(line), /1 warning:\s+\S.*feed/i);
+  assert.match(await textOf(line), /1 warning, 1 note:\s+\S.*feed/i);
   const colours = await line.evaluate((node) => ({
     own: getComputedStyle(node).color,
     text: getComputedStyle(/** @type {Element} */ (node.closest(".frame"))).color,
@@ -388,7 +388,7 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
         );
         const beyond = await page.locator("tp-form").evaluate((form) => {
           const right = form.getBoundingClientRect().left + form.clientWidth + 1;
-          const boxes = [...form.querySelectorAll(".group *")];
+          const boxes = [...form.querySelectorAll(".group *")].filter((box) => !box.closest(".unseen"));
           return boxes
             .filter((box) => box.getBoundingClientRect().right > right)
             .map((box) => box.outerHTML.slice(0, 90));

@@ -601,7 +601,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       };
       assert.deepEqual(await violations(), []);
       await field("cycle.depth").fill("-1");
-      await field("feeds.work").fill("4000");
+      await field("feeds.work").fill("1500");
       assert.deepEqual(await violations(), []);
       await field("cycle.depth").fill("10");
       await field("cycle.type").selectOption("probing-two-circles");

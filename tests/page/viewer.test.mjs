@@ -97,7 +97,7 @@ async function held() {
 test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
   await field("cycle.width1").fill("90");
   const verdict = page.locator("footer");
-  assert.match(await textOf(verdict), /No problems found/);
+  assert.match(await textOf(verdict), /1 note: The ball centre goes 10 mm deep/);
   await openText("G21 G90\nG0 X0 Y0 Z50\nG1 Z-500 F500\nM30\n", "deep.ngc");
   await page.locator("tp-viewer").waitFor();
   assert.doesNotMatch(await textOf(verdict), /No problems|27 moves/);
@@ -118,7 +118,7 @@ test("an opened program stood under “No problems found”, and Save handed out
   await page.getByRole("button", { name: "More" }).focus();
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor({ state: "detached" });
-  assert.match(await textOf(verdict), /No problems found/);
+  assert.match(await textOf(verdict), /1 note: The ball centre goes 10 mm deep/);
   assert.ok(await saveButton().isEnabled());
   assert.equal(await field("cycle.width1").inputValue(), "90");
   assert.equal(saved(), 0);
@@ -132,7 +132,7 @@ test("Tool lengths stood over “No problems found” with a Save beside it: tha
   const saved = await held();
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Back to the job" }).click();
-  assert.match(await textOf(page.locator("footer")), /No problems found/);
+  assert.match(await textOf(page.locator("footer")), /1 note: The ball centre goes 10 mm deep/);
   assert.ok(await saveButton().isEnabled());
   assert.equal(await field("cycle.width1").inputValue(), "90");
   assert.equal(saved(), 0);
