@@ -289,7 +289,11 @@ test("a long text is read in a worker of the page's own, with the same answer as
   await until("cycle.type", "hole");
   assert.equal(workers.length, 1);
   assert.match(workers[0] ?? "", /\/assets\/reader-[^/]+\.js$/);
-  assert.deepEqual(await page.locator(".note").allTextContents(), [], "nothing is left of what was said while it was read");
+  assert.deepEqual(
+    await page.locator(".note").allTextContents(),
+    [],
+    "nothing is left of what was said while it was read",
+  );
   // What is wrong with a text is said as it always is.
   const wrong = `${" ".repeat(300_000)}{"format":2,"cycle":{"type":"hole"}}`;
   await openText(wrong);

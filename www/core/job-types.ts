@@ -626,7 +626,7 @@ export interface Job {
     shank?: number | null;
     /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
     body?: number | null;
-    /** How far the ball centre is off the spindle axis: half of what a dial shows in a turn. It counts in the uncertainty of every result, unless the spindle is turned to the angle of calibration. Empty: not known. `null`: not known. */
+    /** Half of what a dial at the ball shows in a turn. Adds to the uncertainty of results unless the spindle is oriented. Empty: not known. `null`: not known. */
     runout?: number | null;
   };
   feeds?: {

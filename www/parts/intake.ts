@@ -198,7 +198,10 @@ export class Intake {
       );
       return true;
     }
-    const notes = reading.findings.filter((f) => f.level !== "error").map((f) => this.store.say(f.said));
+    // What the job itself says is read at the foot.
+    const ofJob = new Set(this.store.findings.map((f) => f.message));
+    const news = reading.findings.filter((f) => f.level !== "error" && !ofJob.has(f.message));
+    const notes = news.map((f) => this.store.say(f.said));
     this.page.showJob();
     this.page.tell(notes.length > 1 ? notes.map((note) => `• ${note}`).join("\n") : (notes[0] ?? ""));
     return true;
