@@ -62,6 +62,7 @@ pub struct CycleDef {
     /// The steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
     /// What is our reading and not the source's word, for the manual.
+    #[cfg_attr(not(test), allow(dead_code, reason = "the documents are generated from it"))]
     pub readings: &'static [&'static str],
     /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
     pub place: Option<PlaceBy>,

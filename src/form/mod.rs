@@ -14,18 +14,9 @@ pub use codes::CODES;
 pub use finding::{Finding, Level};
 pub use value::Value;
 
-#[cfg(feature = "internals")]
-pub use inside::*;
-#[cfg(not(feature = "internals"))]
-pub(crate) use inside::*;
-
-/// What reading a form is made of: only the rest of the crate and its tests ask for it.
-mod inside {
-    pub use crate::form::checker::{Checker, Section};
-    pub use crate::form::field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
-}
-
+pub(crate) use checker::{Checker, Section};
 pub(crate) use field::form;
+pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
 
 /// Takes the checked value of `field` out of a section.
 pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {

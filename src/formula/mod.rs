@@ -19,7 +19,7 @@ pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
-pub use node::{CirclePart, Function, Node, NodeId, Op, Samples, Variable};
+pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 
 use crate::text::Text;
 

@@ -29,6 +29,7 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
 }
 
 /// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
+#[cfg(test)]
 pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     let lines: Vec<Option<usize>> = lines.iter().map(|line| usize::try_from(*line).ok()).collect();
     let proven = about(value, false, |request| {

@@ -56,6 +56,7 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
 }
 
 /// The ball centres of a text, to be drawn: each with its touch, in the job's units. None where it cannot be read, or gives results.
+#[cfg(target_arch = "wasm32")]
 pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
     let Planned { job, path, .. } = planned;
     let mut checker = Checker::in_units(job.scale, job.unit);

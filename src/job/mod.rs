@@ -34,21 +34,23 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
-#[cfg(feature = "internals")]
-pub use inside::*;
-#[cfg(not(feature = "internals"))]
-pub(crate) use inside::*;
+pub(crate) use defaults::{default_job_in, resolved, section_defaults_in};
+pub(crate) use examine::examine;
+#[cfg(test)]
+pub(crate) use examine::proves;
+pub(crate) use lentoax::{MOST_STEPS, STEP_ANGLE};
+#[cfg(target_arch = "wasm32")]
+pub(crate) use measure::points;
+#[cfg(target_arch = "wasm32")]
+pub(crate) use picture::Picture;
+#[cfg(any(test, target_arch = "wasm32"))]
+pub(crate) use plan::minutes;
+pub(crate) use plan::{Planned, plan_with_path, planned};
+pub(crate) use sections::{Job, SECTIONS, size_reach};
 
-/// What only the rest of the crate and its tests ask for.
-mod inside {
-    pub use crate::job::defaults::{default_job_in, resolved, section_defaults_in};
-    pub use crate::job::examine::{examine, proves, stages};
-    pub use crate::job::lentoax::{MOST_STEPS, STEP_ANGLE};
-    pub use crate::job::measure::points;
-    pub use crate::job::picture::Picture;
-    pub use crate::job::plan::{Planned, minutes, plan_with_path, planned};
-    pub use crate::job::sections::{Job, SECTIONS, size_reach};
-}
+/// What `npm run bench` times. Nothing of it is promised.
+#[doc(hidden)]
+pub use examine::stages;
 
 use crate::form::{Checker, Finding, Value};
 

@@ -14,6 +14,7 @@ pub struct Picture {
     /// What each dimension and angle is called, by its field's path: the form's label, and the value in the job's units.
     pub names: Vec<(&'static str, String)>,
     /// The name of the work offset; empty where none is written.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the canvas shows it"))]
     pub offset: String,
     /// Whether the virtual part lies other than the drawing says: else its walls are the nominal ones.
     pub deviates: bool,

@@ -542,6 +542,7 @@ fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
 }
 
 /// How long each move takes, minutes: what the plan's time is the sum of.
+#[cfg(any(test, target_arch = "wasm32"))]
 pub fn minutes(planned: &Planned) -> Vec<f64> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let request = request(planned, &feeds, None);

@@ -6,7 +6,7 @@ mod inertia;
 mod measured;
 mod stylus;
 
-pub use contact::{Contact, Obstacles};
+pub use contact::Obstacles;
 pub use evaluate::{Scatter, add_truth, datum, evaluate, stated, write_offset};
 pub use inertia::Machine;
 pub use measured::{Expected, Stand, check as check_measured, read as read_measured};

@@ -44,30 +44,6 @@ pub enum Subject {
     TwoCircles,
 }
 
-impl Subject {
-    /// Every kind.
-    pub const ALL: [Subject; 18] = [
-        Subject::Switch,
-        Subject::Action,
-        Subject::Surface,
-        Subject::Hole,
-        Subject::HoleProtected,
-        Subject::Boss,
-        Subject::Pocket,
-        Subject::PocketProtected,
-        Subject::Block,
-        Subject::Web,
-        Subject::WebTop,
-        Subject::Groove,
-        Subject::GrooveProtected,
-        Subject::CornerInside,
-        Subject::CornerOutside,
-        Subject::TripleInside,
-        Subject::TripleOutside,
-        Subject::TwoCircles,
-    ];
-}
-
 /// What is probed, with its dimensions: lengths in mm, angles in degrees. Its frame stands in [`crate::path::Path::frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {

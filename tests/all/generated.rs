@@ -1,4 +1,4 @@
-//! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --test all generated` writes them.
+//! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --lib generated` writes them.
 
 mod controls;
 mod structs;
@@ -25,7 +25,7 @@ fn keep(path: &str, text: &str) {
         std::fs::write(&file, text).unwrap();
     }
     let kept = std::fs::read_to_string(&file).unwrap_or_default();
-    assert!(kept == text, "{path} is stale: run `UPDATE=1 cargo test --test all generated`");
+    assert!(kept == text, "{path} is stale: run `UPDATE=1 cargo test --lib generated`");
 }
 
 fn value(field: &Field) -> String {
@@ -165,7 +165,7 @@ fn manual(def: &CycleDef) -> String {
     for reading in def.readings {
         writeln!(page, "- {reading}").unwrap();
     }
-    page.push_str("\n<!-- Generated from the crate: `UPDATE=1 cargo test --test all generated`. -->\n");
+    page.push_str("\n<!-- Generated from the crate: `UPDATE=1 cargo test --lib generated`. -->\n");
     page
 }
 
@@ -208,7 +208,7 @@ fn every_code_of_a_finding_is_listed() {
             }
         }
     }
-    let mut text = "# Findings\n\n<!-- generated: UPDATE=1 cargo test --test all generated -->\n\nEvery finding has a level, a code, a path and a message. The \
+    let mut text = "# Findings\n\n<!-- generated: UPDATE=1 cargo test --lib generated -->\n\nEvery finding has a level, a code, a path and a message. The \
         codes below are stable; the message says the numbers, and the path where in the job.\n\n| code | meaning |\n|---|---|\n"
         .to_owned();
     assert!(CODES.is_sorted_by_key(|(code, _)| *code));

@@ -1,6 +1,6 @@
 //! Every job of `tests/jobs/` as snapshots: path, table and results in `tests/snapshots/<job>.snap`, and the program for every control in
 //! `tests/snapshots/<control>/<job>.snap`. A changed byte is seen in review.
-//! New snapshots are made by `INSTA_UPDATE=always cargo test --test all golden`.
+//! New snapshots are made by `INSTA_UPDATE=always cargo test --lib golden`.
 
 use std::fmt::Write;
 

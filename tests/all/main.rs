@@ -1,8 +1,4 @@
-//! The integration tests: one binary, a module a subject. `cargo test --test all safety` runs one of them.
-#![cfg(not(target_arch = "wasm32"))]
-
-#[path = "../common/mod.rs"]
-mod common;
+//! The tests of the crate, a module a subject: `cargo test --lib safety` runs one of them.
 
 mod circles;
 mod does;

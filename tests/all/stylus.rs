@@ -73,7 +73,7 @@ fn the_displaced_part_counts() {
 fn what_is_not_known_is_noted_once() {
     let [note] = &found(&pocket(r#""length": null"#, ""), "stylus-not-known")[..] else { panic!() };
     assert_eq!((note.level, note.path.as_str()), (Level::Info, "stylus.length"));
-    assert!(note.message.starts_with("The ball centre goes 10 mm below the top side."), "{}", note.message);
+    assert!(note.message.starts_with("The ball centre goes 10 mm deep."), "{}", note.message);
     let shallow = with(&pocket(r#""length": 50"#, ""), "cycle.depth", number(6.0));
     assert_eq!(found(&shallow, "stylus-not-known"), []);
     // Heights that the cycle does not say: a corner, and the objects of 1411.

@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use touchpath::geom::AXIS_NAMES;
+const AXIS_NAMES: [&str; 3] = ["X", "Y", "Z"];
 
 /// Deepest nesting of brackets.
 const DEEPEST: usize = 40;

@@ -1,11 +1,9 @@
 //! Whole jobs, and the laws that each must hold.
 
 use crate::common::import;
-use touchpath::control::POSTS;
-use touchpath::cycle::{CYCLES, CycleDef};
-use touchpath::describe::export_table;
-use touchpath::form::{Default, Field, Kind, Level, Value};
-use touchpath::job::{Plan, SECTIONS, check, convert_units, plan};
+use touchpath::describe::{Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, export_table};
+use touchpath::form::{Level, Value};
+use touchpath::job::{Plan, check, convert_units, plan};
 
 use crate::Tally;
 use crate::common::owed;
@@ -17,19 +15,20 @@ fn text(text: &str) -> Value {
 }
 
 /// Mostly what is usual; now and then an end of a range, something by it, or anything that is allowed.
-fn number(draw: &mut Draw, field: &Field, scale: f64) -> f64 {
-    let (low, high) = field.usual.unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
+fn number(draw: &mut Draw, field: &FieldEntry, scale: f64) -> f64 {
+    let [min, max] = field.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    let [low, high] = field.usual.unwrap_or([min.max(-300.0), max.min(300.0)]);
     let x = match draw.index(80) {
-        0 => field.hard.min,
-        1 => field.hard.max,
+        0 => min,
+        1 => max,
         2 => low,
         3 => high,
-        4 => draw.between(field.hard.min, field.hard.max),
-        5 => field.hard.min + *draw.of(&[1e-12, 1e-9, 1e-6, 1e-4]),
+        4 => draw.between(min, max),
+        5 => min + *draw.of(&[1e-12, 1e-9, 1e-6, 1e-4]),
         // Round numbers are what people type.
         6..40 => (draw.between(low, high) * 2.0).round() / 2.0,
         _ => match field.default {
-            Default::Number(x) if draw.once_in(3) => x,
+            DefaultEntry::Number(x) if draw.once_in(3) => x,
             _ => draw.between(low, high),
         },
     };
@@ -48,34 +47,49 @@ fn nominal(draw: &mut Draw, x: f64, scale: f64) -> Value {
     }
 }
 
-fn value(draw: &mut Draw, field: &Field, scale: f64) -> Value {
+fn choice(entry: &DefaultEntry) -> Value {
+    match *entry {
+        DefaultEntry::Number(x) => Value::Number(x),
+        DefaultEntry::Text(word) => text(word),
+        _ => Value::Null,
+    }
+}
+
+fn value(draw: &mut Draw, field: &FieldEntry, scale: f64) -> Value {
     if field.null.is_some() && draw.once_in(6) {
         return Value::Null;
     }
     match field.kind {
-        Kind::Length | Kind::Feed | Kind::Acceleration => Value::Number(number(draw, field, scale)),
-        Kind::Time | Kind::Angle => Value::Number(number(draw, field, 1.0)),
-        Kind::Count => Value::Number(draw.between(field.hard.min, field.hard.max.min(9.0) + 1.0).floor()),
-        Kind::Flag => Value::Flag(draw.once_in(2)),
-        Kind::Choice(choices) => text(draw.of(choices).value),
-        Kind::Code(codes) => Value::Number(f64::from(draw.of(codes).value)),
-        Kind::Text(_) => text(draw.word(&["PROBE", "a b", "x)\nG0 Z-9", "é%;(", "", "~", "N10 M30"])),
-        Kind::Nominal => {
+        "number" => Value::Number(number(draw, field, if is_metric(field) { scale } else { 1.0 })),
+        "count" => {
+            let [min, max] = field.range.expect("a count has a range");
+            Value::Number(draw.between(min, max.min(9.0) + 1.0).floor())
+        }
+        "flag" => Value::Flag(draw.once_in(2)),
+        "choice" | "code" => choice(&draw.of(&field.choices).value),
+        "text" => text(draw.word(&["PROBE", "a b", "x)\nG0 Z-9", "é%;(", "", "~", "N10 M30"])),
+        "nominal" => {
             let x = draw.between(6.0, 40.0);
             nominal(draw, x, scale)
         }
-        Kind::NominalPoint => {
+        "nominalPoint" => {
             let side = if field.key == "point2" { 1.0 } else { -1.0 };
             let place = [side * draw.between(25.0, 120.0), draw.between(-50.0, 50.0), draw.between(-40.0, 10.0)];
             Value::List(place.iter().map(|x| nominal(draw, *x, scale)).collect())
         }
-        Kind::Point => Value::List((0..3).map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale)).collect()),
+        "point" => Value::List((0..3).map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale)).collect()),
+        kind => panic!("{} is of a kind that the fuzzer does not know: {kind}", field.key),
     }
 }
 
-fn form(draw: &mut Draw, fields: &[Field], scale: f64, least: usize) -> Vec<(String, Value)> {
+/// Whether a number changes with the units.
+fn is_metric(field: &FieldEntry) -> bool {
+    matches!(field.unit, "length" | "feed" | "acceleration")
+}
+
+fn form(draw: &mut Draw, fields: &[FieldEntry], scale: f64, least: usize) -> Vec<(String, Value)> {
     // A job may leave out what it likes.
-    let said: Vec<&Field> = fields.iter().filter(|_| !draw.once_in(least)).collect();
+    let said: Vec<&FieldEntry> = fields.iter().filter(|_| !draw.once_in(least)).collect();
     said.into_iter().map(|f| (f.key.to_owned(), value(draw, f, scale))).collect()
 }
 
@@ -85,16 +99,17 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 }
 
 /// A job; the index goes through every cycle, control, plane and unit.
-pub fn whole(draw: &mut Draw, index: u64) -> Value {
+pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     let at = |every: u64, count: usize| (index / every) as usize % count;
-    let def: &CycleDef = CYCLES[at(1, CYCLES.len())];
-    let post = POSTS[at(18, POSTS.len())];
+    let def: &CycleEntry = &catalog.cycles[at(1, catalog.cycles.len())];
+    let post: &PostEntry = &catalog.posts[at(18, catalog.posts.len())];
+    let own_cycle = post.cycles.iter().any(|entry| entry.key == def.key && entry.form == "cycle" && entry.supported);
     let plane = ["G17", "G18", "G19"][at(72, 3)];
     let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(216, 2)];
     let mut job = vec![("format".to_owned(), Value::Number(1.0))];
-    for (path, fields) in SECTIONS {
-        let mut values = form(draw, fields, scale, 3);
-        match *path {
+    for section in &catalog.sections {
+        let mut values = form(draw, &section.fields, scale, 3);
+        match section.path {
             "" => {
                 put(&mut values, "units", text(units));
                 put(&mut values, "plane", text(plane));
@@ -102,9 +117,8 @@ pub fn whole(draw: &mut Draw, index: u64) -> Value {
                 continue;
             }
             "control" => {
-                let kind =
-                    if post.key == "heidenhain" && def.home.0 == "heidenhain" || draw.once_in(12) { "cycle" } else { "moves" };
-                put(&mut values, "post", text(post.key));
+                let kind = if post.id == "heidenhain" && own_cycle || draw.once_in(12) { "cycle" } else { "moves" };
+                put(&mut values, "post", text(post.id));
                 put(&mut values, "form", text(kind));
                 if post.work_offsets == 0 {
                     put(&mut values, "workOffset", Value::Null);
@@ -122,25 +136,25 @@ pub fn whole(draw: &mut Draw, index: u64) -> Value {
                     ("rotation".to_owned(), Value::Number(draw.between(-far, far))),
                 ];
                 let sizes = def.fields.iter().filter(|f| f.size).map(|f| {
-                    let by = if matches!(f.kind, Kind::Angle) { 1.0 } else { scale };
+                    let by = if f.unit == "angle" { 1.0 } else { scale };
                     (f.key.to_owned(), Value::Number(draw.between(-far, far) / 10.0 / by))
                 });
                 values.push(("sizes".to_owned(), Value::Map(sizes.collect())));
             }
             _ => {}
         }
-        job.push(((*path).to_owned(), Value::Map(values)));
+        job.push((section.path.to_owned(), Value::Map(values)));
     }
-    let mut cycle = form(draw, def.fields, scale, 2);
+    let mut cycle = form(draw, &def.fields, scale, 2);
     cycle.push(("type".to_owned(), text(def.key)));
-    for section in def.sections {
+    for section in &def.sections {
         if draw.once_in(if section.optional { 4 } else { 2 }) {
-            cycle.push((section.key.to_owned(), Value::Map(form(draw, section.fields, scale, 3))));
+            cycle.push((section.key.to_owned(), Value::Map(form(draw, &section.fields, scale, 3))));
         }
     }
     job.push(("cycle".to_owned(), Value::Map(cycle)));
     let job = Value::Map(job);
-    if def.place.is_some() && draw.once_in(5) { picked(draw, job) } else { job }
+    if def.touches && draw.once_in(5) { picked(draw, job) } else { job }
 }
 
 /// The same job with its touches picked one by one, as they are or a little off.

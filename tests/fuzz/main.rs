@@ -64,8 +64,9 @@ fn main() {
 /// Laws and kinds of jobs that were reached by too few cases.
 fn idle(tally: &Tally, count: u64) -> Vec<String> {
     let least = count / 2000;
-    let kinds = touchpath::cycle::CYCLES.iter().map(|c| format!("planned {}", c.key));
-    let posts = touchpath::control::POSTS.iter().map(|p| format!("planned for {}", p.key));
+    let catalog = touchpath::describe::catalog();
+    let kinds = catalog.cycles.iter().map(|c| format!("planned {}", c.key));
+    let posts = catalog.posts.iter().map(|p| format!("planned for {}", p.id));
     let laws = ["inch and mm", "dump and job", "program and job", "mutated text", "measured points"].map(str::to_owned);
     let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));
     kinds.chain(posts).chain(laws).chain(others).filter(|name| tally.get(name).copied().unwrap_or(0) < least).collect()
@@ -75,14 +76,15 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
 fn run(share: &Share, tally: &Mutex<Tally>) -> usize {
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()) as u64;
     let failures = Mutex::new(0usize);
+    let catalog = touchpath::describe::catalog();
     std::thread::scope(|scope| {
         for thread in 0..threads {
-            let failures = &failures;
+            let (failures, catalog) = (&failures, &catalog);
             scope.spawn(move || {
                 let mut own = Tally::new();
                 for index in (thread..share.jobs).step_by(threads as usize) {
                     let mut draw = Draw::new(share.seed ^ index.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-                    let job = jobs::whole(&mut draw, index);
+                    let job = jobs::whole(catalog, &mut draw, index);
                     let result = catch_unwind(AssertUnwindSafe(|| jobs::laws(&job, &mut draw, &mut own)));
                     let why = match result {
                         Ok(Ok(())) => continue,

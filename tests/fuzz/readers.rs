@@ -105,7 +105,7 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
             let same = match (shown.value, read.value) {
                 _ if shown.unit.is_empty() && moved > 2e-8 => shown.value.is_some() == read.value.is_some(),
                 // The root of what is left where sums of squares cancel.
-                (Some(a), Some(b)) if shown.code.starts_with("residual") => (a - b).abs() <= 1e-6 + noise + 1e-7 * far,
+                (Some(a), Some(b)) if shown.code.starts_with("residual") => (a - b).abs() <= 1e-6 + noise + 1e-6 * far,
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()) + noise,
                 (a, b) => a.is_some() == b.is_some(),
             };

@@ -1,4 +1,4 @@
-// Generated from the crate's one list of fields: `UPDATE=1 cargo test --test all generated` writes it.
+// Generated from the crate's one list of fields: `UPDATE=1 cargo test --lib generated` writes it.
 
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 

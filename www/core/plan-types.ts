@@ -1,4 +1,4 @@
-// Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
+// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
 import type { Cycle, PostId, Vec3 } from "./job-types.js";
 import type { Said } from "./said.js";

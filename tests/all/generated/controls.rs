@@ -36,7 +36,7 @@ fn matrix(manual: &str) -> String {
 
 /// `docs/controls.md`.
 pub fn page() -> String {
-    let mut text = "# The controls\n\n<!-- generated: UPDATE=1 cargo test --test all generated -->\n\nWhat each control takes, what its programs \
+    let mut text = "# The controls\n\n<!-- generated: UPDATE=1 cargo test --lib generated -->\n\nWhat each control takes, what its programs \
         hold, and what they cannot. [The programs](programs.md) says how they are written, and where that comes from.\n\n"
         .to_owned();
     text.push_str(&matrix(""));

@@ -66,7 +66,7 @@ const EXACT: &[(&str, &str)] = &[
     ("Catalog.format", "1"),
 ];
 
-const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --test all generated` writes it.
+const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
 import type { Cycle, PostId, Vec3 } from \"./job-types.js\";
 import type { Said } from \"./said.js\";

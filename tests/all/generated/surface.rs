@@ -17,11 +17,14 @@ fn public(visibility: &Visibility) -> bool {
     matches!(visibility, Visibility::Public(_))
 }
 
-/// Whether an item is there for the crate's own tests only.
-fn internal(attributes: &[Attribute]) -> bool {
+/// Whether an item is hidden from the documents, or is a test: nothing of it is promised.
+fn hidden(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
+        if attribute.path().is_ident("path") {
+            return true;
+        }
         let Meta::List(list) = &attribute.meta else { return false };
-        attribute.path().is_ident("cfg") && list.tokens.to_string().replace(' ', "") == "feature=\"internals\""
+        attribute.path().is_ident("doc") && list.tokens.to_string() == "hidden"
     })
 }
 
@@ -40,7 +43,7 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
     for item in &items {
         if let Item::Use(item) = item
             && public(&item.vis)
-            && !internal(&item.attrs)
+            && !hidden(&item.attrs)
         {
             let mut found = Renamed::new();
             uses(&item.tree, &mut found);
@@ -73,7 +76,7 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
                 }
                 continue;
             }
-            Item::Mod(item) if item.content.is_none() && !internal(&item.attrs) => {
+            Item::Mod(item) if item.content.is_none() && !hidden(&item.attrs) => {
                 let name = item.ident.to_string();
                 let [own, inside]: [PathBuf; 2] = [folder.join(format!("{name}.rs")), folder.join(&name).join("mod.rs")];
                 let wasm = name == "wasm" || (name == "canvas" && module.ends_with("view"));

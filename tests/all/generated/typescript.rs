@@ -6,7 +6,7 @@ use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::{Field, Kind, SubForm};
 use touchpath::job::SECTIONS;
 
-const HEAD: &str = r#"// Generated from the crate's one list of fields: `UPDATE=1 cargo test --test all generated` writes it.
+const HEAD: &str = r#"// Generated from the crate's one list of fields: `UPDATE=1 cargo test --lib generated` writes it.
 
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 

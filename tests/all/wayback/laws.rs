@@ -1,7 +1,7 @@
 //! For any job and any part: what a machine would report gives what its points give.
 
 use crate::common::{law, point, with};
-use crate::laws::whole_job;
+use crate::tests::laws::whole_job;
 use proptest::prelude::*;
 use touchpath::form::Value;
 use touchpath::job::{ResultRow, Triple, evaluate, measure, plan, planned};
