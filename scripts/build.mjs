@@ -28,7 +28,7 @@ async function buildWasm() {
   mkdirSync(out, { recursive: true });
   const target = process.env.CARGO_TARGET_DIR ?? at("target");
   const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
-  // With the function that replaces a broken instance: www/core/api.ts calls it.
+  // With the function that replaces a broken instance: www/core/instance.ts calls it.
   run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out, "--experimental-reset-state-function"]);
   // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
   const types = `${out}/touchpath.d.ts`;

@@ -42,14 +42,13 @@ function exported(/** @type {string} */ file) {
 
 /** The functions of the package, in their order. */
 function functions() {
-  const api = declarations(read("api.d.ts")).find(({ name }) => name === "Api")?.code ?? "";
-  // One line, or as many as there are to the brace that stands as far in as the name. A name may have type parameters.
-  const member = String.raw`^ {4}(\w+)((?:<[^\n]*>)?\((?:[^\n]*;|[^\n]*\{\n[\s\S]*?^ {4}\}[^\n]*;))$`;
-  const members = [...api.matchAll(new RegExp(String.raw`(\/\*\*(?:(?!\*\/)[\s\S])*\*\/)\n${member}`, "gm"))];
-  return members
-    .map(([, comment = "", name, signature = ""]) => {
-      const code = `${name}${signature}`.replaceAll(/^ {4}( *)/gm, (_, more) => " ".repeat(more.length / 2));
-      return `### ${name}\n\n\`\`\`ts\n${code}\n\`\`\`\n\n${plain(comment)}\n`;
+  return declarations(read("api.d.ts"))
+    .filter(({ code }) => /^(declare )?function /.test(code))
+    .map(({ name, comment, code }) => {
+      const signature = code
+        .replace(/^(declare )?function /, "")
+        .replaceAll(/^(?: {4})+/gm, (space) => " ".repeat(space.length / 2));
+      return `### ${name}\n\n\`\`\`ts\n${signature}\n\`\`\`\n\n${comment}\n`;
     })
     .join("\n");
 }
@@ -144,7 +143,7 @@ ${functions()}
 ${types("said.d.ts", (name) => name === "say")}
 ### JobError
 
-${types("api.d.ts", (name) => name === "JobError")}
+${types("instance.d.ts", (name) => name === "JobError")}
 ### View
 
 In browsers only. The picture of a job on a canvas: \`new View(canvas)\`. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed.
@@ -159,7 +158,9 @@ ${types("types.d.ts")}
 ${types("said.d.ts", (name) => name !== "say")}
 ### Plans and catalog
 
-${types("plan-types.d.ts")}
+\`FindingCode\` is the union of all codes in [findings](findings.md).
+
+${types("plan-types.d.ts", (name) => name !== "FindingCode")}
 ### Jobs
 
 The fields of every cycle: [the manual](cycles/), \`touchpath/schema.json\`, and the types of the package. \`Cycle\` is any of them.

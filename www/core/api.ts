@@ -1,4 +1,5 @@
 import { type Coded, coded, same } from "./coded.js";
+import { instance, JobError, type Raw, raw, Sink } from "./instance.js";
 import { columns, FEEDS, findingsOf, KINDS, meaningsOf, type Packed, planOf, programOf, tableOf } from "./plan.js";
 import { say } from "./said.js";
 import type {
@@ -20,248 +21,196 @@ import type {
   Said,
 } from "./types.js";
 
-/** Thrown where no plan can be made; `findings` says everything that was found. */
-export class JobError extends Error {
-  readonly findings: Finding[];
+export { JobError };
 
-  constructor(message: string, findings: Finding[]) {
-    super(message);
-    this.name = "JobError";
-    this.findings = findings;
+// The functions of the package. They take anything: what is no job is refused with findings.
+
+/** Everything a form needs: cycles, their fields, the controls. */
+export function catalog(): Catalog {
+  return instance.call(() => raw.catalog());
+}
+
+/** A complete, valid job of a type. Throws `JobError` for an unknown type. */
+export function defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> } {
+  return instance.call(() => raw.defaultJob(type));
+}
+
+/** The name that a job has by itself: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
+export function jobName(job: unknown): string {
+  return on(job, raw.jobName);
+}
+
+/** Everything that is wrong, unusual or worth knowing. Never throws. */
+export function check(job: unknown): Finding[] {
+  try {
+    return on(job, raw.check);
+  } catch {
+    return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
   }
+}
+
+/** The whole plan. Throws `JobError` if any finding is an error. */
+export function plan(job: Job): Plan {
+  const own = coded(job);
+  return planOf(packed(own), () => tableOf(handed(own, raw.table)));
+}
+
+/** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
+export function program(job: Job): ProgramText {
+  return programOf(packed(coded(job)));
+}
+
+/**
+ * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
+ * `program` is `null`, and its findings say why.
+ */
+export function* programs(jobs: Iterable<Job>): IterableIterator<Programmed> {
+  for (const job of jobs) {
+    try {
+      const plan = packed(coded(job));
+      yield { program: programOf(plan), findings: findingsOf(plan) };
+    } catch (error) {
+      if (!(error instanceof JobError)) throw error;
+      yield { program: null, findings: error.findings };
+    }
+  }
+}
+
+/** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
+export function evaluate(job: Job, measured: Measured): ResultRow[] {
+  return measure(job, measured).results;
+}
+
+/**
+ * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
+ * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
+ */
+export function measure(job: Job, measured: Measured): Measurement {
+  const values = coded(measured);
+  return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
+}
+
+/** The moves of the plan as typed arrays. Throws `JobError`. */
+export function moveColumns(job: Job): MoveColumns {
+  const own = coded(job);
+  // Who asks for the columns of the plan that was made last needs no second one.
+  const { to, feed, kind, step, touch, arcs } = columns(last && same(last.job, own) ? last.plan : packed(own));
+  return {
+    to: to.slice(),
+    feed: Uint8Array.from(feed),
+    kind: Uint8Array.from(kind),
+    step: Uint8Array.from(step),
+    touch: Int32Array.from(touch),
+    arcs: arcs.fives().slice(),
+    feeds: [...FEEDS],
+    kinds: [...KINDS],
+  };
+}
+
+/** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
+export function importJob(text: string): Imported {
+  const json = typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
+  const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
+  const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
+  // What is a job in JSON is that job, with all that stands in it: then the module gives none.
+  return imported.kind === "job" ? { ...imported, job: imported.job ?? (json as Job) } : imported;
+}
+
+/**
+ * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. What jumps, calls or computes, and codes that
+ * are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
+ */
+export function readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves {
+  if (typeof text !== "string") {
+    throw new JobError(NO_TEXT, [{ level: "error", code: "wrong-type", path: "", message: NO_TEXT, said: [NO_TEXT] }]);
+  }
+  const { length } = text;
+  const bytes = new TextEncoder().encode(length > 0 && fits(length, 1) ? text : "");
+  const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
+  return { ...moves, kinds: ["rapid", "feed", "probe"] };
+}
+
+/** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
+export function jobSchema(): Record<string, unknown> {
+  return instance.call(() => raw.jobSchema());
+}
+
+/** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
+export function exportTable(job: Job, format: "csv" | "json" | "text"): string {
+  return on(job, (codes, text) => raw.exportTable(codes, text, format));
+}
+
+/** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
+export function meanings(job: Job): Said[] {
+  return meaningsOf(handed(coded(job), raw.meanings));
+}
+
+/** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
+export function svg(job: Job, view: "top" | "front" | "side" | "isometric" = "isometric"): string {
+  return on(job, (codes, text) => raw.svg(codes, text, view));
+}
+
+/** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). They keep 4 decimals in mm and 6 in inch; a number below 0.001 keeps three more. What is neither a number nor such a text stays as it is; what JSON cannot hold becomes null. */
+export function convertUnits(job: unknown, units: "mm" | "inch"): Job {
+  return on(job, (codes, text) => raw.convertUnits(codes, text, units));
+}
+
+/** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
+export function lentoax(query?: LentoaxQuery): Lentoax {
+  return on(query, raw.lentoax);
+}
+
+/** The same in words, and NC lines that ask the control itself; `said` is the sentence for other languages. */
+export function lentoaxWords(query?: LentoaxQuery): {
+  meaning: string;
+  sentence: string;
+  said: Said;
+  program: string;
+} {
+  return on(query, raw.lentoaxWords);
+}
+
+/** The crate's version. */
+export function version(): string {
+  return instance.call(() => raw.version());
 }
 
 const UNREADABLE = "This value cannot be read";
 const NO_TEXT = "A program is text";
 
-/** Copies what the module gives: views of its memory, which do not last. */
-class Sink implements Packed {
-  numbers = new Float64Array();
-  text = "";
-
-  take(numbers: Float64Array, text: string): void {
-    this.numbers = numbers.slice();
-    this.text = text;
-  }
+/** Codes a value, and calls with it. */
+function on<T>(value: unknown, call: (codes: Float64Array, text: string) => unknown): T {
+  const { codes, text } = coded(value);
+  return instance.call(() => call(codes, text));
 }
 
-/** What the WebAssembly module gives. A value comes to it coded: `codes` and `text`. */
-export interface Raw {
-  catalog(): unknown;
-  defaultJob(type: unknown): unknown;
-  jobName(codes: Float64Array, text: string): unknown;
-  check(codes: Float64Array, text: string): unknown;
-  plan(codes: Float64Array, text: string, sink: Sink): void;
-  table(codes: Float64Array, text: string, sink: Sink): void;
-  meanings(codes: Float64Array, text: string, sink: Sink): void;
-  measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
-  importJob(text: unknown, codes: Float64Array, json: string): unknown;
-  readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
-  limits(): Uint32Array;
-  jobSchema(): unknown;
-  exportTable(codes: Float64Array, text: string, format: unknown): unknown;
-  svg(codes: Float64Array, text: string, view: unknown): unknown;
-  convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
-  lentoax(codes: Float64Array, text: string): unknown;
-  lentoaxWords(codes: Float64Array, text: string): unknown;
-  version(): string;
+/** The job that was planned last, and its plan. */
+let last: { job: Coded; plan: Packed } | null = null;
+
+function packed(job: Coded): Packed {
+  return instance.call(() => {
+    const plan = new Sink();
+    raw.plan(job.codes, job.text, plan);
+    last = { job, plan };
+    return plan;
+  });
 }
 
-/** The functions of the package. They take anything: what is no job is refused with findings. */
-export interface Api {
-  /** Everything a form needs: cycles, their fields, the controls. */
-  catalog(): Catalog;
-  /** A complete, valid job of a type. Throws `JobError` for an unknown type. */
-  defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> };
-  /** The name that a job has by itself: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */
-  jobName(job: unknown): string;
-  /** Everything that is wrong, unusual or worth knowing. Never throws. */
-  check(job: unknown): Finding[];
-  /** The whole plan. Throws `JobError` if any finding is an error. */
-  plan(job: Job): Plan;
-  /** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
-  program(job: Job): ProgramText;
-  /**
-   * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
-   * `program` is `null`, and its findings say why.
-   */
-  programs(jobs: Iterable<Job>): IterableIterator<Programmed>;
-  /** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
-  evaluate(job: Job, measured: Measured): ResultRow[];
-  /**
-   * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
-   * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
-   */
-  measure(job: Job, measured: Measured): Measurement;
-  /** The moves of the plan as typed arrays. Throws `JobError`. */
-  moveColumns(job: Job): MoveColumns;
-  /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
-  importJob(text: string): Imported;
-  /**
-   * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. What jumps, calls or computes, and codes that
-   * are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
-   */
-  readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves;
-  /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
-  jobSchema(): Record<string, unknown>;
-  /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
-  exportTable(job: Job, format: "csv" | "json" | "text"): string;
-  /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
-  meanings(job: Job): Said[];
-  /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
-  svg(job: Job, view?: "top" | "front" | "side" | "isometric"): string;
-  /** The same job in other units: every length and feed is converted, also in texts with tolerances (`10H7`, `10+0.01-0.015`, `?10`, `10@10.02`). They keep 4 decimals in mm and 6 in inch; a number below 0.001 keeps three more. What is neither a number nor such a text stays as it is; what JSON cannot hold becomes null. */
-  convertUnits(job: unknown, units: "mm" | "inch"): Job;
-  /** SINUMERIK's LENTOAX: which tool length acts on which axis. Throws `JobError` where the query itself is wrong. */
-  lentoax(query?: LentoaxQuery): Lentoax;
-  /** The same in words, and NC lines that ask the control itself; `said` is the sentence for other languages. */
-  lentoaxWords(query?: LentoaxQuery): { meaning: string; sentence: string; said: Said; program: string };
-  /** The crate's version. */
-  version(): string;
+/** What a function of the module hands out of a job. The job is what it was when it was coded, whatever has become of the object since. */
+function handed({ codes, text }: Coded, give: Raw["table"]): Packed {
+  return instance.call<Packed>(() => {
+    const sink = new Sink();
+    give(codes, text, sink);
+    return sink;
+  });
 }
 
-/**
- * The module's instance. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
- * good, so a fresh one takes its place before the next call.
- */
-export class Instance {
-  /** Counts the instances: what was made by an earlier one is of no use to this one. */
-  number = 0;
-  private broken = false;
-  /** Calls under way: a getter of a job may itself call in. */
-  private depth = 0;
+/** The longest text that a job is made of, and the longest program, in UTF-16 units: no more is handed over. */
+let most: Uint32Array | null = null;
 
-  constructor(private readonly renew: () => void) {}
-
-  /** Makes sure that the instance is a sound one. */
-  ready(): void {
-    if (!this.broken) return;
-    if (this.depth > 0) throw new Error("The call that this one is part of has failed");
-    this.renew();
-    this.broken = false;
-    this.number++;
-  }
-
-  call<T>(run: () => unknown): T {
-    this.ready();
-    this.depth++;
-    try {
-      return run() as T;
-    } catch (thrown) {
-      this.broken = true;
-      const { message, findings } = (thrown ?? {}) as { message?: string; findings?: Finding[] };
-      if (!findings) throw thrown;
-      this.broken = false;
-      throw new JobError(message ?? "", findings);
-    } finally {
-      this.depth--;
-    }
-  }
-}
-
-/** Dresses the WebAssembly module's functions. */
-export function dress(raw: Raw, instance: Instance): Api {
-  /** Codes a value, and calls with it. */
-  const on = <T>(value: unknown, call: (codes: Float64Array, text: string) => unknown): T => {
-    const { codes, text } = coded(value);
-    return instance.call(() => call(codes, text));
-  };
-  /** The job that was planned last, and its plan: who asks for its columns next needs no second one. */
-  let last: { job: Coded; plan: Packed } | null = null;
-  const packed = (job: Coded): Packed =>
-    instance.call(() => {
-      const plan = new Sink();
-      raw.plan(job.codes, job.text, plan);
-      last = { job, plan };
-      return plan;
-    });
-  const known = (job: Coded): Packed => (last && same(last.job, job) ? last.plan : packed(job));
-  /** What a function of the module hands out of a job. The job is what it was when it was coded, whatever has become of the object since. */
-  const handed = ({ codes, text }: Coded, give: Raw["table"]): Packed =>
-    instance.call<Packed>(() => {
-      const sink = new Sink();
-      give(codes, text, sink);
-      return sink;
-    });
-  const measure = (job: Job, measured: Measured): Measurement => {
-    const values = coded(measured);
-    return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
-  };
-  /** The longest text that a job is made of, and the longest program, in UTF-16 units: no more is handed over. */
-  let most: Uint32Array | null = null;
-  const fits = (length: number, which: 0 | 1): boolean => {
-    most ??= instance.call<Uint32Array>(() => raw.limits());
-    return length <= (most[which] as number);
-  };
-  return {
-    catalog: () => instance.call(() => raw.catalog()),
-    defaultJob: (type) => instance.call(() => raw.defaultJob(type)),
-    jobName: (job) => on(job, raw.jobName),
-    check: (job) => {
-      try {
-        return on(job, raw.check);
-      } catch {
-        return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
-      }
-    },
-    plan: (job) => {
-      const own = coded(job);
-      return planOf(packed(own), () => tableOf(handed(own, raw.table)));
-    },
-    program: (job) => programOf(packed(coded(job))),
-    *programs(jobs) {
-      for (const job of jobs) {
-        try {
-          const plan = packed(coded(job));
-          yield { program: programOf(plan), findings: findingsOf(plan) };
-        } catch (error) {
-          if (!(error instanceof JobError)) throw error;
-          yield { program: null, findings: error.findings };
-        }
-      }
-    },
-    evaluate: (job, measured) => measure(job, measured).results,
-    measure,
-    moveColumns: (job) => {
-      const { to, feed, kind, step, touch, arcs } = columns(known(coded(job)));
-      return {
-        to: to.slice(),
-        feed: Uint8Array.from(feed),
-        kind: Uint8Array.from(kind),
-        step: Uint8Array.from(step),
-        touch: Int32Array.from(touch),
-        arcs: arcs.fives().slice(),
-        feeds: [...FEEDS],
-        kinds: [...KINDS],
-      };
-    },
-    importJob: (text) => {
-      const json = typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
-      const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
-      const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
-      // What is a job in JSON is that job, with all that stands in it: then the module gives none.
-      return imported.kind === "job" ? { ...imported, job: imported.job ?? (json as Job) } : imported;
-    },
-    readProgram: (text, dialect) => {
-      if (typeof text !== "string") {
-        throw new JobError(NO_TEXT, [
-          { level: "error", code: "wrong-type", path: "", message: NO_TEXT, said: [NO_TEXT] },
-        ]);
-      }
-      const { length } = text;
-      const bytes = new TextEncoder().encode(length > 0 && fits(length, 1) ? text : "");
-      const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
-      return { ...moves, kinds: ["rapid", "feed", "probe"] };
-    },
-    meanings: (job) => meaningsOf(handed(coded(job), raw.meanings)),
-    svg: (job, view = "isometric") => on(job, (codes, text) => raw.svg(codes, text, view)),
-    jobSchema: () => instance.call(() => raw.jobSchema()),
-    exportTable: (job, format) => on(job, (codes, text) => raw.exportTable(codes, text, format)),
-    convertUnits: (job, units) => on(job, (codes, text) => raw.convertUnits(codes, text, units)),
-    lentoax: (query) => on(query, raw.lentoax),
-    lentoaxWords: (query) => on(query, raw.lentoaxWords),
-    version: () => instance.call(() => raw.version()),
-  };
+function fits(length: number, which: 0 | 1): boolean {
+  most ??= instance.call<Uint32Array>(() => raw.limits());
+  return length <= (most[which] as number);
 }
 
 /** The deepest JSON that is read as a job, in levels: what lies deeper can be neither copied nor written as JSON again. A job has six. */

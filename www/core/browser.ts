@@ -1,14 +1,14 @@
-import { dress, Instance } from "./api.js";
 import { coded } from "./coded.js";
+import { attach, instance } from "./instance.js";
 import init, * as raw from "./wasm/touchpath.js";
 
-export { JobError } from "./api.js";
+export * from "./api.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
 await init();
 
-const instance = new Instance(raw.__wbg_reset_state);
+attach(raw, raw.__wbg_reset_state);
 
 /** The picture of a job on a canvas. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed. */
 export class View extends raw.View {
@@ -70,26 +70,3 @@ for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDesc
 }
 const { dispose } = Symbol as { dispose?: symbol };
 if (dispose) Object.defineProperty(View.prototype, dispose, { value: View.prototype.free });
-
-export const {
-  catalog,
-  defaultJob,
-  jobName,
-  check,
-  plan,
-  program,
-  programs,
-  evaluate,
-  measure,
-  moveColumns,
-  importJob,
-  readProgram,
-  jobSchema,
-  exportTable,
-  meanings,
-  svg,
-  convertUnits,
-  lentoax,
-  lentoaxWords,
-  version,
-} = dress(raw, instance);

@@ -1,0 +1,95 @@
+import type { Packed } from "./plan.js";
+import type { Finding } from "./types.js";
+
+/** Thrown where no plan can be made; `findings` says everything that was found. */
+export class JobError extends Error {
+  readonly findings: Finding[];
+
+  constructor(message: string, findings: Finding[]) {
+    super(message);
+    this.name = "JobError";
+    this.findings = findings;
+  }
+}
+
+/** Copies what the module gives: views of its memory, which do not last. */
+export class Sink implements Packed {
+  numbers = new Float64Array();
+  text = "";
+
+  take(numbers: Float64Array, text: string): void {
+    this.numbers = numbers.slice();
+    this.text = text;
+  }
+}
+
+/** What the WebAssembly module gives. A value comes to it coded: `codes` and `text`. */
+export interface Raw {
+  catalog(): unknown;
+  defaultJob(type: unknown): unknown;
+  jobName(codes: Float64Array, text: string): unknown;
+  check(codes: Float64Array, text: string): unknown;
+  plan(codes: Float64Array, text: string, sink: Sink): void;
+  table(codes: Float64Array, text: string, sink: Sink): void;
+  meanings(codes: Float64Array, text: string, sink: Sink): void;
+  measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
+  importJob(text: unknown, codes: Float64Array, json: string): unknown;
+  readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
+  limits(): Uint32Array;
+  jobSchema(): unknown;
+  exportTable(codes: Float64Array, text: string, format: unknown): unknown;
+  svg(codes: Float64Array, text: string, view: unknown): unknown;
+  convertUnits(codes: Float64Array, text: string, units: unknown): unknown;
+  lentoax(codes: Float64Array, text: string): unknown;
+  lentoaxWords(codes: Float64Array, text: string): unknown;
+  version(): string;
+}
+
+/**
+ * The module's instance. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
+ * good, so a fresh one takes its place before the next call.
+ */
+export class Instance {
+  /** Counts the instances: what was made by an earlier one is of no use to this one. */
+  number = 0;
+  private broken = false;
+  /** Calls under way: a getter of a job may itself call in. */
+  private depth = 0;
+
+  constructor(private readonly renew: () => void) {}
+
+  /** Makes sure that the instance is a sound one. */
+  ready(): void {
+    if (!this.broken) return;
+    if (this.depth > 0) throw new Error("The call that this one is part of has failed");
+    this.renew();
+    this.broken = false;
+    this.number++;
+  }
+
+  call<T>(run: () => unknown): T {
+    this.ready();
+    this.depth++;
+    try {
+      return run() as T;
+    } catch (thrown) {
+      this.broken = true;
+      const { message, findings } = (thrown ?? {}) as { message?: string; findings?: Finding[] };
+      if (!findings) throw thrown;
+      this.broken = false;
+      throw new JobError(message ?? "", findings);
+    } finally {
+      this.depth--;
+    }
+  }
+}
+
+/** The module of this entry, and its instance. */
+export let raw: Raw;
+export let instance: Instance;
+
+/** Gives the functions their module: once, by the entry for Node or for browsers. */
+export function attach(module: Raw, renew: () => void): void {
+  raw = module;
+  instance = new Instance(renew);
+}
