@@ -1,5 +1,13 @@
 // What the page around the element puts in and asks for, and which jobs were sent to it.
-import { type Cycle, convertUnits, defaultJob, type Finding, type Said, say } from "./core/browser.js";
+import {
+  type Cycle,
+  convertUnits,
+  defaultJob,
+  type Finding,
+  type FindingCode,
+  type Said,
+  say,
+} from "./core/browser.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import type { Store, Units } from "./store.js";
 import { w } from "./words.js";
@@ -20,7 +28,7 @@ export interface Asked {
 /** Where in the job an input stands. */
 const PATHS: Readonly<Record<string, string>> = { cycle: "cycle.type", post: "control.post", units: "units" };
 
-function refused(input: string, code: string, ...said: Said): Finding {
+function refused(input: string, code: FindingCode, ...said: Said): Finding {
   return { level: "error", code, path: PATHS[input] ?? "", message: say(said), said };
 }
 
@@ -88,7 +96,7 @@ export class Outside {
   differences(): Finding[] {
     const { asked, store } = this;
     const found: Finding[] = [];
-    const note = (code: string, path: string, ...said: Said) =>
+    const note = (code: FindingCode, path: string, ...said: Said) =>
       found.push({ level: "warning", code, path, message: say(said), said });
     const [wanted, named] = [store.postOf(asked.post), store.post];
     if (wanted && named && wanted !== named)

@@ -232,12 +232,24 @@ impl SafetyRow {
     }
 }
 
+/// Every code that a result may have.
+#[rustfmt::skip]
+pub const RESULT_CODES: &[&str] = &[
+    "center.x", "center.y", "diameter", "residual", "width", "width1", "width2", "rotation", "height",
+    "corner.x", "corner.y", "corner.z", "angle", "residual1", "residual2", "point.x", "point.y", "point.z", "deviation",
+    "offset.x", "offset.y", "offset.z",
+    "Q183", "Q950", "Q951", "Q952", "Q953", "Q954", "Q955", "Q964", "Q965", "Q966", "Q967", "Q970", "Q971", "Q973", "Q974",
+    "Q980", "Q981", "Q982", "Q983", "Q984", "Q985", "Q994", "Q995", "Q996", "Q997", "form1", "form2",
+    "preset.table", "preset.x", "preset.y", "preset.z", "preset.rotation", "table.turn",
+];
+
 pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
     if let Some(n) = job.work_offset {
         part::write_offset(&mut rows, &path.formula, job.setup.plane, &(job.post.work_offset_word)(n));
     }
     rows.into_iter()
         .map(|row| {
+            debug_assert!(RESULT_CODES.contains(&&*row.code), "{} is no code of RESULT_CODES", row.code);
             let (scale, unit) = match row.unit {
                 Unit::Length => (job.scale, job.unit),
                 Unit::Angle => (1.0, "deg"),

@@ -2,15 +2,19 @@
 import { type Said, say } from "./said.js";
 import type {
   Finding,
+  FindingCode,
   Level,
   Move,
   ParameterRow,
   Plan,
   ProgramText,
+  ResultCode,
   ResultRow,
+  RuleName,
   SafetyRow,
   TouchPoint,
   Vec3,
+  Verdict,
 } from "./types.js";
 
 /** What the module hands out. */
@@ -170,7 +174,7 @@ function result(r: Reader): ResultRow {
   const truth = r.optional();
   const note = r.saidOrNone();
   return {
-    code,
+    code: code as ResultCode,
     meaning: say(meaning),
     unit,
     nominal,
@@ -179,7 +183,7 @@ function result(r: Reader): ResultRow {
     uncertainty,
     uncertaintyRunout,
     limits: low === null || high === null ? null : [low, high],
-    verdict: verdict && say(verdict),
+    verdict: verdict && (say(verdict) as Verdict),
     truth,
     note: note && say(note),
     said: { meaning, verdict, note },
@@ -192,12 +196,12 @@ function trigger(r: Reader): Vec3 | null {
 }
 
 function finding(r: Reader): Finding {
-  const [level, code, path, said] = [r.word(LEVELS), r.text(), r.text(), r.said()];
+  const [level, code, path, said] = [r.word(LEVELS), r.text() as FindingCode, r.text(), r.said()];
   return { level, code, path, message: say(said), said };
 }
 
 function safety(r: Reader): SafetyRow {
-  const [rule, holds, said] = [r.text(), r.flag(), r.said()];
+  const [rule, holds, said] = [r.text() as RuleName, r.flag(), r.said()];
   const [lines, about] = [r.list(() => r.number()), r.list(() => r.number())];
   return { rule, holds, message: say(said), said, lines, about };
 }

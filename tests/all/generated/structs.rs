@@ -3,6 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use touchpath::control::safety::RULES;
+use touchpath::form::CODES;
+use touchpath::job::RESULT_CODES;
+
 use syn::{Attribute, Expr, Fields, GenericArgument, Item, Lit, Meta, PathArguments, Type};
 
 /// Where the types stand, in the order in which they are printed.
@@ -50,6 +54,10 @@ const SOURCES: &[(&str, &[&str])] = &[
 const EXACT: &[(&str, &str)] = &[
     ("Move.feed", r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#),
     ("Move.kind", r#""position" | "touch" | "back""#),
+    ("Finding.code", "FindingCode"),
+    ("SafetyRow.rule", "RuleName"),
+    ("ResultRow.code", "ResultCode"),
+    ("ResultRow.verdict", "Verdict | null"),
     ("ResultRow.unit", r#""mm" | "inch" | "deg" | """#),
     (
         "ProgramText.writes",
@@ -72,9 +80,27 @@ import type { Cycle, PostId, Vec3 } from \"./job-types.js\";
 import type { Said } from \"./said.js\";
 ";
 
+/// The verdict of the whole workpiece says what the control does then.
+const VERDICT: &str = r#"
+/** What a tolerance or a limit makes of a value. */
+export type Judged = "good" | "rework" | "scrap" | "undefined" | "implausible";
+
+/** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
+export type Verdict = Judged | `${Judged}: ${string}`;
+"#;
+
 /// The file.
 pub fn types() -> String {
     let mut text = HEAD.to_owned();
+    names(
+        &mut text,
+        "Every code of a finding; docs/findings.md says what each means.",
+        "FindingCode",
+        CODES.iter().map(|c| c.0),
+    );
+    names(&mut text, "Every safety rule.", "RuleName", RULES.iter().map(|rule| rule.name));
+    names(&mut text, "Every code of a result.", "ResultCode", RESULT_CODES.iter().copied());
+    text.push_str(VERDICT);
     for (path, names) in SOURCES {
         let source = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
         let file = syn::parse_file(&source).unwrap();
@@ -90,6 +116,12 @@ pub fn types() -> String {
         }
     }
     text
+}
+
+/// A type of words.
+fn names<'a>(text: &mut String, about: &str, name: &str, words: impl Iterator<Item = &'a str>) {
+    let words: String = words.map(|word| format!("\n  | \"{word}\"")).collect();
+    write!(text, "\n/** {about} */\nexport type {name} ={words};\n").unwrap();
 }
 
 fn interface(text: &mut String, item: &syn::ItemStruct) {

@@ -4,6 +4,7 @@ import {
   check,
   exportTable,
   type Finding,
+  type FindingCode,
   importJob,
   type Job,
   JobError,
@@ -106,7 +107,7 @@ function usual(): string {
   return usualControl;
 }
 
-const problem = (code: string, message: string): Finding => ({
+const problem = (code: FindingCode, message: string): Finding => ({
   level: "error",
   code,
   path: "",
