@@ -146,19 +146,28 @@ test("a program of moves that says no job gives its moves", async () => {
   }
 });
 
-test("the examples of the README do what they say", async () => {
-  const readme = readFileSync(join(root, "README.md"), "utf8");
-  const [, code = ""] = readme.match(/```js\n([\s\S]*?)```/) ?? [];
-  assert.match(code, /from "touchpath"/);
-  const file = join(root, "dist", "readme-example.mjs");
-  writeFileSync(file, code);
-  try {
-    const shown = execFileSync("node", [file], { cwd: root, encoding: "utf8" });
-    assert.match(shown, /M2\n/);
-    assert.match(shown, /code: 'width1'/);
-  } finally {
-    rmSync(file);
-  }
+for (const [page, heading] of [
+  ["README.md", "## Ways to use it"],
+  ["docs/embedding.md", "## Every function once"],
+])
+  test(`the example of ${page} does what it says`, () => {
+    const text = readFileSync(join(root, page ?? ""), "utf8");
+    const [, code = ""] = text.slice(text.indexOf(heading ?? "")).match(/```js\n([\s\S]*?)```/) ?? [];
+    assert.match(code, /from "touchpath"/);
+    const file = join(root, "dist", "example.mjs");
+    writeFileSync(file, code);
+    try {
+      const shown = execFileSync("node", [file], { cwd: root, encoding: "utf8" });
+      assert.match(shown, /M2\n/);
+      assert.match(shown, /code: 'width1'/);
+    } finally {
+      rmSync(file);
+    }
+  });
+
+test("the README is read in two minutes", () => {
+  const words = readFileSync(join(root, "README.md"), "utf8").split(/\s+/).filter(Boolean);
+  assert.ok(words.length <= 600, `${words.length} words`);
 });
 
 test("a dump becomes the job again, and so does a program for SINUMERIK", async () => {

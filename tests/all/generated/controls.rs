@@ -1,4 +1,4 @@
-//! The matrix of controls and cycles, printed from the list of controls: a page of the manual, and a part of the README.
+//! The matrix of controls and cycles, printed from the list of controls: a page of the manual.
 
 use std::fmt::Write;
 
@@ -6,9 +6,6 @@ use touchpath::control::safety::RULES;
 use touchpath::control::{Form, POSTS, PostDef};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::path::Subject;
-
-const BEGIN: &str = "<!-- generated: controls -->";
-const END: &str = "<!-- generated: end -->";
 
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     // Rows of the table alone: a program of moves states its modes and ends.
@@ -23,13 +20,13 @@ fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     }
 }
 
-fn matrix(manual: &str) -> String {
+fn matrix() -> String {
     let heads: Vec<&str> = POSTS.iter().map(|post| post.title).collect();
     let mut text = format!("| cycle | source | {} |\n|---|---|{}\n", heads.join(" | "), "---|".repeat(POSTS.len()));
     for def in CYCLES {
         let cells: Vec<&str> = POSTS.iter().map(|post| cell(post, def)).collect();
         let page = def.doc.trim_start_matches("docs/");
-        writeln!(text, "| [{}]({manual}{page}) | {} | {} |", def.title, def.source, cells.join(" | ")).unwrap();
+        writeln!(text, "| [{}]({page}) | {} | {} |", def.title, def.source, cells.join(" | ")).unwrap();
     }
     text
 }
@@ -39,7 +36,7 @@ pub fn page() -> String {
     let mut text = "# The controls\n\n<!-- generated: UPDATE=1 cargo test --lib generated -->\n\nWhat each control takes, what its programs \
         hold, and what they cannot. [The programs](programs.md) says how they are written, and where that comes from.\n\n"
         .to_owned();
-    text.push_str(&matrix(""));
+    text.push_str(&matrix());
     text.push_str(
         "\n*Table only*: the cycle is rows of the parameter table. A program says the job in its header, states its modes and ends; it switches nothing and moves \
          nothing (`nothing-switched`).\n",
@@ -60,6 +57,10 @@ pub fn page() -> String {
         let cells = [post.title, post.key, post.extension, &offsets, by(post, post.watches), by(post, post.computes)];
         writeln!(text, "| {} | `{}` | `.{}` | {} | {} | {} |", cells[0], cells[1], cells[2], cells[3], cells[4], cells[5])
             .unwrap();
+    }
+    text.push('\n');
+    for post in POSTS {
+        writeln!(text, "- **{}** (`.{}`): {}", post.title, post.extension, post.about).unwrap();
     }
     text.push_str("\n## What they do not take, and why\n");
     for post in POSTS {
@@ -96,16 +97,4 @@ pub fn page() -> String {
         writeln!(text, "| `{}`{job} | {} | {} | {} |", rule.name, rule.says, rule.why, cannot.join("; ")).unwrap();
     }
     text
-}
-
-/// The README with its part of the list put in.
-pub fn readme(readme: &str) -> String {
-    let (before, rest) = readme.split_once(BEGIN).expect("the README has its mark");
-    let (_, after) = rest.split_once(END).expect("the README has its end mark");
-    let mut text = matrix("docs/");
-    text.push('\n');
-    for post in POSTS {
-        writeln!(text, "- **{}** (`.{}`): {}", post.title, post.extension, post.about).unwrap();
-    }
-    format!("{before}{BEGIN}\n\n{text}\n{END}{after}")
 }
