@@ -4,9 +4,8 @@
 //! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
 //! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
-use crate::control::iso::registers::When;
-use crate::control::iso::writer::{stated_start, wrapped};
-use crate::control::{Form, PostDef, Program, Request, check_orientation, does, header};
+use crate::control::iso::writer::{Dialect, PLAIN, stated_start, wrapped};
+use crate::control::{BASE, Form, PostDef, Program, Request, check_orientation, does, header};
 use crate::form::Checker;
 use crate::geom::{AXIS_NAMES, Plane};
 use crate::num::decimal;
@@ -18,29 +17,20 @@ pub static DEF: PostDef = PostDef {
     title: "HEIDENHAIN TNC7 (Klartext)",
     about: "a Klartext program with the control's own cycle 1411, tolerances, semi-automatic and given positions included. Not verified on a control.",
     extension: "h",
-    work_offsets: 0,
-    work_offset_word: |_| String::new(),
     no_work_offset: words!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"),
-    first_length: false,
     computes: false,
-    when: When::AtTheEnd,
-    nearest_trigger: 0.0,
     orients: Err(words!(
         "cycle 1411 orients the probe itself, as the probe table says (TRACK): the orientation of the job is not used"
     )),
     watches: false,
-    shortest_probe: 0.0,
-    constant_error: 1e-12,
-    dialect: None,
+    dialect: &Dialect { decimals_inch: 4, comment: ("; ", ""), ..PLAIN },
     unused: &["orient", "report", "number"],
-    cannot: &[],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
     serves,
     check,
     emit,
-    read: None,
-    typed_write: None,
+    ..BASE
 };
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {

@@ -21,7 +21,7 @@ use std::cell::OnceCell;
 
 use crate::control::iso::registers::{Registers, When};
 use crate::control::iso::script::{Script, Trouble};
-use crate::control::iso::writer::Dialect;
+use crate::control::iso::writer::{Dialect, PLAIN};
 use crate::form::{Checker, Value};
 use crate::formula::{Datum, Limits, Question};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
@@ -119,7 +119,7 @@ impl Report {
 }
 
 /// What is known of a control.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct PostDef {
     /// `control.post` in the job.
     pub key: &'static str,
@@ -155,8 +155,8 @@ pub struct PostDef {
     pub shortest_probe: f64,
     /// By how much a written constant may be off, as a part of itself.
     pub constant_error: f64,
-    /// How its blocks are written, where it takes a program of moves.
-    pub dialect: Option<&'static Dialect>,
+    /// How its blocks are written.
+    pub dialect: &'static Dialect,
     /// The safety rules that its programs cannot hold, and why.
     pub cannot: &'static [(&'static str, &'static str)],
     /// The name that its programs bear, from the one in the job.
@@ -176,6 +176,36 @@ pub struct PostDef {
     pub typed_write: Option<TypedWrite>,
 }
 
+/// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
+/// for itself (its words, `serves`, `check`, `emit`) is nothing here, and a test asks for it.
+pub const BASE: PostDef = PostDef {
+    key: "",
+    title: "",
+    about: "",
+    extension: "nc",
+    work_offsets: 0,
+    work_offset_word: |_| String::new(),
+    no_work_offset: "",
+    unused: &[],
+    first_length: false,
+    computes: true,
+    when: When::AtTheEnd,
+    nearest_trigger: 0.0,
+    orients: Ok(()),
+    watches: true,
+    shortest_probe: 0.0,
+    constant_error: 1e-12,
+    dialect: &PLAIN,
+    cannot: &[],
+    name: comment_text,
+    rate: feed_rate,
+    serves: |_, _| Err(""),
+    check: |_, _| {},
+    emit: |_| Program { text: String::new(), move_lines: Vec::new() },
+    read: None,
+    typed_write: None,
+};
+
 /// See [`PostDef::typed_write`].
 pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 
@@ -183,9 +213,18 @@ pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;
 
 impl PostDef {
+    /// Words about the control, with its name in place of `{control}`.
+    pub fn says(&self, words: &'static str) -> Text {
+        let mut text = Text::words(words);
+        if words.contains("{control}") {
+            text.fill(self.title.to_owned());
+        }
+        text
+    }
+
     /// Decimals of lengths and feeds in a program whose unit is so many mm.
     pub fn decimals(&self, scale: f64) -> usize {
-        self.dialect.map_or(4, |dialect| if scale == 1.0 { dialect.decimals_mm } else { dialect.decimals_inch })
+        if scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
     }
 
     /// Half of the last digit of a place or a feed, in units of the program: by so much a written one may be off.
@@ -363,7 +402,7 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
 /// A spindle that is to be turned to an angle by a control whose program cannot.
 fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     if let (Some(_), Err(why)) = (request.orient, request.post.orients) {
-        checker.warning("orient-unsupported", "control.orient", Text::words(why));
+        checker.warning("orient-unsupported", "control.orient", request.post.says(why));
     }
 }
 

@@ -1,7 +1,7 @@
 //! A program of moves, walked once: whatever differs between controls is a hook of [`Moves`].
 
 use crate::control::iso::registers::{When, needed_touches};
-use crate::control::iso::writer::{Dialect, Writer, comes_from_anywhere, pieces};
+use crate::control::iso::writer::{Writer, comes_from_anywhere, pieces};
 use crate::control::{Program, Request};
 use crate::formula::{Datum, Formula, Question, Used};
 use crate::geom::Vec3;
@@ -75,10 +75,10 @@ pub struct Kept {
 }
 
 /// Writes the program of a path: header, moves, arithmetic, one write, end.
-pub fn write(request: &Request<'_>, dialect: &'static Dialect, hooks: &mut dyn Moves) -> Program {
+pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let path = request.path;
     let formula = &path.formula;
-    let mut w = Writer::new(request, dialect);
+    let mut w = Writer::new(request);
     let used = formula.used();
     let mut kept = Kept::default();
     hooks.begin(&mut w);

@@ -284,7 +284,7 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
     let unable = case.request.post.cannot.iter().find(|(name, _)| *name == rule.name).map(|(_, why)| *why);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
-        (None, Text::words(why), Vec::new())
+        (None, case.request.post.says(why), Vec::new())
     } else if own_cycle {
         (None, text!("The control's own cycle touches and writes by itself"), Vec::new())
     } else {
@@ -363,7 +363,7 @@ fn modes_stated(case: &Case<'_>) -> Vec<Break> {
     let Some(first) = case.steps().first() else { return Vec::new() };
     let modes = case.followed.trace.modes;
     let arcs = case.steps().iter().any(|step| step.arc.is_some());
-    let exact = case.request.post.dialect.is_some_and(|dialect| dialect.modes.contains("G61"));
+    let exact = case.request.post.dialect.exact_stop;
     let right = [
         (words!("units"), modes.metric == Some(case.request.scale == 1.0)),
         (words!("plane"), modes.plane == Some(case.request.plane)),

@@ -302,7 +302,7 @@ enum Token {
 
 /// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
-    let round = post.and_then(|post| post.dialect).is_some_and(|dialect| dialect.comment.0 == "(");
+    let round = post.is_some_and(|post| post.dialect.comment.0 == "(");
     let mut begun = false;
     let mut rest = text;
     std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)))

@@ -28,6 +28,13 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
     })?
 }
 
+/// The program of a planned job, as its control prints it: neither read back nor released.
+#[cfg(test)]
+pub fn printed(planned: &Planned) -> String {
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    (planned.job.post.emit)(&request(planned, &feeds, None)).text
+}
+
 /// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
 #[cfg(test)]
 pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {

@@ -8,7 +8,7 @@ use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::part::{Lie, Machine, Scatter, Shape};
 use crate::path::{Feeds, Setup};
-use crate::text::{Text, text};
+use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
 
 /// The format this crate writes and reads.
@@ -467,7 +467,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
     }
     if let Some(n) = control.work_offset {
         if post.work_offsets == 0 {
-            checker.error("work-offset-unsupported", "control.workOffset", Text::words(post.no_work_offset));
+            checker.error("work-offset-unsupported", "control.workOffset", post.says(post.no_work_offset));
         } else if n > post.work_offsets {
             let last = (post.work_offset_word)(post.work_offsets);
             let message = text!(

@@ -69,7 +69,7 @@ fn the_tool_axis_of_klartext_is_the_planes() {
 #[test]
 fn a_program_keeps_every_decimal() {
     for (units, decimals) in [("mm", 4), ("inch", 5)] {
-        for post in ["linuxcnc", "grbl", "sinumerik"] {
+        for post in crate::tests::controls::of_moves() {
             let job = job(&format!(
                 r#"{{ "format": 1, "units": "{units}", "cycle": {{ "type": "boss", "origin": [1.2345678, -2.3456789, 0.1234567], "rotation": 17 }},
                 "control": {{ "post": "{post}" }} }}"#

@@ -20,8 +20,6 @@ fn said(text: &str) -> Vec<String> {
     findings.into_iter().filter(|f| f.level != Level::Info).map(|f| f.code).collect()
 }
 
-const MOVES: [&str; 5] = ["linuxcnc", "grbl", "sinumerik", "fanuc", "haas"];
-
 #[test]
 fn numbers_without_their_point_were_read_as_the_same_number() {
     for post in ["fanuc", "haas"] {
@@ -47,7 +45,7 @@ fn a_tape_sign_in_the_middle_ended_the_program_unseen() {
 /// What stood behind the sign was nothing: no control takes it so.
 #[test]
 fn code_behind_a_tape_sign_was_passed_over() {
-    for post in MOVES {
+    for post in crate::tests::controls::of_moves() {
         let text = program(post);
         let text = text.strip_prefix("%\n").unwrap_or(&text);
         for first in ["%G0 Z-50", "% G0 Z-50", "%100 G0 Z-50", "%(A) G0 Z-50", "%_N_A_MPF G0 Z-50"] {
@@ -63,7 +61,7 @@ fn code_behind_a_tape_sign_was_passed_over() {
 
 #[test]
 fn words_of_a_job_below_the_header_overrode_it() {
-    for post in MOVES {
+    for post in crate::tests::controls::of_moves() {
         let text = program(post);
         let (open, close) = if post == "sinumerik" { ("; ", "") } else { ("(", ")") };
         let more = format!("{text}{open}job stylus.repeatability=0.9 cycle.width1=99{close}\n");
@@ -129,7 +127,7 @@ fn deep_lists_many_labels_and_endless_programs_come_back() {
 /// A comment hid a motion from the reader, not from grbl, which ends a line at a carriage return. LinuxCNC does not end one there.
 #[test]
 fn a_carriage_return_hid_a_motion() {
-    for post in MOVES {
+    for post in crate::tests::controls::of_moves() {
         let text = program(post);
         let (open, close) = if post == "sinumerik" { (";", "") } else { ("(", ")") };
         let (head, blocks) = text.split_at(text.find("G1 Z").unwrap_or_else(|| text.find("G17").unwrap()));
@@ -178,7 +176,7 @@ fn a_subroutine_is_closed_by_its_own_name() {
 #[test]
 fn a_program_without_a_job_has_no_unchecked_move() {
     for def in touchpath::cycle::CYCLES.iter().filter(|def| def.number.is_some_and(|n| n > 1)) {
-        for post in MOVES {
+        for post in crate::tests::controls::of_moves() {
             let job = with(&default_job(def.key).unwrap(), "control.post", Value::Text(post.to_owned()));
             let job = with(&job, "control.form", Value::Text("moves".to_owned()));
             let plan = planned(&with(&job, "control.header", Value::Text("short".to_owned())));
@@ -191,7 +189,7 @@ fn a_program_without_a_job_has_no_unchecked_move() {
 
 #[test]
 fn a_name_of_nothing_stays_nothing() {
-    for post in MOVES {
+    for post in crate::tests::controls::of_moves() {
         let job = with(&default_job("hole").unwrap(), "control.post", Value::Text(post.to_owned()));
         let text = planned(&with(&job, "name", Value::Text(String::new()))).program.text;
         assert_eq!(import(&text).unwrap().job.get("name"), Some(&Value::Text(String::new())), "{post}");
@@ -359,7 +357,7 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
 /// Blanks that no control takes for one, and signs that may end its line: they stood between words and in comments unseen.
 #[test]
 fn what_no_control_takes_for_a_blank_was_one() {
-    for post in MOVES {
+    for post in crate::tests::controls::of_moves() {
         let text = program(post);
         let touch = text
             .lines()

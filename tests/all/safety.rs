@@ -155,7 +155,7 @@ fn every_rule_says_what_and_why_and_what_a_control_cannot_names_a_rule() {
 }
 
 /// For each rule a program that breaks it: the rule, the control, what is replaced and by what.
-const BROKEN: &[(&str, &str, &str, &str)] = &[
+pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("modes-stated", "linuxcnc", "G21\n", ""),
     ("modes-stated", "linuxcnc", "G17 G8", "G18 G8"),
     ("modes-stated", "linuxcnc", " G61 ", " G64 "),
@@ -241,7 +241,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
 }
 
 /// Lines that no program may have between its moves, whatever else is right in it.
-const DANGEROUS: &[(&str, &[&str])] = &[
+pub const DANGEROUS: &[(&str, &[&str])] = &[
     (
         "linuxcnc",
         &[

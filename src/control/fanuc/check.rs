@@ -1,6 +1,6 @@
 //! What neither of the two takes, or takes with a warning.
 
-use super::{CHANGES, DIALECT, DIGITS, FIRST, LAST, STANDARD_OFFSETS, number};
+use super::{CHANGES, DIGITS, FIRST, LAST, STANDARD_OFFSETS, number};
 use crate::control::{Request, check_plain_moves, check_rotary, check_write};
 use crate::form::Checker;
 use crate::geom::Plane;
@@ -93,7 +93,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// No place needs more digits than a number may have.
 fn check_digits(request: &Request<'_>, checker: &mut Checker) {
-    let decimals = if request.scale == 1.0 { DIALECT.decimals_mm } else { DIALECT.decimals_inch };
+    let decimals = request.post.decimals(request.scale);
     let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
     let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
     let places = request.path.moves.iter().map(|step| step.to).chain(touches);

@@ -23,8 +23,8 @@ use self::flavour::{PLAIN, WITH_ALARMS};
 pub use self::number::number;
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
-use crate::control::iso::writer::Dialect;
-use crate::control::{Form, PostDef, Request, feed_rate, safety};
+use crate::control::iso::writer::{self, Dialect};
+use crate::control::{BASE, Form, PostDef, Request, feed_rate, safety};
 use crate::path::{Move, Subject};
 use crate::text::words;
 
@@ -33,17 +33,15 @@ pub static FANUC: PostDef = PostDef {
     key: "fanuc",
     title: "Fanuc 30i / 0i-F",
     about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
-    extension: "nc",
     // G54.1 P1 to P48 are an option of the control.
     work_offsets: STANDARD_OFFSETS + 48,
     work_offset_word: |n| match n {
         ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
         _ => format!("G54.1 P{}", n - STANDARD_OFFSETS),
     },
-    cannot: &[],
     emit: |request| emit(request, &PLAIN),
     read: Some(read::fanuc),
-    ..BASE
+    ..KIN
 };
 
 /// Haas Next Generation Control.
@@ -51,7 +49,6 @@ pub static HAAS: PostDef = PostDef {
     key: "haas",
     title: "Haas NGC",
     about: "the same with M78 and M79, which raise the alarm in the control itself. Not verified on a control.",
-    extension: "nc",
     work_offsets: STANDARD_OFFSETS + 99,
     work_offset_word: |n| match n {
         ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
@@ -74,50 +71,26 @@ pub static HAAS: PostDef = PostDef {
     },
     emit: |request| emit(request, &WITH_ALARMS),
     read: Some(read::haas),
-    ..BASE
+    ..KIN
 };
 
-const BASE: PostDef = PostDef {
-    key: "",
-    title: "",
-    about: "",
-    extension: "",
-    work_offsets: 0,
-    work_offset_word: |_| String::new(),
-    no_work_offset: "",
+/// What both have.
+const KIN: PostDef = PostDef {
     unused: &["tool"],
-    first_length: false,
-    computes: true,
     when: When::AtOnce,
     nearest_trigger: IN_POSITION,
-    orients: Ok(()),
-    watches: true,
     shortest_probe: SHORTEST_PROBE,
     constant_error: 2e-8,
-    dialect: Some(&DIALECT),
-    cannot: &[],
+    dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| rate(request, step, PLAIN.rapid),
     serves,
     check,
     emit: |request| emit(request, &PLAIN),
-    read: None,
-    typed_write: None,
+    ..BASE
 };
 
-static DIALECT: Dialect = Dialect {
-    decimals_mm: 4,
-    decimals_inch: 5,
-    comment: ("(", ")"),
-    // Ours: what is longer is hard to read on the screen of the control.
-    comment_width: 80,
-    longest_block: 255,
-    points: true,
-    capitals: true,
-    units: ("G21", "G20"),
-    modes: "G40 G80 G90",
-    arcs: "",
-};
+const DIALECT: Dialect = Dialect { points: true, capitals: true, ..writer::PLAIN };
 
 /// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
 const SHORTEST_PROBE: f64 = 0.2;

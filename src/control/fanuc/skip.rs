@@ -1,7 +1,7 @@
 //! Writes the program: every probing move a G31, compared with its end.
 
 use super::flavour::Flavour;
-use super::{CHANGES, DIALECT, DIGITS, FIRST, SHORTEST_PROBE, number, origin, rate};
+use super::{CHANGES, DIGITS, FIRST, SHORTEST_PROBE, number, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
@@ -50,7 +50,7 @@ fn push_variable(text: &mut String, n: usize) {
 /// The program of a request, with what one of the two has of its own.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
     let skip = &mut Skip { request, flavour, registers: request.registers(), labels: 0, implausible: Vec::new() };
-    moves::write(request, &DIALECT, skip)
+    moves::write(request, skip)
 }
 
 /// The program of one request.
@@ -238,7 +238,7 @@ impl Moves for Skip<'_> {
             w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
         }
         let more = if request.corrects() { self.change(CHANGES) - self.registers.last - 1 } else { 0 };
-        for line in self.registers.lines(formula, more, DIALECT.comment_width - 2, variable) {
+        for line in self.registers.lines(formula, more, request.post.dialect.comment_width - 2, variable) {
             w.comment(&line);
         }
         w.says_job();

@@ -7,12 +7,11 @@
 mod read;
 mod write;
 
-use crate::control::iso::registers::When;
-use crate::control::iso::writer::{Dialect, Writer, upwards};
+use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, Kept, Moves, Step};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
+    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question};
@@ -25,56 +24,44 @@ pub static DEF: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
     about: "the same moves. grbl has no variables, so a program cannot compute or write anything, and it does not watch the probe in positioning moves; the page and the program say so.",
-    extension: "nc",
-    work_offsets: 0,
-    work_offset_word: |_| String::new(),
     no_work_offset: words!(
-        "grbl has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
+        "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
     ),
-    first_length: false,
     computes: false,
-    when: When::AtTheEnd,
-    nearest_trigger: 0.0,
-    orients: Err(words!("grbl cannot turn a spindle to an angle: turn it by hand")),
+    orients: Err(words!("{control} cannot turn a spindle to an angle: turn it by hand")),
     watches: false,
-    shortest_probe: 0.0,
-    constant_error: 1e-12,
-    dialect: Some(&DIALECT),
+    dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number"],
     cannot: &[
-        (safety::WATCHED, words!("grbl has no conditions: a program cannot ask whether a positioning move met something")),
-        (safety::CONTACT_LIFTS, words!("grbl does not watch positioning moves: nothing follows a contact there")),
+        (safety::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move met something")),
+        (safety::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
         (safety::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing after it runs")),
         (
             safety::LOW_START,
-            words!("grbl cannot ask where the stylus stands: it must be above the first place, as the header says"),
+            words!("{control} cannot ask where the stylus stands: it must be above the first place, as the header says"),
         ),
-        (safety::ONE_WRITE, words!("grbl has no variables: the sender writes the work offset")),
-        (safety::PLAUSIBLE, words!("grbl has no variables: whoever reads the results must judge them")),
-        (safety::RESTART, words!("grbl has no variables: the sender writes the work offset")),
-        (safety::WRITE_LAST, words!("grbl has no variables: the sender writes the work offset")),
+        (safety::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
+        (safety::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),
+        (safety::RESTART, words!("{control} has no variables: the sender writes the work offset")),
+        (safety::WRITE_LAST, words!("{control} has no variables: the sender writes the work offset")),
     ],
-    name: crate::control::comment_text,
     rate,
-    serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("grbl has no probing cycles of its own") },
+    serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("it has no probing cycles of its own") },
     check,
     emit,
     read: Some(read::read),
     typed_write: Some(write::typed),
+    ..BASE
 };
 
-static DIALECT: Dialect = Dialect {
-    decimals_mm: 4,
-    decimals_inch: 5,
-    comment: ("(", ")"),
+const DIALECT: Dialect = Dialect {
     // grbl 1.1 takes about 80 characters a line, its kin 256.
     comment_width: 78,
     longest_block: 78,
-    points: false,
-    capitals: false,
-    units: ("G21", "G20"),
     modes: "G40 G61 G80 G90",
+    exact_stop: true,
     arcs: " G91.1",
+    ..PLAIN
 };
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
@@ -84,15 +71,21 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info(
         "no-results-in-program",
         "control.post",
-        text!("grbl computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
-         those points give"),
+        text!("{control} computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
+         those points give", request.post.title.to_owned()),
     );
     if !request.path.moves.is_empty() {
-        let message = text!("grbl does not watch the probe in positioning moves: a contact there goes unnoticed");
+        let message = text!(
+            "{control} does not watch the probe in positioning moves: a contact there goes unnoticed",
+            request.post.title.to_owned()
+        );
         checker.warning("positioning-not-watched", "control.protection", message);
     }
     if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = text!("grbl does not watch positioning moves: a rapid that goes down runs at the feed of the touches");
+        let message = text!(
+            "{control} does not watch positioning moves: a rapid that goes down runs at the feed of the touches",
+            request.post.title.to_owned()
+        );
         checker.info("rapid-at-feed", "feeds", message);
     }
 }
@@ -104,7 +97,7 @@ fn rate(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    moves::write(request, &DIALECT, &mut Grbl { request })
+    moves::write(request, &mut Grbl { request })
 }
 
 /// The program of one request.

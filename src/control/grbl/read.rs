@@ -21,7 +21,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {
         if code.contains(['#', '[', '=']) {
-            return fault(text!("grbl has no variables"));
+            return fault(text!("this control has no variables"));
         }
         if code.is_empty() || code == "%" {
             return Ok(());

@@ -6,7 +6,7 @@ use crate::num::Digits;
 use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Dialect {
     /// Decimals of lengths and feeds in mm.
     pub decimals_mm: usize,
@@ -26,9 +26,27 @@ pub struct Dialect {
     pub units: (&'static str, &'static str),
     /// Exact stop, and everything modal that must not leak in, but for plane and units.
     pub modes: &'static str,
+    /// Whether a program that is read back must state exact stop by G61.
+    pub exact_stop: bool,
     /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
     pub arcs: &'static str,
 }
+
+/// What most controls take; each states what it has otherwise.
+pub const PLAIN: Dialect = Dialect {
+    decimals_mm: 4,
+    decimals_inch: 5,
+    comment: ("(", ")"),
+    // Ours: what is longer is hard to read on the screen of a control.
+    comment_width: 80,
+    longest_block: 255,
+    points: false,
+    capitals: false,
+    units: ("G21", "G20"),
+    modes: "G40 G80 G90",
+    exact_stop: false,
+    arcs: "",
+};
 
 /// Writes a program block by block and remembers which block makes which move.
 #[derive(Debug)]
@@ -50,11 +68,11 @@ pub struct Writer<'a> {
 
 impl<'a> Writer<'a> {
     /// An empty program.
-    pub fn new(request: &'a Request<'a>, dialect: &'static Dialect) -> Self {
+    pub fn new(request: &'a Request<'a>) -> Self {
         let move_lines = Vec::with_capacity(request.path.moves.len());
         let mut writer = Writer {
             request,
-            dialect,
+            dialect: request.post.dialect,
             text: String::with_capacity(2048 + 40 * request.path.formula.assignments.len() + 160 * request.path.moves.len()),
             lines: 0,
             move_lines,

@@ -12,12 +12,11 @@
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::registers::When;
-use crate::control::iso::writer::{Dialect, Writer, across_from_stated, lower_than, upwards};
+use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::safety;
 use crate::control::{
-    Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
+    BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
     check_watched, check_write, does, orientation_line, work_offset_word,
 };
 use crate::form::Checker;
@@ -34,22 +33,13 @@ pub static DEF: PostDef = PostDef {
     extension: "ngc",
     work_offsets: 9,
     work_offset_word,
-    no_work_offset: "",
-    first_length: false,
-    computes: true,
-    when: When::AtTheEnd,
-    nearest_trigger: 0.0,
-    orients: Ok(()),
-    watches: true,
     shortest_probe: SHORTEST_PROBE,
-    constant_error: 1e-12,
-    dialect: Some(&DIALECT),
+    dialect: &DIALECT,
     unused: &["tool", "number"],
     cannot: &[(
         safety::MISS_LIFTS,
         words!("G38.2 itself stops the program with an error where the ball stands: nothing after it runs"),
     )],
-    name: crate::control::comment_text,
     rate,
     serves: |_, form| match form {
         Form::Moves => Ok(()),
@@ -58,22 +48,17 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
-    typed_write: None,
+    ..BASE
 };
 
-static DIALECT: Dialect = Dialect {
-    decimals_mm: 4,
-    decimals_inch: 5,
-    comment: ("(", ")"),
+const DIALECT: Dialect = Dialect {
     // A line may have 255 characters; more than this is hard to read.
     comment_width: 160,
-    longest_block: 255,
-    points: false,
-    capitals: false,
-    units: ("G21", "G20"),
     // G8: X is a radius. Under G7, the lathe's diameters, half of every X would be run.
     modes: "G8 G40 G61 G80 G90",
+    exact_stop: true,
     arcs: " G91.1",
+    ..PLAIN
 };
 
 /// The shortest probe move, mm: the text of RS274/NGC, from which the interpreter comes, refuses less than 0.254 mm. The interpreter of today takes
@@ -127,7 +112,7 @@ fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> 
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    moves::write(request, &DIALECT, &mut LinuxCnc { request, labels: Labels { next: FIRST_LABEL } })
+    moves::write(request, &mut LinuxCnc { request, labels: Labels { next: FIRST_LABEL } })
 }
 
 /// The program of one request.

@@ -6,7 +6,7 @@
 
 use crate::control::iso::writer::Writer;
 use crate::control::moves::Step;
-use crate::control::sinumerik::{DIALECT, begin, end, names_move, position};
+use crate::control::sinumerik::{begin, end, names_move, position};
 use crate::control::{Program, Request};
 use crate::form::Checker;
 use crate::path::{self, Feature, Move, Purpose};
@@ -92,7 +92,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
 pub fn emit(request: &Request<'_>) -> Program {
-    let mut w = Writer::new(request, &DIALECT);
+    let mut w = Writer::new(request);
     let mut notes = vec![
         "Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed",
         "NOT VERIFIED: argument 11, the infeed, is written positive; sources disagree on its sign. A wrong one lifts instead",

@@ -18,12 +18,12 @@ mod cycle977;
 mod read;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::registers::{Registers, When};
-use crate::control::iso::writer::{Dialect, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
+use crate::control::iso::registers::Registers;
+use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
 use crate::control::{
-    Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does, feed_rate,
-    orientation_line,
+    BASE, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does,
+    feed_rate, orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
@@ -39,39 +39,24 @@ pub static DEF: PostDef = PostDef {
     extension: "mpf",
     work_offsets: 99,
     work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
-    no_work_offset: "",
     first_length: true,
-    computes: true,
-    when: When::AtTheEnd,
-    nearest_trigger: 0.0,
-    orients: Ok(()),
-    watches: true,
-    shortest_probe: 0.0,
-    constant_error: 1e-12,
-    dialect: Some(&DIALECT),
+    dialect: &DIALECT,
     unused: &["tool", "number"],
-    cannot: &[],
-    name: crate::control::comment_text,
-    rate: feed_rate,
     serves,
     check,
     emit,
     read: Some(read::read),
-    typed_write: None,
+    ..BASE
 };
 
-static DIALECT: Dialect = Dialect {
-    decimals_mm: 4,
-    decimals_inch: 5,
+const DIALECT: Dialect = Dialect {
     comment: ("; ", ""),
     comment_width: 120,
     // Recalled: a block has at most 512 characters.
     longest_block: 512,
-    points: false,
-    capitals: false,
     units: ("G71", "G70"),
     modes: "G40 G60 G90",
-    arcs: "",
+    ..PLAIN
 };
 
 /// R parameters beyond this number are not on every control. Recalled: MD28050 has 100 of them, R0 to R99, by default.
@@ -149,7 +134,7 @@ fn emit(request: &Request<'_>) -> Program {
 }
 
 fn emit_moves(request: &Request<'_>) -> Program {
-    moves::write(request, &DIALECT, &mut Sinumerik { request, registers: request.registers(), unwatched: false, asked: 0 })
+    moves::write(request, &mut Sinumerik { request, registers: request.registers(), unwatched: false, asked: 0 })
 }
 
 /// The program of one request.
@@ -185,7 +170,7 @@ impl Moves for Sinumerik<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let formula = &self.request.path.formula;
         let more = frame_registers(self.request);
-        let lines = self.registers.lines(formula, more, DIALECT.comment_width - 2, |n| format!("R{n}"));
+        let lines = self.registers.lines(formula, more, self.request.post.dialect.comment_width - 2, |n| format!("R{n}"));
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
         begin(w, self.request, does::ONCE, &notes);
         if let Some(count) = self.count() {

@@ -9,7 +9,11 @@ use touchpath::job::{check, default_job, plan};
 
 #[test]
 fn comment_lines_are_longer_than_the_control_takes() {
-    for (post, longest) in [("linuxcnc", 160), ("grbl", 80), ("sinumerik", 120), ("heidenhain", 80)] {
+    let longest = [("linuxcnc", 160), ("grbl", 80), ("sinumerik", 120), ("heidenhain", 80), ("fanuc", 80), ("haas", 80)];
+    for post in touchpath::control::POSTS {
+        assert!(longest.iter().any(|(key, _)| *key == post.key), "the longest comment of {} is not stated here", post.key);
+    }
+    for (post, longest) in longest {
         for def in touchpath::cycle::CYCLES {
             let form = if post == "heidenhain" { "cycle" } else { "moves" };
             let job = with(&with(&default_job(def.key).unwrap(), "control.post", text(post)), "control.form", text(form));

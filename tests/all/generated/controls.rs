@@ -51,7 +51,7 @@ pub fn page() -> String {
     let by = |post: &PostDef, is: bool| if moves(post) { yes(is) } else { "by its own cycle" };
     for post in POSTS {
         let offsets = match post.work_offsets {
-            0 => format!("none: {}", post.no_work_offset),
+            0 => format!("none: {}", post.says(post.no_work_offset).english()),
             last => format!("{} to {}", (post.work_offset_word)(1), (post.work_offset_word)(last)),
         };
         let cells = [post.title, post.key, post.extension, &offsets, by(post, post.watches), by(post, post.computes)];
@@ -90,7 +90,10 @@ pub fn page() -> String {
         let cannot: Vec<String> = POSTS
             .iter()
             .flat_map(|post| {
-                post.cannot.iter().filter(|(name, _)| *name == rule.name).map(move |(_, why)| format!("{}: {why}", post.title))
+                post.cannot
+                    .iter()
+                    .filter(|(name, _)| *name == rule.name)
+                    .map(move |(_, why)| format!("{}: {}", post.title, post.says(why).english()))
             })
             .collect();
         let job = if rule.must { "" } else { " (as the job asks)" };
