@@ -1,5 +1,7 @@
 //! A program of moves, walked once: whatever differs between controls is a hook of [`Moves`].
 
+use std::ops::Range;
+
 use crate::control::iso::registers::{When, needed_touches};
 use crate::control::iso::writer::{Writer, comes_from_anywhere, pieces};
 use crate::control::{Program, Request};
@@ -24,6 +26,11 @@ pub trait Moves {
     /// Everything before the first move: the header, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
 
+    /// The moves that a cycle of the control makes by itself, and the block that calls it; it computes and writes the results, too.
+    fn own_cycle(&self, _w: &Writer<'_>) -> Option<(Range<usize>, String)> {
+        None
+    }
+
     /// To the first place, from wherever the stylus stands.
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
 
@@ -35,25 +42,27 @@ pub trait Moves {
 
     /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put into the empty texts of `kept`. False
     /// where it keeps none.
-    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool;
+    fn keeps(&self, _sample: usize, _axis: usize, _kept: &mut Kept) -> bool {
+        false
+    }
 
     /// The way back from a touch.
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
-    /// One assignment of the formula.
-    fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize);
+    /// One assignment of the formula. This and what follows is nothing on a control that cannot compute.
+    fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
 
     /// Brings the results where they are read.
-    fn results(&mut self, w: &mut Writer<'_>, formula: &Formula);
+    fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     /// Asks whether a result is plausible: where it is not, a program that writes stops with an alarm, any other says so.
-    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question);
+    fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &Question) {}
 
     /// The one write of a work offset.
-    fn write(&mut self, w: &mut Writer<'_>, formula: &Formula, number: i32, datum: &Datum);
+    fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
 
     /// Shows the results to whoever stands at the control.
-    fn report(&mut self, w: &mut Writer<'_>, formula: &Formula);
+    fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     /// The end, and the exits after it.
     fn end(&mut self, w: &mut Writer<'_>);
@@ -82,12 +91,17 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let used = formula.used();
     let mut kept = Kept::default();
     hooks.begin(&mut w);
+    let own = hooks.own_cycle(&w);
     let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
     let (mut made, mut computed) = (0, 0);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
         match step.purpose {
+            _ if own.as_ref().is_some_and(|(range, _)| range.contains(&index)) => {
+                own.iter().filter(|(range, _)| range.start == index).for_each(|(_, call)| w.line(call));
+                w.leaves_move();
+            }
             Purpose::Position if comes_from_anywhere(request, index, step) => hooks.approach(&mut w, step),
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
@@ -103,21 +117,29 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
         }
         from = Some(step.to);
     }
-    for index in computed..formula.assignments.len() {
-        hooks.assign(&mut w, formula, index);
+    if own.is_none() {
+        conclude(&mut w, request, hooks, computed);
     }
-    hooks.results(&mut w, formula);
+    hooks.end(&mut w);
+    w.finish()
+}
+
+/// What follows from the touches: the rest of the arithmetic, the questions, the one write, the results.
+fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, computed: usize) {
+    let formula = &request.path.formula;
+    for index in computed..formula.assignments.len() {
+        hooks.assign(w, formula, index);
+    }
+    hooks.results(w, formula);
     for question in &request.questions() {
-        hooks.ask(&mut w, formula, question);
+        hooks.ask(w, formula, question);
     }
     if let (Some(number), Some(datum)) = (request.work_offset, &formula.datum)
         && datum.writes()
     {
-        hooks.write(&mut w, formula, number, datum);
+        hooks.write(w, formula, number, datum);
     }
-    hooks.report(&mut w, formula);
-    hooks.end(&mut w);
-    w.finish()
+    hooks.report(w, formula);
 }
 
 /// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.

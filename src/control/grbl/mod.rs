@@ -8,13 +8,12 @@ mod read;
 mod write;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
-use crate::control::moves::{self, Kept, Moves, Step};
+use crate::control::moves::{self, Moves, Step};
 use crate::control::safety;
 use crate::control::{
     BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
 };
 use crate::form::Checker;
-use crate::formula::{Datum, Formula, Question};
 use crate::geom::Vec3;
 use crate::num::decimal;
 use crate::path::{Move, Touch};
@@ -142,23 +141,9 @@ impl Moves for Grbl<'_> {
         w.touch("G38.2", step.step, touch, false, self.request.feeds.work);
     }
 
-    fn keeps(&self, _sample: usize, _axis: usize, _kept: &mut Kept) -> bool {
-        false
-    }
-
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         self.position(w, step);
     }
-
-    fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
-
-    fn results(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
-
-    fn ask(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _question: &Question) {}
-
-    fn write(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _number: i32, _datum: &Datum) {}
-
-    fn report(&mut self, _w: &mut Writer<'_>, _formula: &Formula) {}
 
     fn end(&mut self, w: &mut Writer<'_>) {
         w.line("M2");

@@ -4,12 +4,12 @@
 //! program says so: the sign of the infeed, on which sources disagree, that a rectangle takes both coordinates of the centre, and, in
 //! inches, the unit of the measuring path. Argument 10, a rotation, is always 0.
 
+use std::ops::Range;
+
+use crate::control::Request;
 use crate::control::iso::writer::Writer;
-use crate::control::moves::Step;
-use crate::control::sinumerik::{begin, end, names_move, position};
-use crate::control::{Program, Request};
 use crate::form::Checker;
-use crate::path::{self, Feature, Move, Purpose};
+use crate::path::{self, Feature};
 use crate::text::{text, words};
 
 /// The shortest measuring path that CYCLE977 is called with, mm.
@@ -90,9 +90,8 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.warning("cycle-differs", "control.form", message);
 }
 
-/// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
-pub fn emit(request: &Request<'_>) -> Program {
-    let mut w = Writer::new(request);
+/// What the header says of it.
+pub fn notes(request: &Request<'_>) -> Vec<&'static str> {
     let mut notes = vec![
         "Results: _OVR[4] and following of the measuring cycle; probe data set 1, the control's own measuring feed",
         "NOT VERIFIED: argument 11, the infeed, is written positive; sources disagree on its sign. A wrong one lifts instead",
@@ -101,29 +100,16 @@ pub fn emit(request: &Request<'_>) -> Program {
     if request.scale != 1.0 {
         notes.push("NOT VERIFIED: argument 8, the measuring path, is written in inches; its forerunner _FA was in mm always");
     }
-    begin(&mut w, request, ": selected first, corrected by the cycle", &notes);
+    notes
+}
+
+/// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
+pub fn of(request: &Request<'_>, w: &Writer<'_>) -> Option<(Range<usize>, String)> {
+    let rectangle = Rectangle::of(request)?;
     let moves = &request.path.moves;
-    let touches = |m: &Move| !matches!(m.purpose, Purpose::Position);
     // The approach: every move before the first that leaves the start.
     let approach = moves.iter().take_while(|m| m.step <= 1).count();
-    for (i, step) in moves.iter().enumerate().take(approach) {
-        let from = moves.get(i.wrapping_sub(1)).map(|m| m.to);
-        names_move(&mut w, i);
-        position(&mut w, request, Step { index: i, step, from });
-    }
-    debug_assert!(moves.iter().any(touches), "a cycle touches");
-    if let Some(rectangle) = Rectangle::of(request) {
-        let call = call(&w, request, &rectangle);
-        w.line(&call);
-    }
-    let last = moves.len() - 1;
-    for _ in approach..last {
-        w.leaves_move();
-    }
-    names_move(&mut w, last);
-    position(&mut w, request, Step { index: last, step: &moves[last], from: Some(moves[last - 1].to) });
-    end(&mut w, request, None);
-    w.finish()
+    Some((approach..moves.len() - 1, call(w, request, &rectangle)))
 }
 
 /// The sign of the infeed, argument 11. Not settled: a generator for the control's own editor writes it positive, two others negative.

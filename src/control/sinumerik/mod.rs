@@ -17,6 +17,8 @@
 mod cycle977;
 mod read;
 
+use std::ops::Range;
+
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
@@ -130,10 +132,6 @@ fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    if request.form == Form::Cycle { cycle977::emit(request) } else { emit_moves(request) }
-}
-
-fn emit_moves(request: &Request<'_>) -> Program {
     moves::write(request, &mut Sinumerik { request, registers: request.registers(), unwatched: false, asked: 0 })
 }
 
@@ -150,7 +148,8 @@ struct Sinumerik<'a> {
 impl Sinumerik<'_> {
     /// The register that counts the touches, where the program writes.
     fn count(&self) -> Option<usize> {
-        self.request.corrects().then_some(self.registers.last + TOUCHES)
+        let writes = self.request.form == Form::Moves && self.request.corrects();
+        writes.then_some(self.registers.last + TOUCHES)
     }
 
     fn notation(&self) -> RParameters<'_> {
@@ -167,7 +166,14 @@ impl Sinumerik<'_> {
 }
 
 impl Moves for Sinumerik<'_> {
+    fn own_cycle(&self, w: &Writer<'_>) -> Option<(Range<usize>, String)> {
+        if self.request.form == Form::Cycle { cycle977::of(self.request, w) } else { None }
+    }
+
     fn begin(&mut self, w: &mut Writer<'_>) {
+        if self.request.form == Form::Cycle {
+            return begin(w, self.request, ": selected first, corrected by the cycle", &cycle977::notes(self.request));
+        }
         let formula = &self.request.path.formula;
         let more = frame_registers(self.request);
         let lines = self.registers.lines(formula, more, self.request.post.dialect.comment_width - 2, |n| format!("R{n}"));
@@ -192,7 +198,7 @@ impl Moves for Sinumerik<'_> {
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         names_move(w, step.index);
-        if self.request.protected {
+        if self.request.protected && self.request.form == Form::Moves {
             self.ask_probe(w);
         }
         position(w, self.request, step);
