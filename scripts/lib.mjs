@@ -37,9 +37,9 @@ export function run(command, args, { env = {}, cwd = root, quiet = false } = {})
 }
 
 /** The laws asked of random jobs: half of them the same every time, half fresh. Ends the script where one breaks a law. */
-export function fuzz(/** @type {number} */ jobs) {
+export function fuzz(/** @type {number} */ jobs, /** @type {Record<string, string>} */ seed = {}) {
   run("cargo", ["test", "--locked", "--quiet", "--profile", "fuzz", "--test", "fuzz"], {
-    env: { FUZZ_JOBS: String(jobs) },
+    env: { ...seed, FUZZ_JOBS: String(jobs) },
   });
 }
 

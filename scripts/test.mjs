@@ -1,4 +1,5 @@
 // Sets up what a machine lacks and runs every test. `setup` only sets up; `check` builds, then checks format, lints and types.
+// Laws and fuzzer ask random cases: `--seed N` asks those of an earlier run again.
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";
 import { dirname } from "node:path";
@@ -21,7 +22,11 @@ import {
   summary,
 } from "./lib.mjs";
 
-const only = process.argv[2];
+const [asked, number] = process.argv.slice(2);
+const only = asked === "--seed" ? undefined : asked;
+const seed = asked === "--seed" ? Number(number) : Date.now() % 2 ** 32;
+if (!Number.isSafeInteger(seed) || seed < 0) throw new Error("--seed takes a whole number");
+const random = { FUZZ_SEED: String(seed), PROPTEST_RNG_SEED: String(seed) };
 /** The test files of a folder, by name: what a folder means to Node's runner differs from version to version. */
 const tests = (/** @type {string} */ folder) =>
   readdirSync(at("tests", folder))
@@ -95,10 +100,11 @@ if (only !== "setup") {
   });
 }
 if (tools && !only) {
+  console.log(`Random cases of this run: npm test -- --seed ${seed}`);
   await stage("Native tests", () =>
-    run("cargo", ["test", "--locked"], { env: { RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
+    run("cargo", ["test", "--locked"], { env: { ...random, RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
   );
-  await stage("Fuzz", () => fuzz(200_000));
+  await stage("Fuzz", () => fuzz(200_000, random));
   await build();
 }
 if (only !== "setup") {
