@@ -13,6 +13,7 @@ mod linuxcnc;
 mod moves;
 pub mod prove;
 pub mod release;
+pub mod rules;
 pub mod safety;
 mod sinumerik;
 pub mod trace;

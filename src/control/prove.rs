@@ -2,7 +2,7 @@
 
 use crate::control::iso::machine::{self, Met, Run, Tail};
 use crate::control::iso::script::{Script, Slot};
-use crate::control::safety::LOW_START;
+use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
 use crate::formula::{Dual, Role, Variable};

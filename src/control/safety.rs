@@ -4,6 +4,9 @@ use crate::control::Request;
 use crate::control::iso::machine::{self, Run};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
+use crate::control::rules::{
+    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, RESTART, WATCHED, WRITE_LAST,
+};
 use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
@@ -90,25 +93,6 @@ impl Verdict {
         self.must && self.holds == Some(false)
     }
 }
-
-/// Positioning is watched.
-pub const WATCHED: &str = "positioning-watched";
-/// A contact in positioning lifts.
-pub const CONTACT_LIFTS: &str = "contact-lifts";
-/// A missed touch lifts.
-pub const MISS_LIFTS: &str = "missed-touch-lifts";
-/// A low stylus goes up first.
-pub const LOW_START: &str = "low-start-goes-up";
-/// No rapid is low.
-pub const NO_LOW_RAPID: &str = "no-low-rapid";
-/// A work offset is written once.
-pub const ONE_WRITE: &str = "one-write";
-/// Results are plausible before a work offset is written.
-pub const PLAUSIBLE: &str = "plausible-before-write";
-/// A restart in the middle writes nothing.
-pub const RESTART: &str = "restart-writes-nothing";
-/// A work offset is written last.
-pub const WRITE_LAST: &str = "offset-after-touches";
 
 /// Every rule, in the order of a program.
 pub static RULES: &[Rule] = &[

@@ -3,7 +3,8 @@
 use std::cell::OnceCell;
 
 use crate::control::release::{Refusal, release};
-use crate::control::safety::{NO_LOW_RAPID, Verdict, WATCHED};
+use crate::control::rules::{NO_LOW_RAPID, WATCHED};
+use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
 use crate::formula::{self, Datum, Question, Role};

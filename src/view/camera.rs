@@ -1,6 +1,6 @@
 //! From the picture plane to pixels: fit, zoom, pan. Pixels are CSS pixels, y downwards.
 
-use crate::view::scene::{Scene, Spot};
+use crate::view::flat::Spot;
 
 /// A window on the picture plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,26 +41,6 @@ impl Camera {
         let most = 110.0 / self.scale / unit;
         let power = 10f64.powi(most.log10().floor() as i32);
         [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
-    }
-
-    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
-    pub fn clear_corners(&mut self, scene: &Scene) {
-        let [width, height] = self.size;
-        let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
-        let unit = scene.unit.unwrap_or(1.0);
-        let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
-        let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
-        for placed in self.layout(scene, None).dimensions {
-            let [low, high] = placed.name.bounds();
-            top = placed.line.iter().fold(top.min(low[1]), |top, end| top.min(end[1]));
-            if low[0] < axes[0] {
-                under = under.max(high[1] - axes[1]);
-            }
-            if high[0] > bar[0] {
-                under = under.max(high[1] - bar[1]);
-            }
-        }
-        self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
     }
 
     /// Where a spot is seen.

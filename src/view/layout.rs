@@ -1,9 +1,10 @@
 //! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
 
-use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, MARGIN};
+use crate::view::flat::Spot;
 use crate::view::numbers::Number;
 use crate::view::plate::{Crowd, Plate};
-use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Spot, Stroke};
+use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
 /// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
 const STANDS_OFF: [f64; 2] = [46.0, 16.0];
@@ -100,6 +101,26 @@ impl Layout<'_> {
 }
 
 impl Camera {
+    /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
+    pub fn clear_corners(&mut self, scene: &Scene) {
+        let [width, height] = self.size;
+        let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
+        let unit = scene.unit.unwrap_or(1.0);
+        let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
+        let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
+        for placed in self.layout(scene, None).dimensions {
+            let [low, high] = placed.name.bounds();
+            top = placed.line.iter().fold(top.min(low[1]), |top, end| top.min(end[1]));
+            if low[0] < axes[0] {
+                under = under.max(high[1] - axes[1]);
+            }
+            if high[0] > bar[0] {
+                under = under.max(high[1] - bar[1]);
+            }
+        }
+        self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
+    }
+
     /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for
     /// one there and one back. The way back along a touch has none.
     pub fn head(&self, line: &Line) -> Option<(Spot, Spot, f64)> {

@@ -2,7 +2,8 @@
 
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::tool_length::{self, Query};
-use crate::view::scene::{Projection, Spot};
+use crate::view::flat::Spot;
+use crate::view::scene::Projection;
 
 /// What an arrow of a tool-length picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

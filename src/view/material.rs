@@ -2,7 +2,24 @@
 
 use crate::path::{Round, Surface, Wall};
 use crate::view::camera::Camera;
-use crate::view::scene::{Spot, WallShape};
+use crate::view::flat::{Spot, dot, same};
+
+/// One flat wall, or one strip of a round one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallShape {
+    /// Its four corners, in order.
+    pub corners: [Spot; 4],
+    /// Seen edge-on: the line. Else none.
+    pub edge: Option<[Spot; 2]>,
+    /// Whether it is of the actual part; else of the nominal one.
+    pub actual: bool,
+    /// Whether it is one strip of a round wall, whose sides are no edges.
+    pub strip: bool,
+    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
+    pub faces: bool,
+    /// The top side above it: that of this surface.
+    pub top: Option<usize>,
+}
 
 /// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,14 +138,6 @@ pub fn material(
     });
     all.extend(behind);
     all
-}
-
-fn same(a: Spot, b: Spot) -> bool {
-    (a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6
-}
-
-fn dot(a: Spot, b: Spot) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 impl Material {

@@ -2,6 +2,7 @@
 
 pub mod camera;
 pub mod dimension;
+pub mod flat;
 pub mod layout;
 pub mod lengths;
 pub mod material;
@@ -16,7 +17,7 @@ pub use svg::{Legend, svg};
 pub(crate) mod canvas;
 
 /// The ends of a line in one order, whichever way it is gone: so its dashes lie in the same places there and back.
-fn forwards(from: scene::Spot, to: scene::Spot) -> (scene::Spot, scene::Spot) {
+fn forwards(from: flat::Spot, to: flat::Spot) -> (flat::Spot, flat::Spot) {
     if (from[0], from[1]) <= (to[0], to[1]) { (from, to) } else { (to, from) }
 }
 

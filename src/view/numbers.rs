@@ -2,8 +2,9 @@
 
 use crate::num::within;
 use crate::view::camera::Camera;
+use crate::view::flat::Spot;
 use crate::view::plate::Plate;
-use crate::view::scene::{Scene, Spot};
+use crate::view::scene::Scene;
 
 /// Radius of a number's disc, pixels: in a large picture, and in one so small that larger discs would hide the feature.
 const DISC: [f64; 2] = [9.0, 6.5];

@@ -2,7 +2,8 @@
 
 use crate::num::within;
 use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera};
-use crate::view::scene::{Scene, Spot, Stroke};
+use crate::view::flat::Spot;
+use crate::view::scene::{Scene, Stroke};
 
 /// A box that something is written in, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,12 +64,6 @@ impl Plate {
         let reach = [self.half[0] * ux + self.half[1] * uy, self.half[0] * uy + self.half[1] * ux];
         [-1.0, 1.0].map(|sense| [0, 1].map(|i| self.middle[i] + sense * reach[i]))
     }
-}
-
-/// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
-pub fn width(name: &str) -> f64 {
-    // Signs of Chinese are as wide as they are high.
-    name.chars().map(|c| if c > '\u{1100}' { 12.5 } else { 7.6 }).sum::<f64>() + 18.0
 }
 
 /// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.

@@ -4,12 +4,14 @@ use std::fmt::Write;
 
 use crate::num::decimal;
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
+use crate::view::flat::Spot;
 use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
+use crate::view::material::WallShape;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top, together};
-use crate::view::scene::{Line, Scene, Spot, Stroke, TouchShape, WallShape};
+use crate::view::scene::{Line, Scene, Stroke, TouchShape};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;

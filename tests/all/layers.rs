@@ -215,3 +215,49 @@ fn reading_and_writing_share_no_code() {
     }
     assert!(read >= 13, "{read}");
 }
+
+/// Files of a room import each other one way only. What a file states for those below it (`control/mod.rs` for `control/fanuc`) is no circle.
+#[test]
+fn files_make_no_circles() {
+    let name = |file: &str| file.trim_end_matches(".rs").trim_end_matches("/mod").replace('/', "::");
+    let files = all();
+    let names: Vec<String> = files.iter().map(|(_, file, _)| name(file)).collect();
+    // The file that a path leads to: the longest one that names a module.
+    let file_of = |own: &str, path: &[String]| -> Option<usize> {
+        let mut place: Vec<&str> = match path.first()?.as_str() {
+            "crate" => Vec::new(),
+            "self" => own.split("::").collect(),
+            "super" => own.split("::").collect(),
+            _ => return None,
+        };
+        for word in path {
+            match word.as_str() {
+                "crate" | "self" => {}
+                "super" => drop(place.pop()),
+                word => place.push(word),
+            }
+        }
+        (1..=place.len()).rev().find_map(|count| names.iter().position(|name| *name == place[..count].join("::")))
+    };
+    let mut edges: Vec<Vec<usize>> = Vec::new();
+    for ((_, _, text), own) in files.iter().zip(&names) {
+        // What the tests of a file import is no matter of the house.
+        let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+        let below = |target: usize| format!("{own}::").starts_with(&format!("{}::", names[target]));
+        let found = imports(code).iter().filter_map(|path| file_of(own, path)).filter(|target| !below(*target)).collect();
+        edges.push(found);
+    }
+    let reached = |from: usize| {
+        let (mut seen, mut next) = (vec![false; names.len()], edges[from].clone());
+        while let Some(at) = next.pop() {
+            if !std::mem::replace(&mut seen[at], true) {
+                next.extend(&edges[at]);
+            }
+        }
+        seen
+    };
+    let circles: Vec<&String> = (0..names.len()).filter(|own| reached(*own)[*own]).map(|own| &names[own]).collect();
+    assert!(circles.is_empty(), "these import each other: {circles:?}");
+    let count: usize = edges.iter().map(Vec::len).sum();
+    assert!(count > 400, "{count} imports were followed");
+}

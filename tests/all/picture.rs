@@ -4,9 +4,10 @@ use touchpath::job;
 use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
+use touchpath::view::material::WallShape;
 use touchpath::view::material::outlines;
 use touchpath::view::scene::tops::{Face, together};
-use touchpath::view::scene::{Line, Projection, Scene, Stroke, WallShape};
+use touchpath::view::scene::{Line, Projection, Scene, Stroke};
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;

@@ -24,7 +24,7 @@ pub use self::number::number;
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::{BASE, Form, PostDef, Request, feed_rate, safety};
+use crate::control::{BASE, Form, PostDef, Request, feed_rate, rules};
 use crate::path::{Move, Subject};
 use crate::text::words;
 
@@ -56,13 +56,10 @@ pub static HAAS: PostDef = PostDef {
     },
     cannot: &[
         (
-            safety::CONTACT_LIFTS,
+            rules::CONTACT_LIFTS,
             words!("M78 raises the alarm in the control itself, where the ball stands: nothing after it runs"),
         ),
-        (
-            safety::MISS_LIFTS,
-            words!("M79 raises the alarm in the control itself, where the ball stands: nothing after it runs"),
-        ),
+        (rules::MISS_LIFTS, words!("M79 raises the alarm in the control itself, where the ball stands: nothing after it runs")),
     ],
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
     check: |request, checker| {

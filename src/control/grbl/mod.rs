@@ -9,7 +9,7 @@ mod write;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, Moves, Step};
-use crate::control::safety;
+use crate::control::rules;
 use crate::control::{
     BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
 };
@@ -32,17 +32,17 @@ pub static DEF: PostDef = PostDef {
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number"],
     cannot: &[
-        (safety::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move met something")),
-        (safety::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
-        (safety::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing after it runs")),
+        (rules::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move met something")),
+        (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
+        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing after it runs")),
         (
-            safety::LOW_START,
+            rules::LOW_START,
             words!("{control} cannot ask where the stylus stands: it must be above the first place, as the header says"),
         ),
-        (safety::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
-        (safety::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),
-        (safety::RESTART, words!("{control} has no variables: the sender writes the work offset")),
-        (safety::WRITE_LAST, words!("{control} has no variables: the sender writes the work offset")),
+        (rules::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
+        (rules::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),
+        (rules::RESTART, words!("{control} has no variables: the sender writes the work offset")),
+        (rules::WRITE_LAST, words!("{control} has no variables: the sender writes the work offset")),
     ],
     rate,
     serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("it has no probing cycles of its own") },

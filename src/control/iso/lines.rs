@@ -3,12 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::control::iso::parse::{Parsed, fault};
-use crate::control::iso::script::{Script, Trouble, What};
+use crate::control::iso::script::{BLANKS, Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
-
-/// What controls take as a blank.
-pub const BLANKS: [char; 2] = [' ', '\t'];
 
 /// A comment of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,6 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
-use crate::control::iso::lines::BLANKS;
-use crate::control::iso::script::{Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
+use crate::control::iso::script::{BLANKS, Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
 use crate::form::printable;
 use crate::text::{Text, text};
 

@@ -9,6 +9,9 @@ use rustc_hash::FxBuildHasher;
 use crate::geom::Plane;
 use crate::text::Text;
 
+/// What controls take as a blank.
+pub const BLANKS: [char; 2] = [' ', '\t'];
+
 /// A line that is not understood, or does not work where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trouble {

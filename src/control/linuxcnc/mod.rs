@@ -14,7 +14,7 @@ mod read;
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards};
 use crate::control::moves::{self, Kept, Moves, Step, each_piece};
-use crate::control::safety;
+use crate::control::rules;
 use crate::control::{
     BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
     check_watched, check_write, does, orientation_line, work_offset_word,
@@ -37,7 +37,7 @@ pub static DEF: PostDef = PostDef {
     dialect: &DIALECT,
     unused: &["tool", "number"],
     cannot: &[(
-        safety::MISS_LIFTS,
+        rules::MISS_LIFTS,
         words!("G38.2 itself stops the program with an error where the ball stands: nothing after it runs"),
     )],
     rate,

@@ -2,6 +2,15 @@
 
 use crate::num::read_digits;
 
+/// A call of a subprogram.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    /// Whether its lines begin at a block number, and not at a program's.
+    pub local: bool,
+    pub number: u32,
+    pub times: u32,
+}
+
 /// How a block moves.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Motion {

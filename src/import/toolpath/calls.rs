@@ -1,7 +1,7 @@
 //! Subprograms that stand in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
 
-use crate::import::toolpath::block::Block;
-use crate::import::toolpath::findings::count;
+use crate::import::toolpath::block::{Block, Call};
+use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::Reader;
 
 /// So deep a subprogram may call the next one.
@@ -12,15 +12,6 @@ const MOST_LINES: usize = 500_000;
 
 /// So many numbers are looked for: each costs a look through the text.
 const MOST_NUMBERS: usize = 100;
-
-/// A call of a subprogram.
-#[derive(Clone, Copy)]
-pub(super) struct Call {
-    /// Whether its lines begin at a block number, and not at a program's.
-    local: bool,
-    number: u32,
-    times: u32,
-}
 
 /// Where a line begins, and its number from 0.
 #[derive(Clone, Copy, PartialEq)]

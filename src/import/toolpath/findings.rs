@@ -2,23 +2,10 @@
 
 use crate::form::Checker;
 use crate::import::toolpath::Toolpath;
+use crate::import::toolpath::count::Count;
 use crate::import::toolpath::foreign::by_name;
 use crate::import::toolpath::reader::Reader;
 use crate::text::{Text, text};
-
-/// Something that is said once, with how often and where first.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Count {
-    pub times: usize,
-    pub first: usize,
-}
-
-pub(super) fn count(count: &mut Count, line: usize) {
-    if count.times == 0 {
-        count.first = line;
-    }
-    count.times += 1;
-}
 
 impl Reader {
     /// The path, with what was passed over as its findings.

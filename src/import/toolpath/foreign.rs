@@ -2,7 +2,7 @@
 
 use crate::form::printable;
 use crate::import::toolpath::block::{Block, Foreign};
-use crate::import::toolpath::findings::{Count, count};
+use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::reader::Reader;
 use crate::text::{Text, text};
 

@@ -5,6 +5,7 @@
 
 mod block;
 mod calls;
+mod count;
 mod findings;
 mod foreign;
 mod guess;

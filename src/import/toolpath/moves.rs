@@ -2,7 +2,7 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Motion};
-use crate::import::toolpath::findings::count;
+use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 

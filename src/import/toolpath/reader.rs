@@ -2,10 +2,9 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{
-    Axes, Block, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
+    Axes, Block, Call, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
 };
-use crate::import::toolpath::calls::Call;
-use crate::import::toolpath::findings::{Count, count};
+use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
 /// What places are, until a motion.

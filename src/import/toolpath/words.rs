@@ -2,7 +2,7 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Foreign, Motion, Word, end_of_value, leads, number};
-use crate::import::toolpath::findings::count;
+use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::{Given, Reader};
 use crate::num::read_digits;
 

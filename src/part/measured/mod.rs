@@ -2,6 +2,7 @@
 
 mod grbl;
 mod line;
+mod log;
 mod offset;
 mod points;
 mod reach;

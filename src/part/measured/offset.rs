@@ -5,8 +5,8 @@
 
 use crate::form::Checker;
 use crate::geom::Vec3;
-use crate::part::measured::grbl::Log;
 use crate::part::measured::line::Item;
+use crate::part::measured::log::Log;
 use crate::text::{Text, text};
 
 /// What machine coordinates are ahead of work coordinates, and how that is known. Lengths as the log has them.

@@ -1,8 +1,8 @@
 //! Whether the machine stands where the program ends, as far as a log says.
 
 use crate::part::measured::Expected;
-use crate::part::measured::grbl::Log;
 use crate::part::measured::line::Item;
+use crate::part::measured::log::Log;
 use crate::part::measured::offset::Shift;
 use crate::text::{Text, text};
 

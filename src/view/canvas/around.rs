@@ -2,8 +2,9 @@
 
 use super::{ARM, AXIS_NAME, HANDLE, Painter, axes_corner, spread_handles};
 use crate::view::camera::{BAR_CORNER, Camera};
+use crate::view::flat::Spot;
 use crate::view::layout::Layout;
-use crate::view::scene::{Scene, Spot};
+use crate::view::scene::Scene;
 
 impl Painter {
     /// What can be gripped: the angles of the touches, and the virtual part, faintly while it is not `held` to lie elsewhere.

@@ -2,7 +2,8 @@
 
 use super::{DOT, Painter};
 use crate::view::camera::Camera;
-use crate::view::scene::{Line, Scene, Spot, Stroke};
+use crate::view::flat::Spot;
+use crate::view::scene::{Line, Scene, Stroke};
 
 /// A picture with more lines than this is drawn so: no job has so many.
 pub(super) const LONG: usize = 5_000;

@@ -13,13 +13,15 @@ pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 use crate::view::camera::{AXES_CORNER, Camera};
+use crate::view::flat::Spot;
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
+use crate::view::material::WallShape;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
 use crate::view::scene::tops::{Face, Top, together};
-use crate::view::scene::{Line, Scene, Spot, Stroke, WallShape};
+use crate::view::scene::{Line, Scene, Stroke};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]

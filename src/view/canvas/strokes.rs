@@ -1,10 +1,10 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
 use super::{BOLD, LABEL, Painter};
+use crate::view::flat::Spot;
 use crate::view::halves;
 use crate::view::layout::{Arc, Placed};
 use crate::view::plate::Plate;
-use crate::view::scene::Spot;
 
 /// Pixels between what a dimension is called and its value.
 const NAME_GAP: f64 = 7.0;

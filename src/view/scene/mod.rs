@@ -8,12 +8,9 @@ use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
-use crate::view::material::{Material, material};
-use crate::view::plate::width;
+use crate::view::flat::{Spot, cross, distance, length, sub, width};
+use crate::view::material::{Material, WallShape, material};
 use crate::view::scene::tops::{Backs, Top, breaks, topped, tops};
-
-/// A point on the picture plane, mm, y upwards.
-pub type Spot = [f64; 2];
 
 /// Where the scene is looked at from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,23 +93,6 @@ pub struct Line {
     pub behind: Option<usize>,
     /// The move it shows.
     pub index: usize,
-}
-
-/// One flat wall, or one strip of a round one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WallShape {
-    /// Its four corners, in order.
-    pub corners: [Spot; 4],
-    /// Seen edge-on: the line. Else none.
-    pub edge: Option<[Spot; 2]>,
-    /// Whether it is of the actual part; else of the nominal one.
-    pub actual: bool,
-    /// Whether it is one strip of a round wall, whose sides are no edges.
-    pub strip: bool,
-    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
-    pub faces: bool,
-    /// The top side above it: that of this surface.
-    pub top: Option<usize>,
 }
 
 /// One touch.
@@ -507,26 +487,6 @@ impl Scene {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, line)| line.index)
     }
-}
-
-/// Distance of a spot from a segment.
-fn distance(p: Spot, a: Spot, b: Spot) -> f64 {
-    let (ab, ap) = (sub(b, a), sub(p, a));
-    let square = ab[0] * ab[0] + ab[1] * ab[1];
-    let t = if square == 0.0 { 0.0 } else { crate::num::within((ap[0] * ab[0] + ap[1] * ab[1]) / square, 0.0, 1.0) };
-    length([ap[0] - ab[0] * t, ap[1] - ab[1] * t])
-}
-
-fn sub(a: Spot, b: Spot) -> Spot {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn cross(a: Spot, b: Spot) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn length(a: Spot) -> f64 {
-    a[0].hypot(a[1])
 }
 
 #[cfg(test)]

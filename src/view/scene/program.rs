@@ -104,7 +104,7 @@ fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::scene::Spot;
+    use crate::view::flat::Spot;
 
     /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
     #[test]

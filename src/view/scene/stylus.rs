@@ -2,7 +2,8 @@
 
 use crate::geom::Plane;
 use crate::part::Shape;
-use crate::view::scene::{Projection, Spot};
+use crate::view::flat::Spot;
+use crate::view::scene::Projection;
 
 /// The outlines of stylus and probe body about the ball centre, mm: as far as they are known, and nothing from the top, where they would hide the
 /// ball. The body, which has no end here, is drawn as high as it is wide.

@@ -2,7 +2,9 @@
 
 use crate::geom::Vec3;
 use crate::path::{Path, Surface, Wall};
-use crate::view::scene::{Scene, Spot, WallShape, strips};
+use crate::view::flat::Spot;
+use crate::view::material::WallShape;
+use crate::view::scene::{Scene, strips};
 
 /// A top side, isometric.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use super::View;
 use crate::view::canvas::{ARM, spread_handles};
-use crate::view::scene::Spot;
+use crate::view::flat::Spot;
 use crate::wasm::set;
 
 #[wasm_bindgen]

@@ -13,9 +13,10 @@ use crate::job::{self, Planned};
 use crate::view::Legend;
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
+use crate::view::flat::Spot;
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
-use crate::view::scene::{self, Projection, Scene, Spot};
+use crate::view::scene::{self, Projection, Scene};
 use crate::wasm::Last;
 use crate::wasm::input::decoded;
 
