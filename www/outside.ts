@@ -8,8 +8,8 @@ import {
   type Said,
   say,
 } from "./core/browser.js";
+import type { Entries, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
-import type { Store, Units } from "./store.js";
 import { w } from "./words.js";
 
 /** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
@@ -40,12 +40,26 @@ function unnamed(job: Draft): Draft {
   return { ...job, control };
 }
 
+/** What it asks of the store. */
+interface Jobs extends Entries {
+  byUser: boolean;
+  readonly revision: number;
+  readonly longest: number;
+  choose(type: Cycle["type"]): void;
+  setUnits(units: Units): void;
+  put(path: string, value: unknown): void;
+  replace(whole: Draft): void;
+  reconsider(): void;
+  unusable(job: unknown): Said | null;
+  tooLong(length: number): Said;
+}
+
 export class Outside {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
   private asked: Asked = {};
 
-  constructor(private readonly store: Store) {}
+  constructor(private readonly store: Jobs) {}
 
   /** A job was sent by `job-change`; the host may return it. */
   sent(json: string): void {

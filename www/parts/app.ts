@@ -1,7 +1,6 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Said } from "../core/browser.js";
-import type { PanelName, TouchPath } from "../element.js";
 import { isObject } from "../job.js";
 import { keepTheme, keptTheme } from "../keep.js";
 import { Store } from "../store.js";
@@ -42,13 +41,15 @@ const PANELS = {
   checks: w("Checks"),
 } as const;
 type Panel = keyof typeof PANELS;
-const NAME_OF: Record<Panel, PanelName> = {
+const NAME_OF = {
   setup: "form",
   program: "program",
   table: "table",
   results: "results",
   checks: "checks",
-};
+} as const satisfies Record<Panel, string>;
+/** What the element may leave out. */
+type PanelName = "stage" | (typeof NAME_OF)[Panel];
 
 /** From this width on the form has a column of its own; the style sheet knows the same width. */
 const WIDE = 1080;
@@ -73,9 +74,16 @@ const system = matchMedia("(prefers-color-scheme: dark)");
 /** Colours that the user has chosen for every page. */
 const forced = matchMedia("(forced-colors: active)");
 
+/** The element around the page. */
+interface Host extends HTMLElement {
+  theme: Theme;
+  /** Dispatches an event; false where a listener has cancelled it. */
+  tell(name: "program-save", detail: { name: string; text: string; post: string; extension: string }): boolean;
+}
+
 /** What the element is in. */
 interface Around {
-  host: TouchPath;
+  host: Host;
   /** Whether presets, theme and language are kept in this browser. */
   local: boolean;
   /** Whether links are followed and handed out. */

@@ -3,7 +3,7 @@ import { EditorState, type Range, StateEffect, StateField } from "@codemirror/st
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
 import { words } from "./colours.js";
 import { letterOf } from "./keys.js";
-import { MARGIN, type Shown } from "./listing.js";
+import { MARGIN, type Shown } from "./shown.js";
 
 /** What the lines have beside their text. */
 type Look = Pick<Shown, "kind" | "lit" | "found">;

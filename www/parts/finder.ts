@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from "lit";
 import type { Store } from "../store.js";
-import type { Found } from "./listing.js";
+import type { Found } from "./shown.js";
 
 /** Looks for words in a text, line by line: a field, and what it found. */
 export class Finder {

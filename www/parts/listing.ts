@@ -1,28 +1,6 @@
 // The text of an opened program, line by line: it stands there plainly until its editor is loaded.
 import type { Editor } from "./editor.js";
-
-/** What a line does: it probes, it moves nothing (`plain`), or it moves. */
-export type Kind = "touch" | "plain" | "";
-
-/** The lines that were found, which count from 0, and the one of them that is shown; -1 is none. */
-export interface Found {
-  matches: ReadonlySet<number>;
-  here: number;
-}
-
-/** What is shown of a text. */
-export interface Shown {
-  text: string;
-  kind: (line: number) => Kind;
-  found: Found;
-  /** The line that is lit; -1 is none. */
-  lit: number;
-  /** The line that is brought into sight; -1 is none. */
-  sight: number;
-}
-
-/** A line that is brought into sight is this far from the edge, px. */
-export const MARGIN = 40;
+import { type Found, type Kind, MARGIN, type Shown } from "./shown.js";
 
 const NONE: Found = { matches: new Set(), here: -1 };
 
