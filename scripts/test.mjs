@@ -3,6 +3,7 @@
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";
 import { dirname } from "node:path";
+import { parseArgs } from "node:util";
 import { build } from "./build.mjs";
 import {
   at,
@@ -22,10 +23,13 @@ import {
   summary,
 } from "./lib.mjs";
 
-const [asked, number] = process.argv.slice(2);
-const only = asked === "--seed" ? undefined : asked;
-const seed = asked === "--seed" ? Number(number) : Date.now() % 2 ** 32;
-if (!Number.isSafeInteger(seed) || seed < 0) throw new Error("--seed takes a whole number");
+const { values, positionals } = parseArgs({ options: { seed: { type: "string" } }, allowPositionals: true });
+const [only, ...more] = positionals;
+const seed = values.seed === undefined ? Date.now() % 2 ** 32 : Number(values.seed || Number.NaN);
+if (more.length > 0 || ![undefined, "setup", "check"].includes(only) || !Number.isSafeInteger(seed) || seed < 0) {
+  console.error("test.mjs takes nothing, setup or check, and --seed with a whole number");
+  process.exit(2);
+}
 const random = { FUZZ_SEED: String(seed), PROPTEST_RNG_SEED: String(seed) };
 /** The test files of a folder, by name: what a folder means to Node's runner differs from version to version. */
 const tests = (/** @type {string} */ folder) =>

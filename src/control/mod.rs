@@ -126,7 +126,7 @@ pub struct PostDef {
     pub key: &'static str,
     /// The control's name.
     pub title: &'static str,
-    /// What its programs are, in a sentence or two, for the README.
+    /// What its programs are, in a sentence or two, for docs/controls.md.
     #[cfg_attr(not(test), allow(dead_code, reason = "the documents are generated from it"))]
     pub about: &'static str,
     /// The usual file extension, without the dot.
@@ -178,12 +178,12 @@ pub struct PostDef {
 }
 
 /// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
-/// for itself (its words, `serves`, `check`, `emit`) is nothing here, and a test asks for it.
+/// for itself (key, title, `about`, extension, `serves`, `emit`) is nothing here, and a test asks for it.
 pub const BASE: PostDef = PostDef {
     key: "",
     title: "",
     about: "",
-    extension: "nc",
+    extension: "",
     work_offsets: 0,
     work_offset_word: |_| String::new(),
     no_work_offset: "",

@@ -49,7 +49,7 @@ pub trait Moves {
     /// The way back from a touch.
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
-    /// One assignment of the formula. This and what follows is nothing on a control that cannot compute.
+    /// One assignment of the formula. This and the hooks up to `report` do nothing on a control that cannot compute.
     fn assign(&mut self, _w: &mut Writer<'_>, _formula: &Formula, _index: usize) {}
 
     /// Brings the results where they are read.

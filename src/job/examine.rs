@@ -28,11 +28,13 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
     })?
 }
 
-/// The program of a planned job, as its control prints it: neither read back nor released.
+/// The program of a planned job, read back and judged.
 #[cfg(test)]
-pub fn printed(planned: &Planned) -> String {
+pub fn released(planned: &Planned) -> Result<String, crate::control::release::Refusal> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
-    (planned.job.post.emit)(&request(planned, &feeds, None)).text
+    let request = request(planned, &feeds, None);
+    let released = crate::control::release::release(&request, (request.post.emit)(&request))?;
+    Ok(released.into_parts().0.text)
 }
 
 /// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.

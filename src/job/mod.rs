@@ -38,7 +38,7 @@ pub use crate::view::scene::Projection;
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in};
 pub(crate) use examine::examine;
 #[cfg(test)]
-pub(crate) use examine::{printed, proves};
+pub(crate) use examine::{proves, released};
 pub(crate) use lentoax::{MOST_STEPS, STEP_ANGLE};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use measure::points;

@@ -29,6 +29,10 @@ fn every_control_states_what_is_its_own() {
         let served = CYCLES.iter().flat_map(|def| Form::ALL.map(|form| (post.serves)(def.probes, form)));
         assert!(served.clone().any(|answer| answer.is_ok()), "{} takes no cycle", post.key);
         assert!(served.clone().all(|answer| answer != Err("")), "{} does not say why", post.key);
+        let hole =
+            job(&format!(r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "control": {{ "post": "{}" }} }}"#, post.key));
+        let lines = touchpath::job::plan(&hole).map_or(0, |plan| plan.program.text.lines().count());
+        assert!(lines > 10 || !of_moves().contains(&post.key), "{} writes no program", post.key);
         assert_eq!(post.read.is_some(), of_moves().contains(&post.key), "{}: programs of moves are read back", post.key);
     }
 }
@@ -62,7 +66,7 @@ fn every_control_has_its_facts() {
     }
 }
 
-/// A control of a kin with lines of 30 characters and two decimals: its programs, their proof and their rules have both.
+/// A control of a kin with comments of 30 characters and two decimals: its programs are written, read back and judged so.
 #[test]
 fn a_dialect_of_its_own_is_written() {
     let kin = touchpath::control::find("grbl").unwrap();
@@ -71,10 +75,10 @@ fn a_dialect_of_its_own_is_written() {
     let pocket =
         job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle", "width1": 80.123 }, "control": { "post": "grbl" } }"#);
     let mut planned = job::planned(&pocket).unwrap();
-    let wide = job::printed(&planned);
+    let wide = job::released(&planned).unwrap();
     assert!(wide.contains("X42.0615") && wide.lines().any(|line| line.len() > 60), "{wide}");
     planned.job.post = own;
-    let text = job::printed(&planned);
+    let text = job::released(&planned).unwrap();
     assert!(text.contains("X42.06 "), "{text}");
     assert!(text.lines().filter(|line| line.starts_with('(')).all(|line| line.len() <= 30), "{text}");
     assert_eq!(own.half_digit(1.0), 0.005 * (1.0 + 1e-6));

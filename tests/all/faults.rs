@@ -186,7 +186,7 @@ fn the_ball_meets_the_corners_other_wall_first() {
             r#"{{ "format": 1, "cycle": {{ "type": "{kind}", "angle": 160, "clearance1": 15, "clearance2": {clearance} }} }}"#
         ))
     };
-    for kind in ["double-wall-internal-corner", "double-wall-internal-corner"] {
+    for kind in ["double-wall-internal-corner", "triple-wall-internal-corner"] {
         let finding = check(&corner(kind, 14.2)).into_iter().find(|f| f.level == Level::Error).unwrap();
         assert_eq!((finding.code.as_str(), finding.path.as_str()), ("touch-beyond-corner", "cycle.clearance2"), "{kind}");
         assert!(finding.message.contains("meet wall 2 first"), "{}", finding.message);

@@ -152,7 +152,7 @@ test("a program of moves that says no job gives its moves", async () => {
 
 for (const [page, heading] of [
   ["README.md", "## Ways to use it"],
-  ["docs/embedding.md", "## Every function once"],
+  ["docs/embedding.md", "## The functions in an example"],
 ])
   test(`the example of ${page} does what it says`, () => {
     const text = readFileSync(join(root, page ?? ""), "utf8");

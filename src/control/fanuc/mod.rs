@@ -73,6 +73,7 @@ pub static HAAS: PostDef = PostDef {
 
 /// What both have.
 const KIN: PostDef = PostDef {
+    extension: "nc",
     unused: &["tool"],
     when: When::AtOnce,
     nearest_trigger: IN_POSITION,

@@ -23,6 +23,7 @@ pub static DEF: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
     about: "the same moves. grbl has no variables, so a program cannot compute or write anything, and it does not watch the probe in positioning moves; the page and the program say so.",
+    extension: "nc",
     no_work_offset: words!(
         "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
     ),
