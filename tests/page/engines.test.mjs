@@ -126,7 +126,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       const { defaultJob, plan } = await import("touchpath");
       const job = defaultJob("internal-rectangle-protected");
       Object.assign(job.cycle, { width1: 64.5 });
-      job.name = "POCKET-64.5X50";
+      job.name = "POCKET-64_5X50";
       const shown = () =>
         run(() => {
           const root = document.querySelector("touch-path")?.shadowRoot;
