@@ -273,7 +273,7 @@ impl Expected {
             };
             let line = if from.is_none() { Some(last) } else { first };
             if lines.get(i).copied().flatten() != line {
-                return Err(Fault::at(last, text!("move {number} is said to be in another line", i + 1)));
+                return Err(Fault::at(last, text!("the header places move {number} on another line", i + 1)));
             }
             from = Some(step.to);
         }

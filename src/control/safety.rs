@@ -171,7 +171,7 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: MISS_LIFTS,
         says: "Every missed touch leads to the same exit, which only lifts",
-        why: "After a missed touch the ball stands where nothing has been checked.",
+        why: "After a missed touch the ball is where nothing has been checked.",
         must: true,
         own_cycle: true,
         about: About::Motions(|step| step.kind == Kind::Touch),

@@ -201,7 +201,7 @@ fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
     unknown.dedup();
     if !unknown.is_empty() {
         let codes: Vec<String> = unknown.iter().rev().map(ToString::to_string).collect();
-        let message = text!("This cycle has no code {codes}: passed over", codes.join(", "));
+        let message = text!("This cycle has no code {codes}: ignored", codes.join(", "));
         checker.warning("unknown-code", "cycle", message);
     }
 }
@@ -300,9 +300,7 @@ fn on_the_surface(
     }
     if compensated {
         let why = if both {
-            text!(
-                "The points are ball centres, and more than a ball lies between them and the original ones (-200 and following)"
-            )
+            text!("The points are ball centres, and more than a ball away from the original ones (-200 and following)")
         } else {
             text!(
                 "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"

@@ -291,15 +291,15 @@ impl Reader {
         raise_start(&mut job);
         if passed_over > 0 {
             let message = if passed_over == 1 {
-                text!("1 other block is passed over")
+                text!("1 other block was ignored")
             } else {
-                text!("{count} other blocks are passed over", passed_over)
+                text!("{count} other blocks were ignored", passed_over)
             };
             checker.info("passed-over", "", message);
         }
         if let Some(block) = moves {
             let message = text!(
-                "Blocks before the cycle move, the first is {block}: the start in the job is not where the stylus stands then",
+                "Blocks before the cycle move the axes (first: {block}), so the stylus does not start where the job says",
                 block
             );
             checker.warning("moves-before-cycle", "cycle.start", message);
@@ -475,7 +475,8 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
     let given = assignments(block);
     for (number, _) in &given {
         if !known.iter().any(|one| one.number == *number) {
-            let message = text!("Cycle {cycle} has no Q{number}: it is passed over", cycle.to_string(), number.to_string());
+            let message =
+                text!("Cycle {cycle} has no parameter Q{number}: it is ignored", cycle.to_string(), number.to_string());
             checker.warning("unknown-parameter", "", message);
         }
     }

@@ -123,7 +123,11 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
         Err(_) => checker.warning("header-unsound", "", text!("The header's job has errors: see its findings")),
     }
-    checker.info("part-not-in-program", "part", text!("A program does not say how the part lies: the nominal one is taken"));
+    checker.info(
+        "part-not-in-program",
+        "part",
+        text!("A program does not contain the part's position: the nominal part is assumed"),
+    );
     Ok((job, checker.findings()))
 }
 

@@ -83,7 +83,7 @@ fn block(planned: &Planned, points: &[Option<Vec3>], stand: &Stand, plausible: b
     let why = match (&stand.away, stand.offset) {
         _ if missing => Err(text!("a result that it needs is unknown")),
         _ if !plausible => Err(text!("a result is off by more than its limit")),
-        (Some(away), _) => Err(text!("the machine may not stand at the end of the program ({reason})", away.clone())),
+        (Some(away), _) => Err(text!("the machine may not be where the program ends ({reason})", away.clone())),
         (None, None) => {
             Err(text!("the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"))
         }

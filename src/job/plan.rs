@@ -220,7 +220,7 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
 fn report_still(path: &Path, checker: &mut Checker) {
     if matches!(path.feature, Feature::Still) {
         let message = text!(
-            "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for stands in the parameter table only, for a postprocessor"
+            "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for is in the parameter table only, for a postprocessor"
         );
         checker.warning("nothing-switched", "cycle", message);
     }
@@ -407,14 +407,14 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
     report_missed(path, run.triggers.iter().copied().enumerate(), field, checker);
     for &k in &run.edges {
         let message = text!(
-            "Touch {touch} meets an edge of the part, not the face of its wall: its trigger says little of the wall",
+            "Touch {touch} contacts an edge of the part, not the face of its wall: its trigger says little about the wall",
             k + 1
         );
         checker.warning("edge-contact", field, message);
     }
     for &(k, wall) in &run.strays {
         let message = text!(
-            "Touch {touch} is meant for wall {wall} and meets wall {other} first",
+            "Touch {touch} is meant for wall {wall} and contacts wall {other} first",
             k + 1,
             path.touches[k].group + 1,
             wall + 1
@@ -440,7 +440,7 @@ fn report_collision(
         Purpose::Touch(k) => text!("touch {touch}", k + 1),
     };
     let message = text!(
-        "Move {move} (step {step}, {purpose}) meets the part with the ball centre at {place}",
+        "Move {move} (step {step}, {purpose}) hits the part with the ball centre at {place}",
         index + 1,
         step.step,
         what,
@@ -465,7 +465,7 @@ fn report_missed(path: &Path, triggers: impl Iterator<Item = (usize, Option<Vec3
     for (k, trigger) in triggers {
         if trigger.is_none() {
             let message = text!(
-                "Touch {touch} meets nothing within {search} past its nominal contact: the control stops there, and results that need it are unknown",
+                "Touch {touch} makes no contact within {search} past its nominal contact: the control stops there, and results that need it are unknown",
                 k + 1,
                 checker.length(path.touches[k].search)
             );

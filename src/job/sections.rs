@@ -529,9 +529,9 @@ fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
     let written = (post.name)(name);
     if written != name {
         let message = if name.starts_with(&written) {
-            text!("In the program the name stands as \"{written}\": it is too long for a line", written)
+            text!("In the program the name is written \"{written}\": it is too long for a line", written)
         } else {
-            text!("In the program the name stands as \"{written}\": some characters could break a comment or a line", written)
+            text!("In the program the name is written \"{written}\": some characters could break a comment or a line", written)
         };
         checker.info("name-changed", "name", message);
     }

@@ -48,7 +48,7 @@ fn report_struck(job: &Job, path: &Path, surfaces: &[Surface], struck: Struck, f
         ),
     };
     let message = text!(
-        "Move {move} (step {step}, {purpose}): {part} meets the part with the ball centre at {place}: {remedy}",
+        "Move {move} (step {step}, {purpose}): {part} hits the part with the ball centre at {place}: {remedy}",
         struck.index + 1,
         step.step,
         what,
@@ -78,11 +78,11 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
             )
         }
         (None, Some(length)) if known => text!(
-            "The cycle does not say how high the part stands: it must end less than {length} above the lowest ball centre, or the probe body meets it",
+            "The cycle does not give the height of the part: it must end less than {length} above the lowest ball centre, or the probe body hits it",
             checker.length(length)
         ),
         (None, _) => text!(
-            "The cycle does not say how high the part stands above the touches: whether the probe body clears it is not checked"
+            "The cycle does not give the height of the part above the touches: whether the probe body clears it is not checked"
         ),
     };
     checker.info("stylus-not-known", "stylus.length", message);

@@ -172,7 +172,7 @@ fn a_touch_that_meets_another_wall_is_reported() {
     let plan = planned(&pocket(45.0));
     let strays: Vec<&str> = plan.findings.iter().filter(|f| f.code == "wrong-wall").map(|f| f.message.as_str()).collect();
     assert_eq!(strays.len(), 2, "{:?}", plan.findings);
-    assert!(strays[0].contains("Touch 1 is meant for wall 1 and meets wall 4 first"), "{}", strays[0]);
+    assert!(strays[0].contains("Touch 1 is meant for wall 1 and contacts wall 4 first"), "{}", strays[0]);
     assert!((plan.triggers[0].unwrap()[0] - 22.0 * 2f64.sqrt()).abs() < 1e-9, "{:?}", plan.triggers[0]);
     assert!(!codes(&pocket(5.0)).contains(&"wrong-wall".to_owned()));
 }
@@ -189,7 +189,7 @@ fn the_ball_meets_the_corners_other_wall_first() {
     for kind in ["double-wall-internal-corner", "triple-wall-internal-corner"] {
         let finding = check(&corner(kind, 14.2)).into_iter().find(|f| f.level == Level::Error).unwrap();
         assert_eq!((finding.code.as_str(), finding.path.as_str()), ("touch-beyond-corner", "cycle.clearance2"), "{kind}");
-        assert!(finding.message.contains("meet wall 2 first"), "{}", finding.message);
+        assert!(finding.message.contains("contact wall 2 first"), "{}", finding.message);
         assert!(plan(&corner(kind, 15.5)).is_ok(), "{kind}");
     }
 }

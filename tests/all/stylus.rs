@@ -31,7 +31,7 @@ fn the_body_meets_the_top_of_a_deep_pocket() {
     // Down from 10 above: the ball centre is 50 below the top side when the body comes to it.
     assert_eq!(
         finding.message,
-        "Move 4 (step 3, positioning): the probe body meets the part with the ball centre at X 32, Y 0, Z -50: this stylus takes the ball centre 50 mm below the top side at most, and the path goes 50.01 mm below it"
+        "Move 4 (step 3, positioning): the probe body hits the part with the ball centre at X 32, Y 0, Z -50: this stylus takes the ball centre 50 mm below the top side at most, and the path goes 50.01 mm below it"
     );
     assert_eq!(found(&deep(50.01), "stylus-not-known"), []);
     // A body that fits between the walls goes in: 32 + 8 wide at most.
@@ -49,7 +49,7 @@ fn a_thick_shank_meets_the_wall_first() {
     assert_eq!(found(&pocket(r#""shank": 6"#, ""), "shank-collision"), []);
     let [finding] = &found(&pocket(r#""shank": 6.2"#, ""), "shank-collision")[..] else { panic!() };
     assert_eq!((finding.level, finding.path.as_str()), (Level::Error, "stylus.shank"));
-    assert!(finding.message.starts_with("Move 5 (step 4, touch 1): the shank meets the part"), "{}", finding.message);
+    assert!(finding.message.starts_with("Move 5 (step 4, touch 1): the shank hits the part"), "{}", finding.message);
     assert!(finding.message.contains("X 36.9, Y 0, Z -10: it is thicker (6.2 mm) than the ball (6 mm)"), "{}", finding.message);
     // A corner knows no top side: its walls stand at least as high as they are touched, and the shank begins there.
     let corner =

@@ -10,7 +10,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   await field("part.offset[0]").fill("60");
   const stamp = page.locator(".verdict.warning");
   await stamp.waitFor();
-  assert.match(await textOf(stamp), /Move \d+ \(step \d+, .*\) meets the part with the ball centre at X/);
+  assert.match(await textOf(stamp), /Move \d+ \(step \d+, .*\) hits the part with the ball centre at X/);
   assert.ok(await saveButton().isEnabled());
   assert.equal(await program(), nominal);
   assert.match(await textOf(page.locator(".scrub output")), /The run ends in the part/);
@@ -55,7 +55,7 @@ test("a form that has no path keeps the picture of the last good plan, also afte
   await field("part.offset[0]").focus();
   const good = await pixels();
   await field("part.offset[0]").fill("60");
-  await page.locator(".verdict", { hasText: "meets the part" }).waitFor();
+  await page.locator(".verdict", { hasText: "hits the part" }).waitFor();
   await field("part.offset[0]").fill("x");
   await page.locator(".stamp", { hasText: "last good plan" }).waitFor();
   assert.match(await program(), /G38\.2 X42/);

@@ -220,7 +220,7 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
   assert.equal(await checks.locator(".checks li").count(), 16);
   assert.match(
     await textOf(checks.locator(".checks li", { hasText: "Every missed touch leads to the same exit" })),
-    /G38\.2 itself stops the program with an error where the ball stands/,
+    /G38\.2 itself stops the program with an error where the ball is/,
   );
   await field("control.protection").selectOption("none");
   assert.match(await textOf(checks.locator(".proof")), /1 does not/);

@@ -136,7 +136,7 @@ export interface ProbingTwoCircles {
   point2?: [Nominal, Nominal, Nominal];
   /** Diameter of 2nd position? A number, or text with a tolerance. Code Q1117. */
   diameter2?: Nominal;
-  /** Geometry type (0-3)? What lies at each position. Code Q1115. */
+  /** Geometry type (0-3)? What is at each position. Code Q1115. */
   geometryType?: 0 | 1 | 2 | 3;
   /** Number of probe points? On each circle. Code Q423. */
   probePoints?: number;
@@ -146,7 +146,7 @@ export interface ProbingTwoCircles {
   angularLength?: number;
   /** Set-up clearance? Added to SET_UP and the ball radius. Code Q320. */
   setUpClearance?: number;
-  /** Clearance height? Where nothing can be met. Code Q260. */
+  /** Clearance height? A height free of obstacles. Code Q260. */
   clearanceHeight?: number;
   /** Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show. */
   setUpClearancePredef?: boolean;

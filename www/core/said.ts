@@ -44,7 +44,7 @@ function piecesOf(text: string): Piece[] {
   return pieces;
 }
 
-/** What is said, in English or in the words of a language. */
+/** A message as text: in English, or in another language by its words. */
 export function say(said: Said, words: Words = {}): string {
   const template = said[0];
   // What hangs on the prototype of an object is no word.

@@ -39,7 +39,7 @@ export interface ProgramMoves {
   arcs: Float64Array;
   /** `rapid`, `feed`, `probe`. */
   kinds: string[];
-  /** What was passed over. */
+  /** What was ignored, and what could not be known. */
   findings: Finding[];
 }
 

@@ -192,7 +192,7 @@ class PicturePart extends DrawnPart {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
     const implausible = this.store.findings.find(({ code }) => code === "implausible");
-    return html`<p class="trial">${this.t("Virtual part")}: ${off.join(", ")}
+    return html`<p class="trial"><span title=${off.join(", ")}>${this.t("Virtual part")}: ${off.join(", ")}</span>
       ${implausible ? html`<b title=${this.store.say(implausible.said)}>${this.t("implausible")}</b>` : nothing}
       ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}
       ${nominal(this.store)}</p>`;

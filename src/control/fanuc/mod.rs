@@ -55,11 +55,8 @@ pub static HAAS: PostDef = PostDef {
         _ => format!("G154 P{}", n - STANDARD_OFFSETS),
     },
     cannot: &[
-        (
-            rules::CONTACT_LIFTS,
-            words!("M78 raises the alarm in the control itself, where the ball stands: nothing after it runs"),
-        ),
-        (rules::MISS_LIFTS, words!("M79 raises the alarm in the control itself, where the ball stands: nothing after it runs")),
+        (rules::CONTACT_LIFTS, words!("M78 raises the alarm in the control itself, where the ball is: nothing after it runs")),
+        (rules::MISS_LIFTS, words!("M79 raises the alarm in the control itself, where the ball is: nothing after it runs")),
     ],
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
     check: |request, checker| {

@@ -33,12 +33,12 @@ pub static DEF: PostDef = PostDef {
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number"],
     cannot: &[
-        (rules::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move met something")),
+        (rules::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move hit something")),
         (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
-        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball stands: nothing after it runs")),
+        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
         (
             rules::LOW_START,
-            words!("{control} cannot ask where the stylus stands: it must be above the first place, as the header says"),
+            words!("{control} cannot ask where the stylus is: it must be above the first place, as the header says"),
         ),
         (rules::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
         (rules::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),

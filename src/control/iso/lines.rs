@@ -28,7 +28,8 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)
             _ if b != sign || quoted => {}
             b'(' => {
                 let inner = trimmed(&line[at + 1..]);
-                let inner = inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or code stands after it"))?;
+                let inner =
+                    inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or there is code after it"))?;
                 if inner.bytes().any(|b| b == b')' || b == b'(') {
                     return fault(text!("two comments are in one line, or one in another"));
                 }
@@ -88,7 +89,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         // A tape sign stands before a program and after it: what stands after another is not loaded.
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
-                troubles.push(Trouble { line, message: text!("code stands behind %"), understood: false });
+                troubles.push(Trouble { line, message: text!("there is code after the final %"), understood: false });
             } else if begun && rest.split(['\n', '\r']).any(|line| code(self::trimmed(line))) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }

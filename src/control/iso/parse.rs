@@ -284,7 +284,7 @@ impl<'t> Cursor<'t> {
             // What AND and OR bind tighter than must stand in brackets to be a condition: of numbers they make other numbers.
             let joins = binds > COMPARES && matches!(binary, Binary::And | Binary::Or);
             if joins && !(script.is_condition(left) && script.is_condition(right)) {
-                return fault(text!("AND and OR stand between conditions in brackets"));
+                return fault(text!("AND and OR join conditions in brackets"));
             }
             left = script.keep(Node::Binary(binary, left, right));
         }

@@ -56,7 +56,7 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
 impl Block {
     fn add(&mut self, letter: u8, value: NodeId, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
         let twice = |place: &mut Option<NodeId>| {
-            if place.replace(value).is_some() { fault(text!("a word stands twice")) } else { Ok(()) }
+            if place.replace(value).is_some() { fault(text!("the block repeats a word")) } else { Ok(()) }
         };
         match letter {
             b'X' | b'Y' | b'Z' => {
@@ -75,7 +75,7 @@ impl Block {
             _ => {
                 let bit = 1 << (letter - b'A');
                 if self.others & bit != 0 {
-                    return fault(text!("a word stands twice"));
+                    return fault(text!("the block repeats a word"));
                 }
                 self.others |= bit;
                 if let Some(i) = VALUED.iter().position(|known| *known == letter) {
@@ -148,7 +148,7 @@ impl Block {
             (false, None) if self.ends => Ok(What::End),
             (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(What::Halt),
             (true, _) if self.halts => Ok(What::Elsewhere(self.words.to.map(|node| node.is_some()))),
-            _ if self.halts => fault(text!("this code must stand alone in its block")),
+            _ if self.halts => fault(text!("this code must be alone in its block")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(What::Words(self.words)),
         }

@@ -38,7 +38,7 @@ pub static DEF: PostDef = PostDef {
     unused: &["tool", "number"],
     cannot: &[(
         rules::MISS_LIFTS,
-        words!("G38.2 itself stops the program with an error where the ball stands: nothing after it runs"),
+        words!("G38.2 itself stops the program with an error where the ball is: nothing after it runs"),
     )],
     rate,
     serves: |_, form| match form {

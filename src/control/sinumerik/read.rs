@@ -149,7 +149,7 @@ fn block<'t>(
                 words.motion = Some(Motion::MayTouch);
                 What::Words(words)
             }
-            _ => return fault(text!("MEAS=1 stands in a block with G1")),
+            _ => return fault(text!("MEAS=1 belongs in a block with G1")),
         }
     } else if let Some((name, arguments)) =
         code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))

@@ -318,7 +318,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
     // Picks that are level within the rounding of a dump are level.
     if highest > end + ONE_LEVEL + ROUNDING {
         let message = text!(
-            "The path goes {height} higher than it ends: a touch lies too high above the others",
+            "The path rises {height} above its end: one touch is too high compared with the others",
             checker.rounded_up(highest - end)
         );
         checker.error("path-not-above", if path.feature.picked() { "cycle.touches" } else { "cycle" }, message);

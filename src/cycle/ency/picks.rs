@@ -168,7 +168,7 @@ pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut 
         let off = picks[k].point.dot(up) - level;
         if off.abs() > ONE_LEVEL {
             let message = text!(
-                "Touch {touch} lies {way} {below} touch {first}: the touches of one feature must be at one level",
+                "Touch {touch} is {way} {below} touch {first}: the touches of one feature must be at one level",
                 k + 1,
                 checker.length(off.abs()),
                 if off > 0.0 { words!("above") } else { words!("below") },
@@ -197,7 +197,7 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
         let aside = (away - pick.vector * away.dot(pick.vector)).length();
         if aside > NEAR * (1.0 + 2.0 * away.length()) {
             let message = text!(
-                "Touch {touch} is not straight in front of the middle, where this cycle touches from, but {aside} aside. A protected cycle takes such touches",
+                "Touch {touch} is not straight in front of the middle, where this cycle touches from, but {aside} off to the side. A protected cycle takes such touches",
                 k + 1,
                 checker.length(aside)
             );

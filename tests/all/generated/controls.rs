@@ -82,8 +82,8 @@ pub fn page() -> String {
         }
     }
     text.push_str(
-        "\n## Safety rules\n\nEvery program is read back and followed: what it does when all goes well, when a positioning move meets something, when a \
-         touch meets nothing, with a probe that is deflected from the start, and from a stylus that stands too low. Then every rule is asked. A program \
+        "\n## Safety rules\n\nEvery program is read back and followed: what it does when all goes well, when a positioning move hits something, when a \
+         touch makes no contact, with a probe that is deflected from the start, and from a stylus that is too low. Then every rule is asked. A program \
          that breaks one is refused, but for the two that depend on what the job asks for.\n\n| rule | what it asks | why | cannot |\n|---|---|---|---|\n",
     );
     for rule in RULES {

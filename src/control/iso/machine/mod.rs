@@ -479,8 +479,8 @@ impl<'s, 't> Machine<'s, 't> {
             (None, _) => (Kind::Watched, ending, Ending::GoesOn),
         };
         match (motion, met) {
-            (Motion::MustTouch, None) => return Err(trouble(step.line, text!("this touch meets nothing"))),
-            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, text!("this move meets something"))),
+            (Motion::MustTouch, None) => return Err(trouble(step.line, text!("this touch makes no contact"))),
+            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, text!("this move hits something"))),
             _ => self.arrive(step.to, met),
         }
         Ok(())

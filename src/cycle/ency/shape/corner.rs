@@ -166,8 +166,7 @@ impl Shape for Corner {
                 )
             } else if free <= setup.radius {
                 text!(
-                    "In the first touch of wall {wall} the ball would meet wall {other} first: at {angle}° clearance {other} must be \
-                     larger than {least}",
+                    "In the first touch of wall {wall} the ball would contact wall {other} first: at {angle}° clearance {other} must be larger than {least}",
                     n1,
                     other1,
                     angle,

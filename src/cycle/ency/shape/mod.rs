@@ -151,7 +151,7 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
 pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: Option<f64>, outside: bool) {
     if checker.sound(&["cycle.depth", "stylus.diameter"]) && depth < setup.radius {
         let message = text!(
-            "At a depth of {depth} the ball (radius {radius}) stands out above the top side: an edge break or burr there is part of the touch",
+            "At a depth of {depth} part of the ball (radius {radius}) is still above the top side: an edge break or burr there is part of the touch",
             checker.length(depth),
             checker.length(setup.radius)
         );
@@ -164,8 +164,7 @@ pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: O
     let (clearance, radius) = (checker.length(top), checker.length(setup.radius));
     if outside {
         let message = text!(
-            "With a top clearance of {clearance} the ball (radius {radius}) would meet the top side when it crosses, since heights \
-             are of the ball centre: it must be larger than the radius",
+            "With a top clearance of {clearance} the ball (radius {radius}) would hit the top side when it crosses, since heights are of the ball centre: it must be larger than the radius",
             clearance,
             radius
         );

@@ -107,7 +107,7 @@ impl Shape for Triple {
             let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
             if free <= setup.radius {
                 let message = text!(
-                    "In the touch of wall {n} the ball would meet wall {other} first: at {angle}° clearance {other2} must be larger than {least}",
+                    "In the touch of wall {n} the ball would contact wall {other} first: at {angle}° clearance {other2} must be larger than {least}",
                     n + 1,
                     other + 1,
                     crate::num::decimal(self.angle, 4),

@@ -55,7 +55,7 @@ form! {
         point2: [Nominal; 3] = Field::nominal_point("point2", "2nd point", [30.0, 0.0, -10.0]).code("Q1103").group("Circle 2"),
         /// Diameter of 2nd position? A number, or text with a tolerance.
         diameter2: Nominal = Field::nominal("diameter2", "Diameter 2", 20.0).range(0.0, 9999.9999).code("Q1117").group("Circle 2").size(),
-        /// Geometry type (0-3)? What lies at each position.
+        /// Geometry type (0-3)? What is at each position.
         geometry_type: i32 = Field::code_of("geometryType", "Geometry type", 0, GEOMETRY).code("Q1115").group("Probing"),
         /// Number of probe points? On each circle.
         probe_points: i32 = Field::count("probePoints", "No. of probe points", 4, 3, 8).code("Q423").group("Probing"),
@@ -65,7 +65,7 @@ form! {
         angular_length: f64 = Field::angle("angularLength", "Angular length", 360.0).range(-359.999, 360.0).code("Q1119").group("Probing"),
         /// Set-up clearance? Added to SET_UP and the ball radius.
         set_up_clearance: f64 = Field::length("setUpClearance", "Set-up clearance", 0.0).range(0.0, 99_999.999_9).usual(0.0, 50.0).code("Q320").group("Heights"),
-        /// Clearance height? Where nothing can be met.
+        /// Clearance height? A height free of obstacles.
         clearance_height: f64 = Field::length("clearanceHeight", "Clearance height", 100.0).range(-99_999.999_9, 99_999.999_9).code("Q260").group("Heights"),
         /// Q320=PREDEF: the control takes the set-up clearance from GLOBAL DEF. The number above is then only what the moves show.
         set_up_clearance_predef: bool = Field::flag("setUpClearancePredef", "Set-up clearance: PREDEF", false).group("Heights"),

@@ -150,10 +150,8 @@ impl TwoCircles {
         for (field, [a, b]) in sizes.into_iter().chain(places) {
             let farthest = if field == point { a.max(b) } else { -a.min(b) };
             if a.min(b) >= way {
-                let message = text!(
-                    "Every good part is in the way: within this tolerance object {number} stands where the ball goes down",
-                    number
-                );
+                let message =
+                    text!("Even a part within tolerance is in the way: object {number} is where the ball goes down", number);
                 checker.error("zone-beyond-clearance", field, message);
             } else if a.max(b) >= way {
                 let message = text!(
@@ -216,7 +214,7 @@ impl TwoCircles {
         }
         if way < SHORTEST_TOUCH - 1e-6 {
             let message = text!(
-                "Q320 and SET_UP together ({way}) must be at least {least}: the ball would stand at the wall before the touch begins",
+                "Q320 and SET_UP together ({way}) must be at least {least}: the ball would be at the wall before the touch begins",
                 checker.length(way),
                 checker.length(SHORTEST_TOUCH)
             );
@@ -242,8 +240,7 @@ impl TwoCircles {
                     checker.error("clearance-height-too-low", "cycle.clearanceHeight", message);
                 } else if self.form.clearance_height - highest < (2.0 * setup.radius).max(5.0) - 1e-6 {
                     let message = text!(
-                        "The clearance height lies {height} above the measuring height of object {number}: the cycle knows no top side, and the \
-                         ball crosses the object at that height",
+                        "The clearance height is {height} above the measuring height of object {number}: the cycle knows no top side, and the ball crosses the object at that height",
                         checker.length(self.form.clearance_height - highest),
                         object.number
                     );
