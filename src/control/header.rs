@@ -1,6 +1,6 @@
 //! The job as comments, both ways: every value of it, its format, the version that wrote it, and a hash over the blocks below.
 
-use crate::control::iso::lines::{after, next_line};
+use crate::control::iso::lex::{after, next_line, without_count};
 use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
 use crate::num::{count, push_in_full};
@@ -229,8 +229,7 @@ pub fn read(text: &str) -> Said<'_> {
 
 /// The comment that a line is, without its sign: `(…)`, `; …`, or `12 ; …` as Klartext numbers it.
 fn comment(line: &str) -> Option<&str> {
-    let line = line.trim();
-    let line = line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+    let line = without_count(line.trim());
     if let Some(inner) = line.strip_prefix('(') {
         return inner.strip_suffix(')');
     }

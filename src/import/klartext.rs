@@ -1,6 +1,6 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
-use crate::control::iso::lines::next_line;
+use crate::control::iso::lex::{code, lines_of, without_count, without_number};
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Field, Finding, Kind, Value, printable};
 use crate::import::{Imported, program, set};
@@ -437,36 +437,21 @@ fn wanted_iso(word: &str) -> bool {
 fn blocks(text: &str) -> Vec<String> {
     let mut blocks: Vec<String> = Vec::new();
     let mut goes_on = false;
-    let mut rest = text;
-    while !rest.is_empty() {
-        let line = next_line(&mut rest).trim();
+    for line in lines_of(text).map(str::trim) {
         let continued = line.ends_with('~');
         let line = line.trim_end_matches('~');
         // `*` ends an ISO block.
-        let line = line.split_once(';').map_or(line, |(code, _)| code).trim().trim_end_matches('*').trim_end();
+        let line = code(line, false).trim().trim_end_matches('*').trim_end();
         if goes_on {
             let block = blocks.last_mut().expect("a continuation line follows a block");
             block.push(' ');
             block.push_str(line);
         } else {
-            blocks.push(without_number(line).to_owned());
+            blocks.push(without_count(without_number(line)).to_owned());
         }
         goes_on = continued;
     }
     blocks
-}
-
-/// A line without its block number: `12 TCH PROBE`, `N12 G1411`.
-fn without_number(line: &str) -> &str {
-    let digits = line.strip_prefix(['N', 'n']).unwrap_or(line);
-    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
-    // In ISO a word may follow at once: `N20G1411`.
-    let iso = digits.len() < line.len() && rest.starts_with(|c: char| c.is_ascii_alphabetic());
-    if rest.len() < digits.len() && (iso || rest.is_empty() || rest.starts_with(char::is_whitespace)) {
-        rest.trim_start()
-    } else {
-        line
-    }
 }
 
 /// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default.

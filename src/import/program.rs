@@ -4,7 +4,8 @@
 use serde::Serialize;
 
 use crate::control::header::{self, Said};
-use crate::control::iso::lines::{self, after, next_line, trimmed};
+use crate::control::iso::lex::{self, Token, after, comment_at, lines_of, tokens, trimmed, without_count, without_number};
+use crate::control::iso::lines;
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
 use crate::control::trace::{Kind, Trace};
@@ -50,13 +51,11 @@ pub fn says_job(text: &str) -> bool {
 
 /// Refuses a text with what no control takes for a blank, whatever reads the rest of it.
 pub fn check_signs(text: &str) -> Result<(), JobError> {
-    if !lines::hides(text) {
+    if !lex::hides(text) {
         return Ok(());
     }
     let mut checker = Checker::default();
-    let mut rest = text;
-    let all = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest))).enumerate();
-    for (line, _) in all.filter(|(_, full)| lines::hides(full)).take(MOST_LISTED) {
+    for (line, _) in lines_of(text).enumerate().filter(|(_, full)| lex::hides(full)).take(MOST_LISTED) {
         checker.error("not-understood", "", with_line(Some(line), lines::hidden()));
     }
     Err(JobError { findings: checker.findings() })
@@ -134,13 +133,8 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
 /// The number of the program, where it is another one than the job gives it: a user may have changed it at the control.
 fn take_number(text: &str, job: &mut Value) {
     const MOST: i32 = 9999;
-    let own = |line: &str| {
-        let code = line.trim().strip_prefix(['O', 'o'])?;
-        let code = code.split_once('(').map_or(code, |(code, _)| code).trim();
-        code.bytes().all(|b| b.is_ascii_digit()).then(|| code.parse::<i32>().ok())?
-    };
-    let mut rest = text;
-    let Some(number) = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest))).find_map(own) else { return };
+    let own = |line: &str| i32::try_from(lex::program_number(line.trim().as_bytes())?).ok();
+    let Some(number) = lines_of(text).find_map(own) else { return };
     let given = crate::job::planned(job)
         .and_then(|planned| control::program_number(planned.job.post, planned.job.number, &planned.job.name));
     if given.is_some_and(|given| given != number) && (1..=MOST).contains(&number) {
@@ -297,21 +291,13 @@ fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
     checker.warning("program-differs", "", message);
 }
 
-/// One sign of a block, or one number of it: `X1.0` and `X 1` are the same.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Token {
-    Sign(u8),
-    Number(f64),
-}
-
 /// The blocks of a program with their 0-based lines: without comments that change nothing, numbers of blocks and blanks.
 fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let round = post.is_some_and(|post| post.dialect.comment.0 == "(");
     let mut begun = false;
-    let mut rest = text;
-    std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)))
+    lines_of(text)
         .enumerate()
-        .map(|(line, full)| (line, tokens(without_number(code(full, round)))))
+        .map(|(line, full)| (line, tokens(without_count(without_number(trimmed(code(full, round)))))))
         .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
         // The number stands above the blocks.
         .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
@@ -325,43 +311,12 @@ fn is_program_number(tokens: &[Token]) -> bool {
 
 /// A line without its comment. Some comments in brackets do something.
 fn code(line: &str, round: bool) -> &str {
-    let mut quoted = false;
-    let at = line.find(|c| {
-        quoted ^= c == '"';
-        (c == ';' || (round && c == '(')) && !quoted
-    });
-    let Some(at) = at else { return line };
+    let Some(at) = comment_at(line.as_bytes(), round) else { return line };
     let inner = trimmed(&line[at + 1..]);
     let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| after(inner, word).is_some());
     // The text of an alarm belongs to its block.
     let alarm = trimmed(line).starts_with("#3000");
     if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }
-}
-
-/// A block without its number: `N10 G1`, or `12 TCH PROBE` of Klartext.
-fn without_number(code: &str) -> &str {
-    let code = trimmed(code);
-    let rest = code.strip_prefix('N').unwrap_or(code).trim_start_matches(|c: char| c.is_ascii_digit());
-    if rest.len() < code.len() && rest.starts_with(' ') { rest } else { code }
-}
-
-fn tokens(code: &str) -> Vec<Token> {
-    let bytes = code.as_bytes();
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    while at < bytes.len() {
-        let digits = bytes[at..].iter().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
-        let end = at + digits.max(1);
-        match code.get(at..end).filter(|_| digits > 0).and_then(crate::num::read) {
-            Some(number) => tokens.push(Token::Number(number)),
-            None => {
-                let signs = bytes[at..end].iter().filter(|b| !b.is_ascii_whitespace());
-                tokens.extend(signs.map(|b| Token::Sign(b.to_ascii_uppercase())));
-            }
-        }
-        at = end;
-    }
-    tokens
 }
 
 /// Whether a text probes.

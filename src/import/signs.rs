@@ -1,6 +1,6 @@
 //! Which control a text is written for, by what no other control's programs have.
 
-use crate::control::iso::lines::{after, next_line, trimmed, without_number};
+use crate::control::iso::lex::{after, lines_of, trimmed, without_count, without_number};
 
 /// What a text is written for, as far as its signs say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,10 +41,8 @@ const REP_RAP: [&str; 3] = ["param.", "global.", "var."];
 /// The first sign in a text. A code of a probing move says less than the rest.
 pub fn of(text: &str) -> Option<Sign> {
     let mut probing = None;
-    let mut rest = text;
-    while !rest.is_empty() {
-        let line = trimmed(next_line(&mut rest));
-        if after(without_number(line).trim_start_matches(|c: char| c.is_ascii_digit() || c == ' '), "BEGIN PGM").is_some() {
+    for line in lines_of(text).map(trimmed) {
+        if after(without_count(without_number(line)), "BEGIN PGM").is_some() {
             return Some(Sign::Klartext);
         }
         let code = code_of(line);

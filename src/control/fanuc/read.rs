@@ -1,16 +1,24 @@
 //! Reads Fanuc and Haas programs with G31: the blocks that the writer uses, and their like.
 
-use crate::control::iso::codes;
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex::program_number;
 use crate::control::iso::lines::{self, Targets};
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
+use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
 static FANUC: Grammar = LIKE_FANUC;
-static HAAS: Grammar = Grammar { code: haas_code, ..LIKE_FANUC };
-const LIKE_FANUC: Grammar =
-    Grammar { brackets: (b'[', b']'), points: true, names: Names::Hash, operators: TIGHT_WORD_OPERATORS, system, code };
+static HAAS: Grammar = Grammar { takes: haas_takes, ..LIKE_FANUC };
+const LIKE_FANUC: Grammar = Grammar {
+    brackets: (b'[', b']'),
+    points: true,
+    names: Names::Hash,
+    operators: TIGHT_WORD_OPERATORS,
+    system,
+    family: Family::Iso,
+    takes,
+};
 
 /// System variables. The length of the active tool stands in the table at its number, #4111.
 fn system(name: &[u8]) -> Option<System> {
@@ -47,31 +55,22 @@ fn system(name: &[u8]) -> Option<System> {
     }
 }
 
-fn code(letter: u8, tenths: i32) -> Option<Code> {
-    const NONE: Modes = Modes::NONE;
-    Some(match (letter, tenths) {
-        (b'G', 310) => Code::Motion(Motion::MayTouch),
-        (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
-        (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
-        (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
-        (b'G', 541) => Code::Extended(6),
-        (b'G', 530) => Code::Halt(""),
-        (b'M', 190) => Code::Nothing(""),
-        (b'G', 800) | (b'M', 0) => Code::Nothing(""),
-        _ => return codes::common(letter, tenths),
-    })
+fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
+    match (letter, tenths) {
+        (b'G', 200 | 210 | 310 | 530 | 540 | 550 | 560 | 570 | 580 | 590 | 800) | (b'M', 0 | 190) => Some(""),
+        (b'G', 541) => Some("P"),
+        _ => words::common(letter, tenths),
+    }
 }
 
 /// M78 and M79 in the block of G31; G103 limits how far the control reads ahead.
-fn haas_code(letter: u8, tenths: i32) -> Option<Code> {
+fn haas_takes(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'M', 780) => Some(Code::Motion(Motion::MustBeFree)),
-        (b'M', 790) => Some(Code::Motion(Motion::MustTouch)),
-        (b'G', 1030) => Some(Code::Halt("P")),
-        (b'G', 1540) => Some(Code::Extended(6)),
+        (b'M', 780 | 790) => Some(""),
+        (b'G', 1030 | 1540) => Some("P"),
         (b'G', 541) => None,
-        (b'M', 190) => Some(Code::Nothing("R")),
-        _ => code(letter, tenths),
+        (b'M', 190) => Some("R"),
+        _ => takes(letter, tenths),
     }
 }
 
@@ -101,11 +100,10 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
             let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));
         }
-        let is_number = |rest: &str| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit());
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        if code.strip_prefix(['O', 'o']).is_some_and(is_number) {
+        if program_number(code.as_bytes()).is_some() {
             // Its own number stands above its blocks.
             if numbered || !script.blocks.is_empty() {
                 return fault(text!("another program begins here"));

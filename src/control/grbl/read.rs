@@ -1,6 +1,7 @@
 //! Reads grbl programs: words alone. grbl has no variables and no conditions.
 
-use crate::control::iso::codes;
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex;
 use crate::control::iso::lines;
 use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Script, Trouble};
@@ -13,7 +14,8 @@ static GRAMMAR: Grammar = Grammar {
     names: Names::Hash,
     operators: WORD_OPERATORS,
     system: |_| None,
-    code: codes::rs274,
+    family: Family::Iso,
+    takes: words::rs274,
 };
 
 /// Reads a program.
@@ -26,7 +28,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let what = words::words(&mut Cursor::new(lines::without_number(code)), &GRAMMAR, script)?;
+        let what = words::words(&mut Cursor::new(lex::without_number(code)), &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
     })?;

@@ -1,49 +1,247 @@
-//! What G and M codes do, where dialects agree.
+//! What G and M codes do: the one table, for every reader. A reader follows what it can of an effect; which codes a strict one takes is its own
+//! judgement.
 
-use crate::control::iso::parse::Code;
-use crate::control::iso::script::{Modes, Motion};
+use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 
-const NONE: Modes = Modes::NONE;
+/// The ways in which word-address controls give their codes a meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// LinuxCNC, grbl, Fanuc, Haas and their kin: where two of them disagree, the axis words are no position.
+    Iso,
+    /// SINUMERIK.
+    Sinumerik,
+    /// DIN/ISO of a HEIDENHAIN.
+    Heidenhain,
+}
 
-/// The codes that every word-address control shares.
-pub fn common(letter: u8, tenths: i32) -> Option<Code> {
-    Some(match (letter, tenths) {
-        (b'G', 0) => Code::Motion(Motion::Rapid),
-        (b'G', 10) => Code::Motion(Motion::Straight),
-        (b'G', 170) => Code::Mode(Modes { plane: Some(Plane::G17), ..NONE }),
-        (b'G', 180) => Code::Mode(Modes { plane: Some(Plane::G18), ..NONE }),
-        (b'G', 190) => Code::Mode(Modes { plane: Some(Plane::G19), ..NONE }),
-        (b'G', 900) => Code::Mode(Modes { absolute: Some(true), ..NONE }),
-        (b'G', 940) => Code::Mode(Modes { per_minute: Some(true), ..NONE }),
-        (b'M', 50) => Code::Mode(Modes { spindle: Some(false), ..NONE }),
-        (b'M', 30 | 40) => Code::Mode(Modes { spindle: Some(true), ..NONE }),
-        (b'G', 400) | (b'M', 90) => Code::Nothing(""),
-        (b'M', 300) => Code::End,
+/// What a code does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Effect {
+    /// A motion that stays.
+    Motion(Motion),
+    /// A motion of this block alone.
+    Once(Motion),
+    /// What a contact in the probing move of its block means.
+    Contact(Motion),
+    /// A spline, or an arc without centre and radius: of this block alone, or staying.
+    Curve { stays: bool },
+    /// Axis words are control points from here on (true), or positions again.
+    ControlPoints(bool),
+    /// The plane.
+    Plane(Plane),
+    /// Millimetres (true) or inches.
+    Metric(bool),
+    /// Positions (true) or distances.
+    Absolute(bool),
+    /// Centres of arcs as positions (true) or from where the arc begins.
+    CentersAbsolute(bool),
+    /// Feeds per minute, or otherwise: per turn, or as the time of the block.
+    PerMinute(bool),
+    /// X is a diameter.
+    Diameter(bool),
+    /// Whether the spindle turns.
+    Spindle(bool),
+    /// Every position is come to exactly, or only near.
+    Exact(bool),
+    /// The length of the tool counts, or no longer.
+    Length(bool),
+    /// It counts, by the numbers beside this code.
+    LengthGiven,
+    /// The modes are kept: until the end of the program or subprogram, or until they are given back.
+    Keep,
+    /// What was kept is forgotten.
+    Forget,
+    /// The modes that were kept are back.
+    GiveBack,
+    /// Selects a work offset, 1 = G54.
+    Offset(i32),
+    /// The same by its number P, counted on from here.
+    OffsetOf(i32),
+    /// Writes settings, G10: which by L.
+    Setting,
+    /// Waits; axis words are its time.
+    Dwell,
+    /// A cycle runs here and at every later position, until it ends.
+    Cycle,
+    /// Such a cycle ends.
+    CycleEnds,
+    /// Later positions are others than they say: a shift, a turn, a mirror, a scale, whose axis words are its own; or compensation of the tool's
+    /// radius, which leaves them positions.
+    Transform { own_axes: bool },
+    /// Axis words are no position: the end of a scale, limits, poles.
+    Elsewhere,
+    /// The present position is called so: G50 of a lathe.
+    Rename,
+    /// Positions of the machine's own system.
+    Machine,
+    /// Goes to a position that the machine knows, whether or not axes are named.
+    Home,
+    /// Goes and comes back: a rigid tap.
+    ThereAndBack,
+    /// Calls a macro, whose arguments all letters but G are (true), or a cycle of the control's own: where it ends is not known.
+    Macro { takes_feed: bool },
+    /// Calls a subprogram: 97, 98 or 198.
+    Call(u8),
+    /// Back from a subprogram, or to the block whose number is P.
+    Return,
+    /// Ends the program.
+    End,
+    /// Changes the tool.
+    Tool,
+    /// Keeps the control from reading on before the motion is done, or from reading far ahead.
+    Halt,
+    /// The same, and its axis words are its own.
+    Ahead,
+    /// Sets or stores something, and nothing moves; axis words are its own.
+    Sets,
+    /// Nothing that changes where a motion goes.
+    Nothing,
+}
+
+/// What a code of this family does, by ten times its number; none where that is not known.
+pub fn effect(family: Family, letter: u8, tenths: i32) -> Option<Effect> {
+    match (letter, family) {
+        (b'M', _) => auxiliary(family, tenths),
+        (_, Family::Heidenhain) => heidenhain(tenths),
+        (_, Family::Sinumerik) => sinumerik(tenths).or_else(|| common(tenths)),
+        (_, Family::Iso) => iso(tenths).or_else(|| common(tenths)),
+    }
+}
+
+/// G codes on which ISO and SINUMERIK agree.
+fn common(tenths: i32) -> Option<Effect> {
+    Some(match tenths {
+        0 => Effect::Motion(Motion::Rapid),
+        10 => Effect::Motion(Motion::Straight),
+        20 => Effect::Motion(Motion::Clockwise),
+        30 => Effect::Motion(Motion::Counter),
+        40 => Effect::Dwell,
+        100 => Effect::Setting,
+        170 => Effect::Plane(Plane::G17),
+        180 => Effect::Plane(Plane::G18),
+        190 => Effect::Plane(Plane::G19),
+        382 => Effect::Motion(Motion::MustTouch),
+        383..=389 => Effect::Motion(Motion::MayTouch),
+        410 | 420 => Effect::Transform { own_axes: false },
+        530 => Effect::Machine,
+        540 | 550 | 560 | 570 | 580 | 590 => Effect::Offset(tenths / 10 - 53),
+        610 => Effect::Exact(true),
+        640 => Effect::Exact(false),
+        800 => Effect::CycleEnds,
+        900 => Effect::Absolute(true),
+        910 => Effect::Absolute(false),
+        901 => Effect::CentersAbsolute(true),
+        911 => Effect::CentersAbsolute(false),
+        930 | 950 => Effect::PerMinute(false),
+        940 => Effect::PerMinute(true),
+        90 | 400 | 620 | 960 | 970 => Effect::Nothing,
         _ => return None,
     })
 }
 
-/// The codes of the RS274 family: LinuxCNC, grbl and their kin.
-pub fn rs274(letter: u8, tenths: i32) -> Option<Code> {
-    Some(match (letter, tenths) {
-        (b'G', 20) => Code::Motion(Motion::Clockwise),
-        (b'G', 30) => Code::Motion(Motion::Counter),
-        (b'G', 382) => Code::Motion(Motion::MustTouch),
-        (b'G', 383) => Code::Motion(Motion::MayTouch),
-        (b'G', 100) => Code::Setting,
-        (b'G', 200) => Code::Mode(Modes { metric: Some(false), ..NONE }),
-        (b'G', 210) => Code::Mode(Modes { metric: Some(true), ..NONE }),
-        (b'G', 911) => Code::Mode(Modes { arcs_incremental: Some(true), ..NONE }),
-        (b'G', 540 | 550 | 560 | 570 | 580 | 590) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
-        (b'G', 591..=593) => Code::Mode(Modes { offset: Some(tenths - 584), ..NONE }),
-        (b'G', 490) => Code::Mode(Modes { length: Some(false), ..NONE }),
-        (b'G', 610) => Code::Mode(Modes { exact: Some(true), ..NONE }),
-        (b'G', 640) => Code::Mode(Modes { exact: Some(false), ..NONE }),
-        (b'M', 720) => Code::Mode(Modes { restored: Some(true), ..NONE }),
-        (b'G', 80 | 800) | (b'M', 700) => Code::Nothing(""),
-        (b'M', 660) => Code::Halt("ELPQ"),
-        (b'M', 20) => Code::End,
-        _ => return common(letter, tenths),
+/// G codes of LinuxCNC, grbl, Fanuc and Haas beside the common ones.
+fn iso(tenths: i32) -> Option<Effect> {
+    Some(match tenths {
+        // With its number of a signal, too: G31.1.
+        310..=319 => Effect::Once(Motion::MayTouch),
+        // A thread is cut straight.
+        320 | 330 => Effect::Motion(Motion::Straight),
+        331 => Effect::ThereAndBack,
+        50 | 51 => Effect::Curve { stays: false },
+        52 | 62 => Effect::ControlPoints(true),
+        53 | 63 => Effect::ControlPoints(false),
+        70 | 80 => Effect::Diameter(tenths == 70),
+        200 | 210 => Effect::Metric(tenths == 210),
+        430 | 434 | 435 | 440 => Effect::Length(true),
+        431 | 432 => Effect::LengthGiven,
+        490 => Effect::Length(false),
+        500 => Effect::Rename,
+        501 => Effect::Elsewhere,
+        // 12.1: polar coordinates of a turned part.
+        121 | 160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 => Effect::Transform { own_axes: true },
+        // Fanuc's: each axis goes farther by the radius, or less far. 112: polar coordinates again, or a work offset of a Haas.
+        411 | 421 | 450 | 460 | 470 | 480 | 1120 => Effect::Transform { own_axes: false },
+        // A Haas has twenty more, which G154 counts, too.
+        1100..=1290 if tenths % 10 == 0 => Effect::Offset(tenths / 10 - 103),
+        591..=593 => Effect::Offset(tenths - 584),
+        541 | 1540 => Effect::OffsetOf(6),
+        730 | 740 | 760 | 810..=890 => Effect::Cycle,
+        120 | 130 | 750 | 1500 => Effect::Macro { takes_feed: false },
+        650 | 660 | 661 => Effect::Macro { takes_feed: true },
+        280 | 300 => Effect::Home,
+        1030 => Effect::Ahead,
+        // Zones, what is watched, and where the machine is: stored as a position to come back to.
+        110 | 220 | 230 | 250 | 260 | 281 | 301 | 1870 => Effect::Sets,
+        131 | 150 | 401 | 611 | 630 | 670 | 690 | 980 | 990 => Effect::Nothing,
+        _ => return None,
+    })
+}
+
+/// G codes of a SINUMERIK beside the common ones.
+fn sinumerik(tenths: i32) -> Option<Effect> {
+    Some(match tenths {
+        330 | 340 | 350 | 3310 | 3320 => Effect::Motion(Motion::Straight),
+        // A thread with a compensating chuck.
+        630 => Effect::Once(Motion::Straight),
+        700 | 7000 => Effect::Metric(false),
+        710 | 7100 => Effect::Metric(true),
+        250 | 260 | 1100 | 1110 | 1120 => Effect::Elsewhere,
+        580 | 590 => Effect::Transform { own_axes: true },
+        5000 | 5050..=5990 if tenths % 10 == 0 => Effect::Offset(tenths / 10 - 500),
+        1530 => Effect::Machine,
+        740 | 750 => Effect::Home,
+        600 => Effect::Exact(true),
+        4500 | 4510 | 6010 | 6020 | 6030 | 6410 | 6420 | 6430 | 6440 | 6450 => Effect::Nothing,
+        9610 | 9620 | 9710 | 9720 | 9730 => Effect::Nothing,
+        _ => return None,
+    })
+}
+
+/// G codes of a HEIDENHAIN's DIN/ISO, where many mean something else.
+#[cold]
+fn heidenhain(tenths: i32) -> Option<Effect> {
+    Some(match tenths {
+        0 | 10 | 20 | 30 | 40 | 170 | 180 | 190 | 900 | 910 => return common(tenths),
+        70 => Effect::Motion(Motion::Straight),
+        // Circles without a direction, or tangent to what is before them.
+        50 | 60 => Effect::Curve { stays: true },
+        400 => Effect::Nothing,
+        410 | 420 | 430 | 440 => Effect::Transform { own_axes: false },
+        700 | 710 => Effect::Metric(tenths == 710),
+        // Corners, the pole, the blank, the next tool, labels, tools.
+        240 | 250 | 260 | 270 | 290 | 300 | 310 | 500 | 510 | 980 | 990 => Effect::Elsewhere,
+        // Mirror, datums, scale, rotation, tilted plane.
+        280 | 530 | 540 | 720 | 730 | 800 => Effect::Transform { own_axes: true },
+        _ => return None,
+    })
+}
+
+/// M codes.
+fn auxiliary(family: Family, tenths: i32) -> Option<Effect> {
+    let sinumerik = family == Family::Sinumerik;
+    if tenths % 10 != 0 {
+        return None;
+    }
+    Some(match tenths / 10 {
+        2 | 30 => Effect::End,
+        17 if sinumerik => Effect::End,
+        3 | 4 => Effect::Spindle(true),
+        5 => Effect::Spindle(false),
+        6 => Effect::Tool,
+        66 => Effect::Halt,
+        0..=14 | 19 | 50..=53 | 60..=68 => Effect::Nothing,
+        40..=45 if sinumerik => Effect::Nothing,
+        70..=73 if sinumerik => Effect::Nothing,
+        70 | 73 => Effect::Keep,
+        71 => Effect::Forget,
+        72 => Effect::GiveBack,
+        78 => Effect::Contact(Motion::MustBeFree),
+        79 => Effect::Contact(Motion::MustTouch),
+        code @ (97 | 98 | 198) => Effect::Call(code as u8),
+        99 if !sinumerik => Effect::Return,
+        // Steps, speeds and limits of a printer's axes.
+        17 | 18 | 84 | 92 | 201..=208 | 350 | 566 | 851 | 906 => Effect::Sets,
+        _ => return None,
     })
 }

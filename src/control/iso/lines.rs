@@ -1,44 +1,26 @@
-//! A program line by line: comments, numbers of blocks, jumps by name.
+//! A program line by line, as the strict readers take it: what a control would read otherwise is refused. Jumps by name.
 
 use std::collections::BTreeMap;
 
+use crate::control::iso::lex::{Comment, comment_at, hides, next_line, trimmed};
 use crate::control::iso::parse::{Parsed, fault};
-use crate::control::iso::script::{BLANKS, Script, Trouble, What};
+use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
 
-/// A comment of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Comment<'t> {
-    /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
-    pub sign: u8,
-    /// It, without brackets or sign.
-    pub text: &'t str,
-}
-
 /// The code of a line and its comment. A sign inside a text begins none.
 pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)> {
-    let comment = |sign: u8, text| Some(Comment { sign, text });
-    let Some(first) = memchr::memchr3(sign, b';', b'"', line.as_bytes()) else { return Ok((line, None)) };
-    let mut quoted = false;
-    for (at, b) in line.bytes().enumerate().skip(first) {
-        match b {
-            b'"' => quoted = !quoted,
-            b';' if !quoted => return Ok((&line[..at], comment(b, trimmed(&line[at + 1..])))),
-            _ if b != sign || quoted => {}
-            b'(' => {
-                let inner = trimmed(&line[at + 1..]);
-                let inner =
-                    inner.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or there is code after it"))?;
-                if inner.bytes().any(|b| b == b')' || b == b'(') {
-                    return fault(text!("two comments are in one line, or one in another"));
-                }
-                return Ok((&line[..at], comment(b, inner)));
-            }
-            _ => {}
-        }
+    let Some(at) = comment_at(line.as_bytes(), sign == b'(') else { return Ok((line, None)) };
+    let (code, behind) = (&line[..at], trimmed(&line[at + 1..]));
+    let sign = line.as_bytes()[at];
+    if sign == b';' {
+        return Ok((code, Some(Comment { sign, text: behind })));
     }
-    Ok((line, None))
+    let inner = behind.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or there is code after it"))?;
+    if inner.bytes().any(|b| b == b')' || b == b'(') {
+        return fault(text!("two comments are in one line, or one in another"));
+    }
+    Ok((code, Some(Comment { sign, text: inner })))
 }
 
 /// Where the header says that the ball is before the start: `The stylus is taken to be at X0 Y0 Z100 before the start`.
@@ -63,7 +45,7 @@ const MOST_TROUBLES: usize = 200;
 pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut Block<'_, 't>) -> Result<(), Vec<Trouble>> {
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
-    let hides = hides(text);
+    let hidden_any = hides(text);
     let mut begun = false;
     // Whether something stands in front of a carriage return that no line feed has followed yet.
     let mut returned = false;
@@ -73,7 +55,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             break;
         }
         let full = next_line(&mut rest);
-        if hides && self::hides(full) {
+        if hidden_any && hides(full) {
             troubles.push(Trouble { line, message: hidden(), understood: false });
             continue;
         }
@@ -118,26 +100,6 @@ fn is_tape_name(behind: &str) -> bool {
     code.bytes().all(|b| b.is_ascii_digit()) || !name.is_empty() && name.bytes().all(named)
 }
 
-/// Takes the next line off a text, without its end: a line feed, a carriage return, or both, as editors count lines.
-pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
-    let text = *rest;
-    match memchr::memchr2(b'\n', b'\r', text.as_bytes()) {
-        Some(at) => {
-            *rest = &text[at + if text[at..].starts_with("\r\n") { 2 } else { 1 }..];
-            &text[..at]
-        }
-        None => {
-            *rest = "";
-            text
-        }
-    }
-}
-
-/// Whether a text has a vertical tab, a form feed or a NUL: no control takes one for a blank, and LinuxCNC's interpreter ends a line at a NUL.
-pub fn hides(text: &str) -> bool {
-    memchr::memchr3(0x0b, 0x0c, 0, text.as_bytes()).is_some()
-}
-
 /// What is wrong with such a line.
 pub fn hidden() -> Text {
     text!("a vertical tab, a form feed or a NUL: controls do not take it as a blank")
@@ -158,21 +120,6 @@ pub fn with_semicolons(text: &str) -> Vec<Trouble> {
         }
     }
     troubles
-}
-
-/// A text without the blanks around it: spaces and tabs, as controls have them. Nearly always there are none.
-pub fn trimmed(text: &str) -> &str {
-    match text.as_bytes() {
-        [] => text,
-        [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => text,
-        _ => text.trim_matches(BLANKS),
-    }
-}
-
-/// What stands after a beginning, in small letters or capitals.
-pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
-    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
-    same.then(|| &text[beginning.len()..])
 }
 
 /// Jumps and calls by name, resolved when everything is read.
@@ -214,14 +161,5 @@ impl Targets<'_> {
             troubles.push(Trouble { line: script.blocks[*from].line, message, understood: true });
         }
         if troubles.is_empty() { Ok(()) } else { Err(troubles) }
-    }
-}
-
-/// A block without its number, `N10`.
-pub fn without_number(code: &str) -> &str {
-    let rest = code.strip_prefix('N').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
-    match rest {
-        Some(rest) if rest.len() + 1 < code.len() && rest.starts_with(' ') => rest.trim_start_matches(BLANKS),
-        _ => code,
     }
 }

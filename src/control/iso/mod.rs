@@ -4,6 +4,7 @@
 //! Writing and reading share no code, only the dialect's data: what both would get wrong together, the proof would not see.
 
 pub mod codes;
+pub mod lex;
 pub mod lines;
 pub mod machine;
 pub mod parse;

@@ -1,6 +1,7 @@
 //! How a dialect writes values and codes, as data, and the parser of values that the readers share.
 
-use crate::control::iso::script::{BLANKS, Binary, Modes, Motion, Node, NodeId, Script, System, Unary};
+use crate::control::iso::codes::Family;
+use crate::control::iso::script::{BLANKS, Binary, Node, NodeId, Script, System, Unary};
 use crate::form::printable;
 use crate::text::{Text, text};
 
@@ -23,8 +24,10 @@ pub struct Grammar {
     pub operators: &'static [(&'static str, u8, Binary)],
     /// What the control knows under a name, where it is no variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
-    /// What a code does: its letter, and ten times its number.
-    pub code: fn(u8, i32) -> Option<Code>,
+    /// Whose codes these are.
+    pub family: Family,
+    /// The codes that this reader takes, by letter and ten times the number, and the letters that may stand beside each.
+    pub takes: fn(u8, i32) -> Option<&'static str>,
 }
 
 /// How variables are named.
@@ -34,25 +37,6 @@ pub enum Names {
     Hash,
     /// `R12`, `TP_MOVE`, `$AA_MW[X]`.
     Words,
-}
-
-/// What a code does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Code {
-    /// A motion.
-    Motion(Motion),
-    /// A mode.
-    Mode(Modes),
-    /// G10: writes a work offset.
-    Setting,
-    /// Ends the program.
-    End,
-    /// Selects a work offset by its number P, counted on from here.
-    Extended(i32),
-    /// Nothing that matters here; it may have these letters.
-    Nothing(&'static str),
-    /// Keeps the control from reading on before the motion is done; it stands alone, with these letters.
-    Halt(&'static str),
 }
 
 /// How tightly * and / bind; nothing binds tighter.

@@ -1,8 +1,27 @@
 //! Blocks of words: `G1 X10 F100`.
 
-use crate::control::iso::parse::{Code, Cursor, Grammar, Parsed, fault};
+use crate::control::iso::codes::{Effect, effect};
+use crate::control::iso::parse::{Cursor, Grammar, Parsed, fault};
 use crate::control::iso::script::{Modes, Motion, NodeId, Script, What, Words};
 use crate::text::text;
+
+/// The codes that every strict reader takes, and the letters that may stand beside each: none.
+pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
+    match (letter, tenths) {
+        (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => Some(""),
+        _ => None,
+    }
+}
+
+/// Those of the RS274 family: LinuxCNC, grbl and their kin.
+pub fn rs274(letter: u8, tenths: i32) -> Option<&'static str> {
+    match (letter, tenths) {
+        (b'G', 20 | 30 | 80 | 100 | 200 | 210 | 382 | 383 | 490 | 610 | 640 | 800 | 911) => Some(""),
+        (b'G', 540 | 550 | 560 | 570 | 580 | 590 | 591..=593) | (b'M', 20 | 700 | 720) => Some(""),
+        (b'M', 660) => Some("ELPQ"),
+        _ => common(letter, tenths),
+    }
+}
 
 /// The words of a block, put together.
 #[derive(Debug, Default)]
@@ -67,8 +86,11 @@ impl Block {
             b'F' => twice(&mut self.words.feed),
             b'G' | b'M' => {
                 let tenths = script.number(value).map(|x| (x * 10.0).round()).filter(|x| (0.0..100_000.0).contains(x));
-                match tenths.and_then(|tenths| (grammar.code)(letter, tenths as i32)) {
-                    Some(code) => self.code(code),
+                let taken = tenths.and_then(|tenths| {
+                    Some(((grammar.takes)(letter, tenths as i32)?, effect(grammar.family, letter, tenths as i32)?))
+                });
+                match taken {
+                    Some((letters, effect)) => self.code(effect, letters),
                     None => fault(text!("this code is not understood")),
                 }
             }
@@ -86,9 +108,11 @@ impl Block {
         }
     }
 
-    fn code(&mut self, code: Code) -> Parsed<()> {
-        match code {
-            Code::Motion(motion) => {
+    /// Takes in what a code does; `letters` may stand beside it.
+    fn code(&mut self, effect: Effect, letters: &'static str) -> Parsed<()> {
+        let modes = &mut self.words.modes;
+        match effect {
+            Effect::Motion(motion) | Effect::Once(motion) | Effect::Contact(motion) => {
                 // A code that only says what a contact in the motion beside it means goes first or last.
                 self.words.motion = Some(match (self.words.motion, motion) {
                     (None, motion) => motion,
@@ -97,15 +121,23 @@ impl Block {
                     _ => return fault(text!("two motions are in one block")),
                 });
             }
-            Code::Mode(modes) => self.words.modes = self.words.modes.then(modes),
-            Code::Setting => self.setting = true,
-            Code::End => self.ends = true,
-            Code::Extended(from) => {
-                self.extended = Some(from);
-                self.allowed = "P";
-            }
-            Code::Nothing(letters) => self.allowed = letters,
-            Code::Halt(letters) => (self.halts, self.allowed) = (true, letters),
+            Effect::Plane(plane) => modes.plane = Some(plane),
+            Effect::Metric(metric) => modes.metric = Some(metric),
+            Effect::Absolute(absolute) => modes.absolute = Some(absolute),
+            Effect::CentersAbsolute(absolute) => modes.arcs_incremental = Some(!absolute),
+            Effect::PerMinute(per_minute) => modes.per_minute = Some(per_minute),
+            Effect::Spindle(on) => modes.spindle = Some(on),
+            Effect::Exact(exact) => modes.exact = Some(exact),
+            Effect::Length(counts) => modes.length = Some(counts),
+            // What was stated before is no longer so.
+            Effect::GiveBack => *modes = Modes { restored: Some(true), ..Modes::NONE },
+            Effect::Offset(number) => modes.offset = Some(number),
+            Effect::OffsetOf(from) => (self.extended, self.allowed) = (Some(from), letters),
+            Effect::Setting => self.setting = true,
+            Effect::End => self.ends = true,
+            Effect::Halt | Effect::Ahead | Effect::Machine => (self.halts, self.allowed) = (true, letters),
+            Effect::Nothing | Effect::Keep | Effect::CycleEnds | Effect::Diameter(false) => self.allowed = letters,
+            _ => return fault(text!("this code is not understood")),
         }
         Ok(())
     }

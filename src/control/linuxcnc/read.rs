@@ -1,18 +1,26 @@
 //! Reads LinuxCNC programs: the codes and O words that the writer uses, and their like.
 
-use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Comment, Targets, after, trimmed};
-use crate::control::iso::parse::{self, Code, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex::{self, Comment, after, trimmed};
+use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, Node, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
-static GRAMMAR: Grammar =
-    Grammar { brackets: (b'[', b']'), points: false, names: Names::Hash, operators: WORD_OPERATORS, system, code };
+static GRAMMAR: Grammar = Grammar {
+    brackets: (b'[', b']'),
+    points: false,
+    names: Names::Hash,
+    operators: WORD_OPERATORS,
+    system,
+    family: Family::Iso,
+    takes,
+};
 
 /// M19 turns the spindle to an angle, R, within a time, Q.
-fn code(letter: u8, tenths: i32) -> Option<Code> {
-    if (letter, tenths) == (b'M', 190) { Some(Code::Nothing("RQ")) } else { codes::rs274(letter, tenths) }
+fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
+    if (letter, tenths) == (b'M', 190) { Some("RQ") } else { words::rs274(letter, tenths) }
 }
 
 /// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
@@ -69,7 +77,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let code = lines::without_number(code);
+        let code = lex::without_number(code);
         let mut cursor = Cursor::new(code);
         if code.starts_with(['o', 'O']) {
             return o_word(script, line, &mut cursor, &mut open, &mut targets);

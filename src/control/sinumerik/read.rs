@@ -1,15 +1,23 @@
 //! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
 
-use crate::control::iso::codes;
-use crate::control::iso::lines::{self, Targets, trimmed};
-use crate::control::iso::parse::{Code, Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Modes, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex::{self, trimmed};
+use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
+use crate::control::iso::script::{Ahead, Motion, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
 
-static GRAMMAR: Grammar =
-    Grammar { brackets: (b'(', b')'), points: false, names: Names::Words, operators: SIGN_OPERATORS, system, code };
+static GRAMMAR: Grammar = Grammar {
+    brackets: (b'(', b')'),
+    points: false,
+    names: Names::Words,
+    operators: SIGN_OPERATORS,
+    system,
+    family: Family::Sinumerik,
+    takes,
+};
 
 fn axis_of(name: &str) -> Option<usize> {
     AXIS_NAMES.iter().position(|axis| *axis == trimmed(name))
@@ -55,16 +63,12 @@ fn none_of(part: &str) -> Option<System> {
     }
 }
 
-fn code(letter: u8, tenths: i32) -> Option<Code> {
-    const NONE: Modes = Modes::NONE;
-    Some(match (letter, tenths) {
-        (b'G', 700) => Code::Mode(Modes { metric: Some(false), ..NONE }),
-        (b'G', 710) => Code::Mode(Modes { metric: Some(true), ..NONE }),
-        (b'G', 540 | 550 | 560 | 570) => Code::Mode(Modes { offset: Some(tenths / 10 - 53), ..NONE }),
-        (b'G', 5050..=5990) if tenths % 10 == 0 => Code::Mode(Modes { offset: Some(tenths / 10 - 500), ..NONE }),
-        (b'G', 600) | (b'M', 0) => Code::Nothing(""),
-        _ => return codes::common(letter, tenths),
-    })
+fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
+    match (letter, tenths) {
+        (b'G', 540 | 550 | 560 | 570 | 600 | 700 | 710) | (b'M', 0) => Some(""),
+        (b'G', 5050..=5990) if tenths % 10 == 0 => Some(""),
+        _ => words::common(letter, tenths),
+    }
 }
 
 /// Reads a program.
@@ -79,7 +83,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if let Some(list) = comment.and_then(|comment| comment.text.strip_prefix("Results: ")) {
             results(script, list);
         }
-        let code = lines::without_number(code);
+        let code = lex::without_number(code);
         // What stands before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());

@@ -1,6 +1,6 @@
-//! What one block of a program says: its words, and the numbers in them.
+//! What one block of a program says.
 
-use crate::num::read_digits;
+use crate::control::iso::script::Motion;
 
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
@@ -11,16 +11,12 @@ pub(super) struct Call {
     pub times: u32,
 }
 
-/// How a block moves.
+/// What becomes of the modes.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Motion {
-    Rapid,
-    Straight,
-    Clockwise,
-    Counter,
-    Probe,
-    /// A spline: straight here.
-    Curve,
+pub(super) enum Kept {
+    Keep,
+    Forget,
+    GiveBack,
 }
 
 /// What a block says of a code that makes no place of its axis words.
@@ -70,6 +66,8 @@ pub(super) struct Block {
     pub radius: Option<f64>,
     /// A motion for this block alone.
     pub once: Option<Motion>,
+    /// That motion is a curve, straight here.
+    pub curve: bool,
     /// It names one of the motions that stay: G0 to G3, G38.n.
     pub motion: bool,
     /// Its axis words are no place to go to: G10, G92, a cycle of the control's own.
@@ -80,10 +78,12 @@ pub(super) struct Block {
     pub writes: bool,
     /// It changes the length of the tool.
     pub lengthens: bool,
-    /// It keeps the modes (M70, M73), forgets them (M71) or gives them back (M72).
-    pub keeps: Option<u8>,
-    /// The work offset that it selects, as ten times its code.
+    /// M70 to M73.
+    pub keeps: Option<Kept>,
+    /// The work offset that it selects, 1 = G54.
     pub offset: Option<i32>,
+    /// Whether its number is counted on from there, by P.
+    pub counts: bool,
     /// L and P; NaN where the control would compute them.
     pub l: Option<f64>,
     pub p: Option<f64>,
@@ -133,6 +133,7 @@ pub(super) const EMPTY: Block = Block {
     centered: 0,
     radius: None,
     once: None,
+    curve: false,
     motion: false,
     elsewhere: false,
     dwells: false,
@@ -140,6 +141,7 @@ pub(super) const EMPTY: Block = Block {
     lengthens: false,
     keeps: None,
     offset: None,
+    counts: false,
     l: None,
     p: None,
     others: false,
@@ -168,6 +170,7 @@ impl Block {
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
+        (self.curve, self.counts) = (false, false);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);
@@ -176,90 +179,4 @@ impl Block {
             (self.placed, self.moved) = (0, 0);
         }
     }
-}
-
-/// Whether nothing but blanks and comments stands in front of a word.
-pub(super) fn leads(line: &[u8], begin: usize, at: usize) -> bool {
-    let mut before = line[begin..at].trim_ascii();
-    while before.first() == Some(&b'(') {
-        before = before[end_of(before, 0, b')')..].trim_ascii();
-    }
-    before.is_empty()
-}
-
-/// A number, and where it ends.
-pub(super) fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
-    let negative = line.get(at) == Some(&b'-');
-    let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
-    let (size, length) = read_digits(line.get(first..)?)?;
-    Some((if negative { -size } else { size }, first + length))
-}
-
-/// After the bracket that closes; the end of the line where none does.
-pub(super) fn end_of(line: &[u8], at: usize, close: u8) -> usize {
-    line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
-}
-
-/// After a value that is not a plain number: brackets belong together.
-pub(super) fn end_of_value(line: &[u8], at: usize) -> usize {
-    let mut depth = 0usize;
-    for (n, b) in line.iter().enumerate().skip(at) {
-        match b {
-            b'[' | b'(' | b'<' => depth += 1,
-            b']' | b')' | b'>' => {
-                depth = depth.saturating_sub(1);
-                if depth == 0 {
-                    return n + 1;
-                }
-            }
-            b' ' | b'\t' | b';' if depth == 0 => return n,
-            // `#5` ends where the next word begins.
-            b if depth == 0 && n > at && line[at] == b'#' && b.is_ascii_alphabetic() => return n,
-            _ => {}
-        }
-    }
-    line.len()
-}
-
-/// Where the next word begins behind something that is none: a letter with a value, outside of brackets and comments.
-pub(super) fn next_word(line: &[u8], at: usize) -> usize {
-    let mut depth = 0usize;
-    for n in at + 1..line.len() {
-        match line[n - 1] {
-            b'[' | b'(' | b'<' => depth += 1,
-            b']' | b')' | b'>' => depth = depth.saturating_sub(1),
-            b';' => break,
-            before if before.is_ascii_alphabetic() || before == b'_' => continue,
-            _ => {}
-        }
-        if depth == 0 && line[n].is_ascii_alphabetic() && valued(line, n) {
-            return n;
-        }
-    }
-    line.len()
-}
-
-/// Whether what may be a value stands after a letter.
-pub(super) fn valued(line: &[u8], at: usize) -> bool {
-    line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
-}
-
-/// Where the words of a block begin: behind its number, `N10` or `:10`, and what leaves it out, `/2`.
-pub(super) fn head(line: &[u8]) -> usize {
-    let mut at = 0;
-    while let Some(b'/' | b':' | b'N' | b'n') = line.get(at) {
-        let digits = line[at + 1..].iter().take_while(|b| b.is_ascii_digit()).count();
-        let end = at + 1 + digits;
-        if line[at].is_ascii_alphabetic() && (digits == 0 || line.get(end) == Some(&b'.')) {
-            break;
-        }
-        at = end + line[end..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
-    }
-    at
-}
-
-/// A line without the number of its block.
-pub(super) fn numbered(line: &[u8]) -> &[u8] {
-    let [b'N' | b'n', rest @ ..] = line else { return line };
-    &rest[rest.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count()..]
 }

@@ -1,5 +1,6 @@
 //! Subprograms that stand in the same text: `M98 P100` runs the lines below `O100` up to `M99`, `M97 P100` of a Haas those from `N100` on.
 
+use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::block::{Block, Call};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::Reader;
@@ -84,7 +85,7 @@ impl<'t> Calls<'t> {
             }
             return back;
         }
-        if numbered(line, false).is_some() { self.fall_out(reader, next) } else { next }
+        if program_number(line).is_some() { self.fall_out(reader, next) } else { next }
     }
 
     /// The lines of a subprogram come to an end without M99.
@@ -175,9 +176,10 @@ fn place_of(text: &[u8], call: Call) -> Option<Place> {
     let mut found = None;
     let (mut at, mut line) = (0, 0);
     while at < text.len() {
-        let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
-        let next = end + if text[end..].starts_with(b"\r\n") { 2 } else { 1 };
-        if numbered(text[at..end].trim_ascii(), call.local) == Some(call.number) {
+        let (end, next) = line_end(text, at);
+        let code = text[at..end].trim_ascii();
+        let number = if call.local { head(code).number } else { program_number(code) };
+        if number == Some(call.number) {
             // A block runs from its own number on, a program below the line of its number.
             let place = if call.local { Place { at, line } } else { Place { at: next, line: line + 1 } };
             if found.replace(place).is_some() {
@@ -187,16 +189,4 @@ fn place_of(text: &[u8], call: Call) -> Option<Place> {
         (at, line) = (next, line + 1);
     }
     found
-}
-
-/// The number of a block, `N100 G0`, or the one of a program, which stands alone: `O100 (A COMMENT)`.
-fn numbered(line: &[u8], local: bool) -> Option<u32> {
-    let (letter, rest) = line.split_first()?;
-    if letter.to_ascii_uppercase() != if local { b'N' } else { b'O' } {
-        return None;
-    }
-    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-    let alone = matches!(rest[digits..].trim_ascii_start().first(), None | Some(b'(' | b';'));
-    let number = std::str::from_utf8(&rest[..digits]).ok()?.parse().ok()?;
-    (local || alone).then_some(number)
 }

@@ -1,9 +1,8 @@
 //! Which of the dialects a text is written in.
 
-use crate::control::iso::lines::{next_line, trimmed};
+use crate::control::iso::lex::{head, lines_of, trimmed};
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
-use crate::import::toolpath::block::numbered;
 
 /// What stands in programs of a SINUMERIK alone.
 const ALONE: [&str; 12] = ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(", "=DC("];
@@ -22,17 +21,13 @@ const MOST_LINES: usize = 2000;
 /// is in the text.
 pub(in crate::import) fn guessed(text: &str) -> &'static str {
     let [mut likely, mut assigns, mut units] = [false; 3];
-    let mut rest = text;
-    for _ in 0..MOST_LINES {
-        if rest.is_empty() {
-            break;
-        }
-        let line = trimmed(next_line(&mut rest)).as_bytes();
+    for line in lines_of(text).take(MOST_LINES) {
+        let line = trimmed(line).as_bytes();
         // What an archive begins with.
         if line.starts_with(b"%_N_") || line.starts_with(b";$PATH=") {
             return DIALECTS[1];
         }
-        let line = numbered(line);
+        let line = &line[head(line).end..];
         units |= matches!(line, [b'G' | b'g', b'7', b'0' | b'1', ..]);
         // Most lines begin with a G or an axis, and assign nothing.
         let begins =

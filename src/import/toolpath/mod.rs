@@ -14,7 +14,7 @@ mod moves;
 mod reader;
 mod words;
 
-use crate::control::iso::lines::{next_line, trimmed};
+use crate::control::iso::lex::{line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
@@ -95,7 +95,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let mut calls = Calls::new(text);
     let (bytes, mut at) = (text.as_bytes(), 0);
     while at < bytes.len() {
-        let end = memchr::memchr2(b'\n', b'\r', &bytes[at..]).map_or(bytes.len(), |length| at + length);
+        let (end, next) = line_end(bytes, at);
         let line = match &bytes[at..end] {
             line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
             _ => text[at..end].trim().as_bytes(),
@@ -105,7 +105,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
             reader.read(line, &mut block);
         }
         reader.line += 1;
-        at = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+        at = next;
         if reader.turns_off {
             let next = Place { at, line: reader.line };
             let next = calls.step(&mut reader, line, next);
@@ -131,9 +131,7 @@ fn no_moves(text: &str) -> Finding {
     let is_code = |code: &str| {
         matches!(code.as_bytes(), [b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z', b'0'..=b'9' | b'-' | b'.', ..])
     };
-    let mut rest = text;
-    let mut lines = std::iter::from_fn(|| (!rest.is_empty()).then(|| next_line(&mut rest)));
-    let hidden = lines
+    let hidden = lines_of(text)
         .position(|line| line.split_once(';').is_some_and(|(code, behind)| is_code(trimmed(code)) && is_code(trimmed(behind))));
     let message = match hidden {
         Some(line) => {

@@ -1,7 +1,8 @@
 //! The moves that blocks make: where each ends, and the arcs.
 
+use crate::control::iso::script::Motion;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Block, Motion};
+use crate::import::toolpath::block::Block;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
@@ -56,14 +57,14 @@ impl Reader {
                 None => count(&mut self.arcs_unsolved, self.line),
             }
         }
-        if motion == Motion::Curve {
+        if block.curve || block.once.is_none() && self.modes.curve {
             count(&mut self.arcs_unsolved, self.line);
         }
         self.place.into_iter().for_each(|x| self.path.to.push(x));
         let kind = match motion {
             Motion::Rapid => RAPID,
-            Motion::Straight | Motion::Clockwise | Motion::Counter | Motion::Curve => FEED,
-            Motion::Probe => PROBE,
+            motion if motion.probes() => PROBE,
+            _ => FEED,
         };
         self.path.kind.push(kind);
         self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });

@@ -1,9 +1,10 @@
 //! What stays in force from block to block.
 
+use crate::control::iso::codes::Family;
+use crate::control::iso::lex::{end_of, end_of_value, head, next_word, number, valued};
+use crate::control::iso::script::Motion;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{
-    Axes, Block, Call, Foreign, Motion, end_of, end_of_value, head, next_word, number, numbered, valued,
-};
+use crate::import::toolpath::block::{Axes, Block, Call, Foreign, Kept};
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
@@ -22,6 +23,8 @@ pub(super) enum Given {
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
     pub motion: Motion,
+    /// That motion is a curve, straight here.
+    pub curve: bool,
     /// What the places are.
     pub given: Given,
     pub absolute: bool,
@@ -46,7 +49,7 @@ pub(super) struct Reader {
     pub modes: Modes,
     /// The plane that was chosen first.
     pub plane: Option<Plane>,
-    /// The work offset that was selected first: ten times its code.
+    /// The work offset that was selected first.
     pub offset: Option<i32>,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
     pub inside: bool,
@@ -114,6 +117,7 @@ impl Reader {
             place: [f64::NAN; 3],
             modes: Modes {
                 motion: Motion::Rapid,
+                curve: false,
                 given: Given::Place,
                 absolute: true,
                 centers_absolute: false,
@@ -155,6 +159,15 @@ impl Reader {
         }
     }
 
+    /// Whose codes these are.
+    pub fn family(&self) -> Family {
+        match (self.sinumerik, self.heidenhain) {
+            (true, _) => Family::Sinumerik,
+            (_, true) => Family::Heidenhain,
+            _ => Family::Iso,
+        }
+    }
+
     /// Reads one line, into a block that is used again for every line.
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
         let Some(&first) = line.first() else { return };
@@ -176,7 +189,8 @@ impl Reader {
         if self.ended {
             return count(&mut self.after_end, self.line);
         }
-        let begin = head(line);
+        let head = head(line);
+        let begin = head.end;
         match line.get(begin) {
             // O words jump, loop and call; alone they number a program.
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
@@ -233,10 +247,9 @@ impl Reader {
             return count(&mut self.skipped, self.line);
         }
         // With block skip on, the control leaves it out: an end there ends nothing.
-        let skips = line[..begin].contains(&b'/');
         let moves_before = self.path.len();
-        self.follow(line, block, before, leaped || skips);
-        if skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
+        self.follow(line, block, before, leaped || head.skips);
+        if head.skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
             count(&mut self.optional, self.line);
         }
     }
@@ -335,9 +348,9 @@ impl Reader {
         }
         match block.keeps {
             None => {}
-            Some(71) => self.kept = None,
-            Some(72) => self.give_back(),
-            _ => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
+            Some(Kept::Forget) => self.kept = None,
+            Some(Kept::GiveBack) => self.give_back(),
+            Some(Kept::Keep) => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
         }
         if block.lengthens {
             // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
@@ -360,21 +373,21 @@ impl Reader {
     /// is another one now.
     fn give_back(&mut self) {
         let Some((kept, feed)) = self.kept else { return };
-        self.modes = Modes { motion: self.modes.motion, given: self.modes.given, ..kept };
+        self.modes = Modes { motion: self.modes.motion, curve: self.modes.curve, given: self.modes.given, ..kept };
         self.feed = feed;
         self.lengthen(self.lengthened);
     }
 
     /// What moves the system that places are in: another work offset, or one that is written.
     fn shift(&mut self, block: &Block) {
-        if let Some(code) = block.offset {
-            // G54.1 P2, G154 P2: one of many.
-            let offset =
-                if matches!(code, 541 | 1540) { code.saturating_add((10_000.0 * block.p.unwrap_or(0.0)) as i32) } else { code };
+        if let Some(first) = block.offset {
+            // G54.1 P2, G154 P2: one of many; without a number it is none that has another name.
+            let counted = block.p.map_or(i32::MAX, |p| first.saturating_add((1000.0 * p) as i32));
+            let offset = if block.counts { counted } else { first };
             if self.path.is_empty() {
                 self.offset = Some(offset);
             // Moves before any selection were in G54.
-            } else if *self.offset.get_or_insert(540) != offset {
+            } else if *self.offset.get_or_insert(1) != offset {
                 count(&mut self.transformed, self.line);
             }
         }
@@ -460,7 +473,7 @@ fn frame(code: &[u8]) -> Option<bool> {
 
 /// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.
 fn runs_cycle(line: &[u8]) -> bool {
-    let code = numbered(line).to_ascii_uppercase();
+    let code = line[head(line).end..].to_ascii_uppercase();
     let names: [&[u8]; 5] = [b"CYCLE", b"POCKET", b"HOLES", b"SLOT", b"LONGHOLE"];
     names.iter().any(|name| code.starts_with(name)) && !code.starts_with(b"CYCLE832")
 }

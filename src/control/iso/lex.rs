@@ -1,0 +1,225 @@
+//! The signs of a program: lines, blanks, comments, numbers of blocks, words and values. Every reader takes them from here; what it makes of them
+//! is its own.
+
+use crate::control::iso::script::BLANKS;
+use crate::num::{read, read_digits};
+
+/// Where a line that begins at `at` ends, and where the next one begins. A line ends at a line feed, a carriage return, or both, as editors
+/// count lines.
+pub fn line_end(text: &[u8], at: usize) -> (usize, usize) {
+    let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
+    (end, if text[end..].starts_with(b"\r\n") { end + 2 } else { (end + 1).min(text.len()) })
+}
+
+/// Takes the next line off a text, without its end.
+pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
+    let text = *rest;
+    let (end, next) = line_end(text.as_bytes(), 0);
+    *rest = &text[next..];
+    &text[..end]
+}
+
+/// The lines of a text.
+pub fn lines_of(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || (!rest.is_empty()).then(|| next_line(&mut rest)))
+}
+
+/// Whether a text has a vertical tab, a form feed or a NUL: no control takes one for a blank, and LinuxCNC's interpreter ends a line at a NUL.
+pub fn hides(text: &str) -> bool {
+    memchr::memchr3(0x0b, 0x0c, 0, text.as_bytes()).is_some()
+}
+
+/// A text without the blanks around it: spaces and tabs, as controls have them. Nearly always there are none.
+pub fn trimmed(text: &str) -> &str {
+    match text.as_bytes() {
+        [] => text,
+        [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => text,
+        _ => text.trim_matches(BLANKS),
+    }
+}
+
+/// What stands after a beginning, in small letters or capitals.
+pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
+    let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
+    same.then(|| &text[beginning.len()..])
+}
+
+/// A comment of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Comment<'t> {
+    /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
+    pub sign: u8,
+    /// It, without brackets or sign.
+    pub text: &'t str,
+}
+
+/// Where the first comment of a line begins: at a `;`, or at a `(` where that begins one. A sign inside a text begins none.
+pub fn comment_at(line: &[u8], round: bool) -> Option<usize> {
+    let first = if round { memchr::memchr3(b'(', b';', b'"', line) } else { memchr::memchr2(b';', b'"', line) }?;
+    let mut quoted = false;
+    line[first..]
+        .iter()
+        .position(|b| {
+            quoted ^= *b == b'"';
+            (*b == b';' || round && *b == b'(') && !quoted
+        })
+        .map(|at| first + at)
+}
+
+/// A line up to its first comment.
+pub fn code(line: &str, round: bool) -> &str {
+    &line[..comment_at(line.as_bytes(), round).unwrap_or(line.len())]
+}
+
+/// What stands in front of the words of a block.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Head {
+    /// `/`: where block skip is on, the control leaves the block out.
+    pub skips: bool,
+    /// The number of the block, `N10` or `:10`.
+    pub number: Option<u32>,
+    /// Where the words begin.
+    pub end: usize,
+}
+
+/// What stands in front of the words of a block. An `N` without digits, or with a point behind them, is a word.
+pub fn head(line: &[u8]) -> Head {
+    let mut head = Head::default();
+    while let Some(sign @ (b'/' | b':' | b'N' | b'n')) = line.get(head.end) {
+        let begin = head.end + 1;
+        let digits = line[begin..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let end = begin + digits;
+        if sign.is_ascii_alphabetic() && (digits == 0 || line.get(end) == Some(&b'.')) {
+            break;
+        }
+        if *sign == b'/' {
+            head.skips = true;
+        } else {
+            head.number = whole(&line[begin..end]);
+        }
+        head.end = end + line[end..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    }
+    head
+}
+
+/// A block without its number: `N10 G1`.
+pub fn without_number(code: &str) -> &str {
+    let head = head(code.as_bytes());
+    if head.skips { code } else { &code[head.end..] }
+}
+
+/// The same of a Klartext block, whose number has no letter: `12 TCH PROBE`, `12 ; a comment`.
+pub fn without_count(line: &str) -> &str {
+    let rest = line.trim_start_matches(|c: char| c.is_ascii_digit());
+    if rest.is_empty() || rest.starts_with(char::is_whitespace) { rest.trim_start() } else { line }
+}
+
+/// The number of a program, which is alone in its line: `O100 (A COMMENT)`.
+pub fn program_number(line: &[u8]) -> Option<u32> {
+    let [b'O' | b'o', rest @ ..] = line else { return None };
+    let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+    let alone = matches!(rest[digits..].trim_ascii_start().first(), None | Some(b'(' | b';'));
+    whole(&rest[..digits]).filter(|_| alone)
+}
+
+/// The number that digits make, the largest there is where they make a larger one.
+fn whole(digits: &[u8]) -> Option<u32> {
+    let more = |sum: u32, digit: &u8| sum.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+    (!digits.is_empty()).then(|| digits.iter().fold(0, more))
+}
+
+/// One sign of a block, or one number of it: `X1.0` and `X 1` are the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Token {
+    /// A sign that is no blank, in capitals.
+    Sign(u8),
+    /// A number without its sign.
+    Number(f64),
+}
+
+/// The signs and numbers of a block.
+pub fn tokens(code: &str) -> Vec<Token> {
+    let bytes = code.as_bytes();
+    let mut tokens = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        let digits = bytes[at..].iter().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
+        let end = at + digits.max(1);
+        match code.get(at..end).filter(|_| digits > 0).and_then(read) {
+            Some(number) => tokens.push(Token::Number(number)),
+            None => {
+                let signs = bytes[at..end].iter().filter(|b| !b.is_ascii_whitespace());
+                tokens.extend(signs.map(|b| Token::Sign(b.to_ascii_uppercase())));
+            }
+        }
+        at = end;
+    }
+    tokens
+}
+
+/// Whether nothing but blanks and comments stands in front of a word.
+pub fn leads(line: &[u8], begin: usize, at: usize) -> bool {
+    let mut before = line[begin..at].trim_ascii();
+    while before.first() == Some(&b'(') {
+        before = before[end_of(before, 0, b')')..].trim_ascii();
+    }
+    before.is_empty()
+}
+
+/// A number, and where it ends.
+pub fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
+    let negative = line.get(at) == Some(&b'-');
+    let first = at + usize::from(matches!(line.get(at), Some(b'-' | b'+')));
+    let (size, length) = read_digits(line.get(first..)?)?;
+    Some((if negative { -size } else { size }, first + length))
+}
+
+/// After the bracket that closes; the end of the line where none does.
+pub fn end_of(line: &[u8], at: usize, close: u8) -> usize {
+    line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
+}
+
+/// After a value that is not a plain number: brackets belong together.
+pub fn end_of_value(line: &[u8], at: usize) -> usize {
+    let mut depth = 0usize;
+    for (n, b) in line.iter().enumerate().skip(at) {
+        match b {
+            b'[' | b'(' | b'<' => depth += 1,
+            b']' | b')' | b'>' => {
+                depth = depth.saturating_sub(1);
+                if depth == 0 {
+                    return n + 1;
+                }
+            }
+            b' ' | b'\t' | b';' if depth == 0 => return n,
+            // `#5` ends where the next word begins.
+            b if depth == 0 && n > at && line[at] == b'#' && b.is_ascii_alphabetic() => return n,
+            _ => {}
+        }
+    }
+    line.len()
+}
+
+/// Where the next word begins behind something that is none: a letter with a value, outside of brackets and comments.
+pub fn next_word(line: &[u8], at: usize) -> usize {
+    let mut depth = 0usize;
+    for n in at + 1..line.len() {
+        match line[n - 1] {
+            b'[' | b'(' | b'<' => depth += 1,
+            b']' | b')' | b'>' => depth = depth.saturating_sub(1),
+            b';' => break,
+            before if before.is_ascii_alphabetic() || before == b'_' => continue,
+            _ => {}
+        }
+        if depth == 0 && line[n].is_ascii_alphabetic() && valued(line, n) {
+            return n;
+        }
+    }
+    line.len()
+}
+
+/// Whether what may be a value stands after a letter.
+pub fn valued(line: &[u8], at: usize) -> bool {
+    line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
+}
