@@ -7,7 +7,7 @@ mod does;
 mod fanuc;
 mod grbl;
 pub mod header;
-mod heidenhain;
+pub mod heidenhain;
 pub mod iso;
 mod linuxcnc;
 mod moves;

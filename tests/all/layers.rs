@@ -199,10 +199,30 @@ fn the_forms_choices_are_the_registered_posts() {
     assert_eq!(choices, keys);
 }
 
+/// Lines and comments of programs are found in one place. A dump of parameters is no program.
+#[test]
+fn one_lexer_reads_programs() {
+    const SIGNS: [&str; 6] =
+        [".lines()", "memchr2(b'\\n'", "split(['\\n'", "split_once(';')", "memchr2(b'(', b';'", "find(|c| c == ';'"];
+    let readers = |file: &str| file.starts_with("control/") || file.starts_with("import/");
+    let own = ["control/iso/lex.rs", "import/codes.rs"];
+    let mut seen = 0;
+    for (_, file, text) in all().into_iter().filter(|(_, file, _)| readers(file)) {
+        let plain: String = text.split("#[cfg(test)]").next().unwrap_or_default().to_owned();
+        for sign in SIGNS {
+            let found = plain.contains(sign);
+            seen += usize::from(found && own.contains(&file.as_str()));
+            assert!(!found || own.contains(&file.as_str()), "{file} finds lines or comments by itself: {sign}");
+        }
+    }
+    assert!(seen >= 2, "the one lexer has these signs: {seen}");
+}
+
 /// What reads, follows and judges a program has no code of what writes it: one mistake would hide the other.
 #[test]
 fn reading_and_writing_share_no_code() {
-    const READING: &[&str] = &["prove", "safety", "trace", "release", "read", "script", "lines", "parse", "words", "codes"];
+    const READING: &[&str] =
+        &["prove", "safety", "trace", "release", "read", "script", "lex", "lines", "parse", "words", "codes"];
     const WRITING: &[&str] = &["writer::", "print::", "moves::", "header::", "::writer", "::print;", "{writer", "{print"];
     let mut read = 0;
     for (_, file, text) in all().iter().filter(|(module, ..)| module == "control") {
@@ -213,7 +233,7 @@ fn reading_and_writing_share_no_code() {
             assert!(WRITING.iter().all(|writing| !code.contains(writing)), "{file}");
         }
     }
-    assert!(read >= 13, "{read}");
+    assert!(read >= 15, "{read}");
 }
 
 /// Files that may import each other, and why.

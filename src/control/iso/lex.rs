@@ -223,3 +223,57 @@ pub fn next_word(line: &[u8], at: usize) -> usize {
 pub fn valued(line: &[u8], at: usize) -> bool {
     line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_end_as_editors_count_them() {
+        let lines: Vec<&str> = lines_of("G0\r\nG1\rG2\n\nG3").collect();
+        assert_eq!(lines, ["G0", "G1", "G2", "", "G3"]);
+        assert_eq!(lines_of("").count() + lines_of("\r\n").count(), 1);
+        assert_eq!(line_end(b"G0\r\nG1", 0), (2, 4));
+        assert_eq!(line_end(b"G0\r\nG1", 4), (6, 6));
+    }
+
+    #[test]
+    fn a_comment_begins_outside_of_texts() {
+        for (line, round, plain) in [
+            ("G0 X1 ; (a", "G0 X1 ", "G0 X1 "),
+            ("G0 (a) ; b", "G0 ", "G0 (a) "),
+            ("MSG(\"a;(b\") ; c", "MSG", "MSG(\"a;(b\") "),
+            ("\"a;b\" (c)", "\"a;b\" ", "\"a;b\" (c)"),
+            ("G0", "G0", "G0"),
+        ] {
+            assert_eq!((code(line, true), code(line, false)), (round, plain), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_head_of_a_block() {
+        for (line, skips, number, words) in [
+            ("/N10 G1", true, Some(10), "G1"),
+            ("n020G1411", false, Some(20), "G1411"),
+            (":5 G1", false, Some(5), "G1"),
+            ("/2 N3 X1", true, Some(3), "X1"),
+            ("N99999999999 X1", false, Some(u32::MAX), "X1"),
+            ("N X1", false, None, "N X1"),
+            ("N1.5", false, None, "N1.5"),
+            ("12 G1", false, None, "12 G1"),
+            ("", false, None, ""),
+        ] {
+            let head = head(line.as_bytes());
+            assert_eq!((head.skips, head.number, &line[head.end..]), (skips, number, words), "{line}");
+        }
+        assert_eq!(without_number("/N10 G1"), "/N10 G1", "a strict reader sees what skips a block");
+        assert_eq!((without_count("12 TCH PROBE"), without_count("12"), without_count("12X")), ("TCH PROBE", "", "12X"));
+    }
+
+    #[test]
+    fn a_program_number_is_alone_in_its_line() {
+        let number = |line: &str| program_number(line.as_bytes());
+        assert_eq!((number("O0100 (A)"), number("o7"), number("O7 ; A")), (Some(100), Some(7), Some(7)));
+        assert_eq!((number("O7 sub"), number("O<a> call"), number("O"), number("X1")), (None, None, None, None));
+    }
+}

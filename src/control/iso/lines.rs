@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::control::iso::lex::{Comment, comment_at, hides, next_line, trimmed};
+use crate::control::iso::lex::{self, Comment, comment_at, hides, lines_of, next_line, trimmed};
 use crate::control::iso::parse::{Parsed, fault};
 use crate::control::iso::script::{Script, Trouble, What};
 use crate::geom::AXIS_NAMES;
@@ -72,7 +72,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
                 troubles.push(Trouble { line, message: text!("there is code after the final %"), understood: false });
-            } else if begun && rest.split(['\n', '\r']).any(|line| code(self::trimmed(line))) {
+            } else if begun && lines_of(rest).any(|line| code(lex::trimmed(line))) {
                 troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
             }
             continue;
@@ -82,7 +82,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             if let Some(comment) = comment {
                 script.start = script.start.or_else(|| stated_start(comment.text));
             }
-            block(script, line, self::trimmed(code), comment)
+            block(script, line, lex::trimmed(code), comment)
         });
         if let Err(message) = read {
             troubles.push(Trouble { line, message: *message, understood: false });

@@ -1,6 +1,6 @@
 //! Which of the dialects a text is written in.
 
-use crate::control::iso::lex::{head, lines_of, trimmed};
+use crate::control::iso::lex::{comment_at, head, lines_of, trimmed};
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
@@ -42,7 +42,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
             continue;
         }
         // A comment may say anything, and so may a text.
-        let code = line.split(|b| matches!(b, b';' | b'(')).next().unwrap_or_default();
+        let code = &line[..comment_at(line, true).unwrap_or(line.len())];
         let plain = String::from_utf8_lossy(before_text(code)).to_ascii_uppercase();
         // AC(5) and its kin are no comments.
         let whole = String::from_utf8_lossy(before_text(line)).to_ascii_uppercase();

@@ -14,7 +14,7 @@ mod moves;
 mod reader;
 mod words;
 
-use crate::control::iso::lex::{line_end, lines_of, trimmed};
+use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
@@ -131,8 +131,10 @@ fn no_moves(text: &str) -> Finding {
     let is_code = |code: &str| {
         matches!(code.as_bytes(), [b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z', b'0'..=b'9' | b'-' | b'.', ..])
     };
-    let hidden = lines_of(text)
-        .position(|line| line.split_once(';').is_some_and(|(code, behind)| is_code(trimmed(code)) && is_code(trimmed(behind))));
+    let hidden = lines_of(text).position(|line| {
+        let code = lex::code(line, false);
+        line.get(code.len() + 1..).is_some_and(|behind| is_code(trimmed(code)) && is_code(trimmed(behind)))
+    });
     let message = match hidden {
         Some(line) => {
             text!("No move was found in this text: the code after a semicolon is a comment, as in line {line}", line + 1)

@@ -1,7 +1,7 @@
 //! What stays in force from block to block.
 
 use crate::control::iso::codes::Family;
-use crate::control::iso::lex::{end_of, end_of_value, head, next_word, number, valued};
+use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Axes, Block, Call, Foreign, Kept};
@@ -401,7 +401,7 @@ impl Reader {
 
     /// `o<name> sub`, `o1 if`, `o100if[…]`, `O1000`: blanks mean nothing.
     fn o_word(&mut self, line: &[u8]) {
-        let code = line.split(|b| matches!(b, b'(' | b';')).next().unwrap_or_default()[1..].trim_ascii();
+        let code = line[1..comment_at(line, true).unwrap_or(line.len())].trim_ascii();
         let label = match code.first() {
             Some(b'<') => end_of(code, 0, b'>'),
             Some(b'#' | b'[') => end_of_value(code, 0),

@@ -4,6 +4,8 @@
 //! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
 //! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
+pub mod read;
+
 use crate::control::iso::writer::{Dialect, PLAIN, stated_start, wrapped};
 use crate::control::{BASE, Form, PostDef, Program, Request, check_orientation, does, header};
 use crate::form::Checker;
