@@ -30,6 +30,8 @@ pub mod job;
 pub mod text;
 pub mod tool_length;
 
+#[cfg(any(test, target_arch = "wasm32"))]
+mod border;
 mod control;
 mod cycle;
 mod formula;

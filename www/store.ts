@@ -13,10 +13,11 @@ import {
   type Said,
   type Words,
 } from "./core/browser.js";
+import { misfit } from "./core/inside.js";
 import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
-import { alike, complete, type Draft, formIn, isObject, misfit } from "./job.js";
+import { alike, complete, type Draft, formIn, isObject } from "./job.js";
 import { keepFiles, keepSoon, kept, keptFiles } from "./keep.js";
 import { Outside } from "./outside.js";
 import { type Preset, SECTIONS } from "./presets.js";
@@ -596,7 +597,7 @@ export class Store extends Entries {
   /** Why a job cannot be shown; null where it can. */
   unusable(job: unknown): Said | null {
     const format = check(job).find((f) => f.level === "error" && f.path === "format");
-    return misfit(job, this.catalog) ?? format?.said ?? null;
+    return misfit(job) ?? format?.said ?? null;
   }
 
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */

@@ -12,6 +12,8 @@ mod examine;
 mod inertia;
 mod lentoax;
 mod measure;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod misfit;
 mod naming;
 mod picture;
 mod plan;
@@ -42,6 +44,8 @@ pub(crate) use examine::{proves, released};
 pub(crate) use lentoax::{MOST_STEPS, STEP_ANGLE};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use measure::points;
+#[cfg(target_arch = "wasm32")]
+pub(crate) use misfit::misfit;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use picture::Picture;
 #[cfg(any(test, target_arch = "wasm32"))]

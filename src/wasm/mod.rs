@@ -4,11 +4,10 @@
 //! out as numbers and a text (`www/core/plan.ts`): what crosses is one piece, not a call a value. What is small or rare goes as objects. A refused
 //! job is thrown as an `Error` named `JobError` with its `findings`; the package makes a class of it.
 
-mod input;
-mod output;
+mod sink;
 mod view;
 
-pub use output::Sink;
+pub use sink::Sink;
 pub use view::View;
 
 use std::cell::RefCell;
@@ -19,6 +18,8 @@ use serde::Serialize;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
+use crate::border::coded::decoded;
+use crate::border::packed;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
 use crate::import::{self, Imported, toolpath};
@@ -26,7 +27,7 @@ use crate::job::{self, JobError, Planned};
 use crate::text::text;
 use crate::tool_length;
 use crate::view::scene::Projection;
-use crate::wasm::input::decoded;
+use crate::wasm::sink::text_of;
 
 /// Everything a form needs.
 #[wasm_bindgen]
@@ -37,7 +38,7 @@ pub fn catalog() -> Result<JsValue, JsValue> {
 /// A complete, valid job of a type.
 #[wasm_bindgen(js_name = defaultJob)]
 pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
-    let key = input::text_of(kind, 100).unwrap_or_default();
+    let key = text_of(kind, 100).unwrap_or_default();
     job::default_job(&key).map(|value| value_to_js(&value)).ok_or_else(|| {
         let message = text!("There is no cycle of this type; catalog() lists them");
         thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)])
@@ -48,6 +49,12 @@ pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = jobName)]
 pub fn job_name(codes: &[f64], text: &str) -> String {
     job::job_name(&decoded(codes, text))
+}
+
+/// Why the form cannot show a job; null where it can.
+#[wasm_bindgen]
+pub fn misfit(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
+    to_js(&job::misfit(&decoded(codes, text)))
 }
 
 /// Everything that is wrong, unusual or worth knowing.
@@ -61,7 +68,7 @@ pub fn check(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
 pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
     let (planned, plan) = job::plan_with_path(&decoded(codes, text)).map_err(refused)?;
     keep(codes, text, planned);
-    output::give(&plan, sink);
+    sink.give(&packed::plan(&plan));
     Ok(())
 }
 
@@ -69,7 +76,7 @@ pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
 #[wasm_bindgen]
 pub fn table(codes: &[f64], text: &str, sink: &Sink) {
     if let Some(last) = planned(codes, text) {
-        output::give_table(&last.planned.table(), sink);
+        sink.give(&packed::table(&last.planned.table()));
     }
 }
 
@@ -77,7 +84,7 @@ pub fn table(codes: &[f64], text: &str, sink: &Sink) {
 #[wasm_bindgen]
 pub fn meanings(codes: &[f64], text: &str, sink: &Sink) {
     if let Some(last) = planned(codes, text) {
-        output::give_meanings(&last.planned.table(), sink);
+        sink.give(&packed::meanings(&last.planned.table()));
     }
 }
 
@@ -119,7 +126,7 @@ fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
 /// The same job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. What is no value stays as it is.
 #[wasm_bindgen(js_name = convertUnits)]
 pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsValue, JsValue> {
-    let units = input::text_of(units, 100).unwrap_or_default();
+    let units = text_of(units, 100).unwrap_or_default();
     job::convert_units(&decoded(codes, text), &units).map(|job| value_to_js(&job)).map_err(refused)
 }
 
@@ -133,13 +140,13 @@ pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str)
 #[wasm_bindgen(js_name = exportTable)]
 pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {
     let plan = job::plan(&decoded(codes, text)).map_err(refused)?;
-    describe::export_table(&plan, &input::text_of(format, 100).unwrap_or_default()).map_err(refused)
+    describe::export_table(&plan, &text_of(format, 100).unwrap_or_default()).map_err(refused)
 }
 
 /// The picture of a job as an SVG, looked at from `top`, `front`, `side` or `isometric`.
 #[wasm_bindgen]
 pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue> {
-    let name = input::text_of(view, 100).unwrap_or_default();
+    let name = text_of(view, 100).unwrap_or_default();
     let Some(projection) = Projection::named(&name) else {
         let message = text!("The view must be top, front, side or isometric");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)]));
@@ -199,7 +206,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     if length > toolpath::LONGEST_PROGRAM {
         return Err(refused(toolpath::too_long(length)));
     }
-    let wanted = input::text_of(dialect, 100);
+    let wanted = text_of(dialect, 100);
     let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
         let message = text!("The dialect must be iso or sinumerik");

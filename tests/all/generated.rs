@@ -1,6 +1,7 @@
 //! Generated files are committed, and this test finds them stale: `UPDATE=1 cargo test --lib generated` writes them.
 
 mod controls;
+mod layout;
 mod structs;
 mod surface;
 mod typescript;
@@ -178,6 +179,11 @@ fn the_manual_is_what_the_crate_says() {
         }
     }
     assert_eq!(catalog().cycles.len(), CYCLES.len());
+}
+
+#[test]
+fn the_layout_of_the_border_is_that_of_the_crate() {
+    keep("www/core/layout.ts", &layout::layout());
 }
 
 #[test]

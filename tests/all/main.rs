@@ -1,5 +1,6 @@
 //! The tests of the crate, a module a subject: `cargo test --lib safety` runs one of them.
 
+mod border;
 mod circles;
 mod controls;
 mod does;

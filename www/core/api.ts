@@ -1,6 +1,7 @@
 import { type Coded, coded, same } from "./coded.js";
 import { instance, JobError, type Raw, raw, Sink } from "./instance.js";
-import { columns, FEEDS, findingsOf, KINDS, meaningsOf, type Packed, planOf, programOf, tableOf } from "./plan.js";
+import { FEEDS, KINDS } from "./layout.js";
+import { columns, findingsOf, meaningsOf, planOf, programOf, tableOf } from "./plan.js";
 import { say } from "./said.js";
 import type {
   Catalog,
@@ -20,6 +21,7 @@ import type {
   ResultRow,
   Said,
 } from "./types.js";
+import type { Packed } from "./unpacked.js";
 
 export { JobError };
 

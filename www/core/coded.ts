@@ -1,23 +1,32 @@
-// Whatever a caller hands over, as numbers and one text: the other half of src/wasm/input.rs. The walk never throws and always ends: cycles,
+// Whatever a caller hands over, as numbers and one text: the other half of src/border/coded.rs. The walk never throws and always ends: cycles,
 // getters that throw, lists of any length. It runs here and not in the module, since every look at a value from there costs a call.
+import {
+  DEEPEST,
+  FALSE,
+  LIST,
+  MAP,
+  MOST_TEXT,
+  MOST_VALUES,
+  NO_DATA,
+  NULL,
+  NUMBER,
+  OTHER,
+  TEXT,
+  TOO_DEEP,
+  TOO_LONG,
+  TOO_MANY,
+  TOO_MANY_KEYS,
+  TOO_MUCH_TEXT,
+  TRUE,
+  UNDEFINED,
+  UNREADABLE,
+} from "./layout.js";
 
-/** A value in one piece. Tags and counts as in src/wasm/input.rs; all texts one after the other, each with a line feed after it. */
+/** A value in one piece. Tags and counts as in src/border/coded.rs; all texts one after the other, each with a line feed after it. */
 export interface Coded {
   codes: Float64Array;
   text: string;
 }
-
-/** The most values a job may hold, and how deep they may lie. A job has about a hundred. */
-const MOST_VALUES = 20_000;
-const DEEPEST = 16;
-/** The most UTF-16 units of all texts together: a longer text is refused anyway. */
-const MOST_TEXT = 2_000_000;
-
-const [NULL, FALSE, TRUE, NUMBER, TEXT, LIST, MAP, OTHER] = [0, 1, 2, 3, 4, 5, 6, 7] as const;
-/** What has no place in a job, by its place in the list of src/wasm/input.rs. */
-const [UNDEFINED, NO_DATA, UNREADABLE, TOO_DEEP, TOO_MANY, TOO_MUCH_TEXT, TOO_LONG, TOO_MANY_KEYS] = [
-  0, 1, 2, 3, 4, 5, 6, 7,
-] as const;
 
 class Coder {
   readonly codes: number[] = [];

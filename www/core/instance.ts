@@ -1,5 +1,5 @@
-import type { Packed } from "./plan.js";
 import type { Finding } from "./types.js";
+import type { Packed } from "./unpacked.js";
 
 /** Thrown where no plan can be made; `findings` says everything that was found. */
 export class JobError extends Error {
@@ -28,6 +28,7 @@ export interface Raw {
   catalog(): unknown;
   defaultJob(type: unknown): unknown;
   jobName(codes: Float64Array, text: string): unknown;
+  misfit(codes: Float64Array, text: string): unknown;
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;
   table(codes: Float64Array, text: string, sink: Sink): void;

@@ -1,9 +1,10 @@
-// A plan out of the module's numbers and text: the other half of src/wasm/output.rs. Each section is made when it is read for the first time.
+// A plan out of the module's numbers and text: the other half of src/border/packed.rs. Each section is made when it is read for the first time.
+import * as layout from "./layout.js";
+import { FEEDS, FINDINGS, KINDS, MOVES, PROGRAM, RESULTS, SAFETY, SECTIONS, TOUCHES, TRIGGERS } from "./layout.js";
 import { type Said, say } from "./said.js";
 import type {
   Finding,
   FindingCode,
-  Level,
   Move,
   ParameterRow,
   Plan,
@@ -12,116 +13,14 @@ import type {
   ResultRow,
   RuleName,
   SafetyRow,
-  TouchPoint,
   Vec3,
   Verdict,
 } from "./types.js";
-
-/** What the module hands out. */
-export interface Packed {
-  numbers: Float64Array;
-  text: string;
-}
-
-/** Words that come as their places in these lists, as in src/wasm/output.rs. */
-export const FEEDS: readonly Move["feed"][] = ["approach", "longLink", "work", "retract", "return", "rapid"];
-export const KINDS: readonly Move["kind"][] = ["position", "touch", "back"];
-const UNITS: readonly ResultRow["unit"][] = ["mm", "inch", "deg", ""];
-const LEVELS: readonly Level[] = ["error", "warning", "info"];
-
-const [TOUCHES, MOVES, PROGRAM, RESULTS, TRIGGERS, FINDINGS, SAFETY, SECTIONS] = [0, 1, 2, 3, 4, 5, 6, 7] as const;
-
-/** Reads numbers and texts in their order. */
-class Reader {
-  constructor(
-    private readonly packed: Packed,
-    private at = 0,
-    private textAt = 0,
-  ) {}
-
-  /** The beginning of a section. */
-  static section(packed: Packed, section: number): Reader {
-    return new Reader(packed, packed.numbers[2 * section], packed.numbers[2 * section + 1]);
-  }
-
-  number(): number {
-    return this.packed.numbers[this.at++] ?? Number.NaN;
-  }
-
-  /** What is not there is NaN. */
-  optional(): number | null {
-    const x = this.number();
-    return Number.isNaN(x) ? null : x;
-  }
-
-  flag(): boolean | null {
-    const x = this.optional();
-    return x === null ? null : x === 1;
-  }
-
-  /** An index; −1 is none. */
-  index(): number | null {
-    const n = this.number();
-    return n < 0 ? null : n;
-  }
-
-  textOrNone(): string | null {
-    const length = this.index();
-    if (length === null) return null;
-    this.textAt += length;
-    return this.packed.text.slice(this.textAt - length, this.textAt);
-  }
-
-  text(): string {
-    return this.textOrNone() ?? "";
-  }
-
-  /** What is said: a count of values, the template, the values. */
-  said(): Said {
-    return this.saidOrNone() ?? [""];
-  }
-
-  saidOrNone(): Said | null {
-    const count = this.index();
-    if (count === null) return null;
-    const said: Said = [this.text()];
-    for (let left = count; left > 0; left--) said.push(this.saidOrNone() ?? this.text());
-    return said;
-  }
-
-  word<Word>(words: readonly Word[]): Word {
-    return words[this.number()] as Word;
-  }
-
-  triple(): Vec3 {
-    return [this.number(), this.number(), this.number()];
-  }
-
-  list<Item>(item: () => Item): Item[] {
-    const items: Item[] = [];
-    for (let left = this.number(); left > 0; left--) items.push(item());
-    return items;
-  }
-
-  /** Numbers five by five, as they lie there, up to a −1. */
-  fives(): Float64Array {
-    const from = this.at;
-    while (this.index() !== null) this.at += 4;
-    return this.packed.numbers.subarray(from, this.at - 1);
-  }
-
-  /** So many numbers as they lie there. */
-  column(count: number): Float64Array {
-    this.at += count;
-    return this.packed.numbers.subarray(this.at - count, this.at);
-  }
-}
-
-const touch = (r: Reader): TouchPoint => ({ point: r.triple(), vector: r.triple(), group: r.number() });
+import { type Packed, Unpacked } from "./unpacked.js";
 
 /** The moves, column by column as they come. */
 export function columns(packed: Packed) {
-  const r = Reader.section(packed, MOVES);
+  const r = Unpacked.section(packed, MOVES);
   const count = r.number();
   return {
     to: r.column(3 * count),
@@ -153,62 +52,42 @@ function moves(packed: Packed): Move[] {
   return made;
 }
 
-function program(r: Reader): ProgramText {
-  const [post, extension, text] = [r.text(), r.text(), r.text()];
-  const moveLines = r.list(() => r.number());
-  const writes = r.list(() => r.text() as ProgramText["writes"][number]);
-  const said = r.said();
-  const moves = r.index();
-  const proof = moves === null ? null : { moves, touches: r.number(), arithmetic: r.flag() === true };
-  return { post, extension, text, moveLines, writes, does: say(said), said, proof };
+function programAt(r: Unpacked): ProgramText {
+  const { writes, ...rest } = layout.program(r);
+  const proof = r.isNone() ? null : layout.proof(r);
+  return { ...rest, writes: writes as ProgramText["writes"], does: say(rest.said), proof };
 }
 
-function result(r: Reader): ResultRow {
-  const code = r.text();
-  const meaning = r.said();
-  const unit = r.word(UNITS);
-  const [nominal, value, deviation] = [r.optional(), r.optional(), r.optional()];
-  const [uncertainty, uncertaintyRunout] = [r.optional(), r.optional()];
-  const [low, high] = [r.optional(), r.optional()];
-  const verdict = r.saidOrNone();
-  const truth = r.optional();
-  const note = r.saidOrNone();
+function result(r: Unpacked): ResultRow {
+  const { meaning, verdict, note, code, ...numbers } = layout.result(r);
   return {
+    ...numbers,
     code: code as ResultCode,
     meaning: say(meaning),
-    unit,
-    nominal,
-    value,
-    deviation,
-    uncertainty,
-    uncertaintyRunout,
-    limits: low === null || high === null ? null : [low, high],
     verdict: verdict && (say(verdict) as Verdict),
-    truth,
     note: note && say(note),
     said: { meaning, verdict, note },
   };
 }
 
-function trigger(r: Reader): Vec3 | null {
+function trigger(r: Unpacked): Vec3 | null {
   const place = r.triple();
   return Number.isNaN(place[0]) ? null : place;
 }
 
-function finding(r: Reader): Finding {
-  const [level, code, path, said] = [r.word(LEVELS), r.text() as FindingCode, r.text(), r.said()];
-  return { level, code, path, message: say(said), said };
+function finding(r: Unpacked): Finding {
+  const { code, ...row } = layout.finding(r);
+  return { ...row, code: code as FindingCode, message: say(row.said) };
 }
 
-function safety(r: Reader): SafetyRow {
-  const [rule, holds, said] = [r.text() as RuleName, r.flag(), r.said()];
-  const [lines, about] = [r.list(() => r.number()), r.list(() => r.number())];
-  return { rule, holds, message: say(said), said, lines, about };
+function safety(r: Unpacked): SafetyRow {
+  const { rule, ...row } = layout.safety(r);
+  return { ...row, rule: rule as RuleName, message: say(row.said) };
 }
 
 /** The rows of a parameter table. */
 export function tableOf(packed: Packed): ParameterRow[] {
-  const r = new Reader(packed);
+  const r = new Unpacked(packed);
   return r.list(() => {
     const [code, type] = [r.text(), r.text()];
     const kind = r.number();
@@ -219,16 +98,16 @@ export function tableOf(packed: Packed): ParameterRow[] {
 
 /** What its rows mean, in their order. */
 export function meaningsOf(packed: Packed): Said[] {
-  const r = new Reader(packed);
+  const r = new Unpacked(packed);
   return r.list(() => r.said());
 }
 
 /** The program alone. */
-export const programOf = (packed: Packed): ProgramText => program(Reader.section(packed, PROGRAM));
+export const programOf = (packed: Packed): ProgramText => programAt(Unpacked.section(packed, PROGRAM));
 
 /** The findings alone. */
 export function findingsOf(packed: Packed): Finding[] {
-  const r = Reader.section(packed, FINDINGS);
+  const r = Unpacked.section(packed, FINDINGS);
   return r.list(() => finding(r));
 }
 
@@ -250,12 +129,12 @@ class Part<T> {
  * what the module handed out: `table` fetches it.
  */
 export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
-  const list = <Item>(section: number, item: (r: Reader) => Item) =>
+  const list = <Item>(section: number, item: (r: Unpacked) => Item) =>
     new Part(() => {
-      const r = Reader.section(packed, section);
+      const r = Unpacked.section(packed, section);
       return r.list(() => item(r));
     });
-  const touches = list(TOUCHES, touch);
+  const touches = list(TOUCHES, layout.touch);
   const allMoves = new Part(() => moves(packed));
   const text = new Part(() => programOf(packed));
   const rows = new Part(table);
@@ -263,7 +142,7 @@ export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
   const triggers = list(TRIGGERS, trigger);
   const findings = list(FINDINGS, finding);
   const rules = list(SAFETY, safety);
-  const r = new Reader(packed, 2 * SECTIONS);
+  const r = new Unpacked(packed, 2 * SECTIONS);
   const plan: Plan = {
     get touches() {
       return touches.get();

@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
+use crate::border::coded::decoded;
 use crate::import::{Toolpath, read_program};
 use crate::job::{self, Planned};
 use crate::view::Legend;
@@ -18,7 +19,6 @@ use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
 use crate::view::scene::{self, Projection, Scene};
 use crate::wasm::Last;
-use crate::wasm::input::decoded;
 
 /// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
 #[wasm_bindgen]

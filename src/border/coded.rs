@@ -1,18 +1,14 @@
-//! A value as JavaScript hands it over: numbers and one text. `www/core/coded.ts` is the other half, and what walks whatever a caller has.
+//! A value as JavaScript hands it over. `www/core/coded.ts` is the other half, which walks whatever a caller has.
 //!
 //! Each value is a tag and what belongs to it: see [`Tag`]. All texts stand one after the other, each with a line feed after it, so that
 //! halves of a character do not join; what belongs to a text is its length in UTF-16 units, since that is how JavaScript counts.
-
-use js_sys::JsString;
-use wasm_bindgen::JsCast;
-use wasm_bindgen::prelude::*;
 
 use crate::form::Value;
 use crate::text::words;
 
 /// The tags, by their numbers.
-#[derive(Clone, Copy)]
-enum Tag {
+#[derive(Clone, Copy, Debug)]
+pub enum Tag {
     Null,
     False,
     True,
@@ -28,29 +24,31 @@ enum Tag {
     Other,
 }
 
-const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text, Tag::List, Tag::Map, Tag::Other];
+/// All of them, in their order.
+pub const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text, Tag::List, Tag::Map, Tag::Other];
 
-/// What has no place in a job.
-const OTHERS: [&str; 8] = [
-    words!("undefined"),
-    words!("something that is not data"),
-    words!("something unreadable"),
-    words!("something nested too deeply"),
-    words!("more than a job can hold"),
-    words!("more text than a job can hold"),
-    words!("a list longer than a job can hold"),
-    words!("an object with more keys than a job can hold"),
+/// What has no place in a job: its name in JavaScript's half, and its words.
+pub const OTHERS: [(&str, &str); 8] = [
+    ("UNDEFINED", words!("undefined")),
+    ("NO_DATA", words!("something that is not data")),
+    ("UNREADABLE", words!("something unreadable")),
+    ("TOO_DEEP", words!("something nested too deeply")),
+    ("TOO_MANY", words!("more than a job can hold")),
+    ("TOO_MUCH_TEXT", words!("more text than a job can hold")),
+    ("TOO_LONG", words!("a list longer than a job can hold")),
+    ("TOO_MANY_KEYS", words!("an object with more keys than a job can hold")),
 ];
+
+/// The most values a job may hold: it has about a hundred.
+#[cfg(test)]
+pub const MOST_VALUES: usize = 20_000;
+
+/// How deep lists and objects may be in each other.
+pub const DEEPEST: usize = 16;
 
 /// Reads a coded value. What is not coded as `coded.ts` does it is something unreadable.
 pub fn decoded(codes: &[f64], text: &str) -> Value {
-    Coded { codes: codes.iter(), text, ascii: text.is_ascii() }.value(0).unwrap_or(Value::Other(OTHERS[2]))
-}
-
-/// A text that is not longer than `most` UTF-16 units; a longer one is not copied.
-pub fn text_of(value: &JsValue, most: usize) -> Option<String> {
-    let length = value.dyn_ref::<JsString>()?.length() as usize;
-    if length <= most { value.as_string() } else { None }
+    Coded { codes: codes.iter(), text, ascii: text.is_ascii() }.value(0).unwrap_or(Value::Other(OTHERS[2].1))
 }
 
 struct Coded<'a> {
@@ -60,10 +58,10 @@ struct Coded<'a> {
 }
 
 impl Coded<'_> {
-    /// The depth ends the recursion whatever the codes say: `coded.ts` stops long before.
+    /// The depth ends the recursion whatever the codes say.
     fn value(&mut self, depth: usize) -> Option<Value> {
         let tag = self.count()?;
-        Some(match TAGS.get(tag).filter(|_| depth < 32)? {
+        Some(match TAGS.get(tag).filter(|_| depth <= DEEPEST)? {
             Tag::Null => Value::Null,
             Tag::False => Value::Flag(false),
             Tag::True => Value::Flag(true),
@@ -78,7 +76,7 @@ impl Coded<'_> {
                 let entry = |_| Some((self.text()?, self.value(depth + 1)?));
                 Value::Map((0..count).map(entry).collect::<Option<_>>()?)
             }
-            Tag::Other => Value::Other(OTHERS.get(self.count()?)?),
+            Tag::Other => Value::Other(OTHERS.get(self.count()?)?.1),
         })
     }
 

@@ -1,0 +1,127 @@
+// Numbers and texts of the module, read in the order in which src/border/packed.rs writes them.
+import type { Said } from "./said.js";
+import type { Vec3 } from "./types.js";
+
+/** What the module hands out. */
+export interface Packed {
+  numbers: Float64Array;
+  text: string;
+}
+
+/** Reads numbers and texts in their order. */
+export class Unpacked {
+  constructor(
+    private readonly packed: Packed,
+    private at = 0,
+    private textAt = 0,
+  ) {}
+
+  /** The beginning of a section. */
+  static section(packed: Packed, section: number): Unpacked {
+    return new Unpacked(packed, packed.numbers[2 * section], packed.numbers[2 * section + 1]);
+  }
+
+  number(): number {
+    return this.packed.numbers[this.at++] ?? Number.NaN;
+  }
+
+  /** What is not there is NaN. */
+  optional(): number | null {
+    const x = this.number();
+    return Number.isNaN(x) ? null : x;
+  }
+
+  flag(): boolean | null {
+    const x = this.optional();
+    return x === null ? null : x === 1;
+  }
+
+  yes(): boolean {
+    return this.number() === 1;
+  }
+
+  /** An index; −1 is none. */
+  index(): number | null {
+    const n = this.number();
+    return n < 0 ? null : n;
+  }
+
+  /** Whether a −1 comes, which stands for what is not there; goes past it. */
+  isNone(): boolean {
+    const none = this.packed.numbers[this.at] === -1;
+    if (none) this.at++;
+    return none;
+  }
+
+  textOrNone(): string | null {
+    const length = this.index();
+    if (length === null) return null;
+    this.textAt += length;
+    return this.packed.text.slice(this.textAt - length, this.textAt);
+  }
+
+  text(): string {
+    return this.textOrNone() ?? "";
+  }
+
+  /** What is said: a count of values, the template, the values. */
+  said(): Said {
+    return this.saidOrNone() ?? [""];
+  }
+
+  saidOrNone(): Said | null {
+    const count = this.index();
+    if (count === null) return null;
+    const said: Said = [this.text()];
+    for (let left = count; left > 0; left--) said.push(this.saidOrNone() ?? this.text());
+    return said;
+  }
+
+  word<Word>(words: readonly Word[]): Word {
+    return words[this.number()] as Word;
+  }
+
+  triple(): Vec3 {
+    return [this.number(), this.number(), this.number()];
+  }
+
+  count(): number {
+    return this.number();
+  }
+
+  pair(): [number, number] | null {
+    const [low, high] = [this.number(), this.number()];
+    return Number.isNaN(low) ? null : [low, high];
+  }
+
+  counts(): number[] {
+    return this.list(() => this.number());
+  }
+
+  numbers(): number[] {
+    return this.counts();
+  }
+
+  texts(): string[] {
+    return this.list(() => this.text());
+  }
+
+  list<Item>(item: () => Item): Item[] {
+    const items: Item[] = [];
+    for (let left = this.number(); left > 0; left--) items.push(item());
+    return items;
+  }
+
+  /** Numbers five by five, as they lie there, up to a −1. */
+  fives(): Float64Array {
+    const from = this.at;
+    while (this.index() !== null) this.at += 4;
+    return this.packed.numbers.subarray(from, this.at - 1);
+  }
+
+  /** So many numbers as they lie there. */
+  column(count: number): Float64Array {
+    this.at += count;
+    return this.packed.numbers.subarray(this.at - count, this.at);
+  }
+}
