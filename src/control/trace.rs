@@ -35,6 +35,13 @@ impl Trace {
     pub fn touch_lines(&self) -> impl Iterator<Item = usize> {
         self.steps.iter().filter(|step| step.kind == Kind::Touch).map(|step| step.line)
     }
+
+    /// A block writes these axes of a work offset, and its rotation.
+    pub fn wrote(&mut self, line: usize, number: i32, axes: [bool; 3], turn: bool) {
+        let after = self.steps.len();
+        let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
+        self.writes.extend(own.map(|axis| Write { line, number, axis, after }));
+    }
 }
 
 /// One motion.

@@ -8,13 +8,14 @@ use crate::control::iso::lex::{self, Token, after, comment_at, lines_of, tokens,
 use crate::control::iso::lines;
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
+use crate::control::prove::Fault;
 use crate::control::trace::{Kind, Trace};
 use crate::control::{self, POSTS, PostDef};
 use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{FORMAT, JobError, Plan, SECTIONS};
+use crate::job::{FORMAT, JobError, Plan, SECTIONS, SafetyRow};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -95,28 +96,11 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
             checker.warning("program-differs", "control.post", message);
             return Ok((job, checker.findings()));
         }
-        Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
-            for fault in faults.iter().take(MOST_LISTED) {
-                checker.warning("unsafe-program", "", with_line(fault.line, fault.message.clone()));
+        examined => {
+            if !report_examined(examined, plan.as_ref().ok(), &mut checker) {
+                return Err(JobError { findings: checker.findings() });
             }
         }
-        Some(Err(faults)) => {
-            for fault in faults.iter().filter(|fault| !fault.understood).take(MOST_LISTED) {
-                checker.error("not-understood", "", with_line(fault.line, fault.message.clone()));
-            }
-            return Err(JobError { findings: checker.findings() });
-        }
-        Some(Ok(rules)) => {
-            // What the job itself asks for is no change.
-            let asked = |rule: &str| {
-                plan.as_ref().is_ok_and(|p| p.safety.iter().any(|own| own.rule == rule && own.holds == Some(false)))
-            };
-            for rule in rules.iter().filter(|rule| rule.holds == Some(false) && !asked(rule.rule)).take(MOST_LISTED) {
-                let message = text!("{message} (rule {rule})", rule.message.clone(), rule.rule.to_owned());
-                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), message));
-            }
-        }
-        None => {}
     }
     match plan {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
@@ -128,6 +112,37 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         text!("A program does not contain the part's position: the nominal part is assumed"),
     );
     Ok((job, checker.findings()))
+}
+
+/// What an examination found; none for a control whose programs are not read.
+type Examined = Option<Result<Vec<SafetyRow>, Vec<Fault>>>;
+
+/// Reports what an examination of the program found; false where it cannot be read.
+fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checker) -> bool {
+    match examined {
+        Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
+            for fault in faults.iter().take(MOST_LISTED) {
+                checker.warning("unsafe-program", "", with_line(fault.line, fault.message.clone()));
+            }
+        }
+        Some(Err(faults)) => {
+            for fault in faults.iter().filter(|fault| !fault.understood).take(MOST_LISTED) {
+                checker.error("not-understood", "", with_line(fault.line, fault.message.clone()));
+            }
+            return false;
+        }
+        Some(Ok(rules)) => {
+            // What the job itself asks for is no change.
+            let asked =
+                |rule: &str| plan.is_some_and(|p| p.safety.iter().any(|own| own.rule == rule && own.holds == Some(false)));
+            for rule in rules.iter().filter(|rule| rule.holds == Some(false) && !asked(rule.rule)).take(MOST_LISTED) {
+                let message = text!("{message} (rule {rule})", rule.message.clone(), rule.rule.to_owned());
+                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), message));
+            }
+        }
+        None => {}
+    }
+    true
 }
 
 /// The number of the program, where it is another one than the job gives it: a user may have changed it at the control.

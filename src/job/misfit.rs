@@ -69,25 +69,29 @@ fn leaves(place: &Value, prefix: &str, fields: &[Field]) -> Option<Text> {
     })
 }
 
-/// Left out, or null: the default is taken.
+/// Left out, or null: the default is taken. What did not come over fits everywhere: the check says what is wrong with it.
 fn is_out(value: Option<&Value>) -> bool {
-    matches!(value, None | Some(Value::Null))
+    matches!(value, None | Some(Value::Null | Value::Other(_)))
 }
 
+/// So does the last of thousands of touches, of which a part came over.
 fn is_scalar(value: &Value) -> bool {
-    !matches!(value, Value::List(_) | Value::Map(_) | Value::Other(_))
+    !matches!(value, Value::List(_) | Value::Map(_))
 }
 
 fn is_map(value: &Value) -> bool {
-    matches!(value, Value::Map(_))
+    matches!(value, Value::Map(_) | Value::Other(_))
 }
 
 fn is_point(value: &Value) -> bool {
-    matches!(value, Value::List(items) if items.len() == 3 && items.iter().all(is_scalar))
+    match value {
+        Value::List(items) => items.len() == 3 && items.iter().all(is_scalar),
+        value => matches!(value, Value::Other(_)),
+    }
 }
 
 fn is_touch(value: &Value) -> bool {
-    ["point", "vector"].iter().all(|key| value.get(key).is_some_and(is_point))
+    matches!(value, Value::Other(_)) || ["point", "vector"].iter().all(|key| value.get(key).is_some_and(is_point))
 }
 
 #[cfg(test)]
@@ -126,5 +130,10 @@ mod tests {
         ] {
             assert_eq!(said(broken).as_deref(), Some(why), "{broken}");
         }
+        let touch = |point: Value| Value::Map(vec![("point".to_owned(), point.clone()), ("vector".to_owned(), point)]);
+        let cut = || Value::Other("more than a job can hold");
+        let touches = vec![touch(Value::List(vec![cut(), cut(), cut()])), touch(cut()), cut()];
+        let cycle = [("type".to_owned(), Value::Text("hole".to_owned())), ("touches".to_owned(), Value::List(touches))];
+        assert_eq!(misfit(&Value::Map(vec![("cycle".to_owned(), Value::Map(cycle.to_vec()))])), None);
     }
 }

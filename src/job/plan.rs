@@ -226,9 +226,8 @@ fn report_still(path: &Path, checker: &mut Checker) {
     }
 }
 
-/// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
-pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
-    let Planned { job, path, run, .. } = planned;
+/// Reports the values that the control itself has.
+fn report_predefined(job: &Job, checker: &mut Checker) {
     for (field, label) in job.cycle.set_on_the_control() {
         let what = text!("The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here", label);
         if job.form == Form::Moves {
@@ -239,6 +238,29 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             checker.warning("predefined", field, message);
         }
     }
+}
+
+/// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored.
+fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
+    let Planned { job, path, run, .. } = planned;
+    let mut rows = part::evaluate(path, &run.triggers, job.scatter());
+    let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
+    part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
+    job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    if run.collision.is_none() {
+        let implausible = judge_plausible(job, path, &mut rows);
+        report_implausible(job, path, &rows, &implausible, checker);
+        report_at_start(job, path, &run.triggers, checker);
+    } else {
+        rows.iter_mut().for_each(unknown);
+    }
+    result_rows(job, path, rows)
+}
+
+/// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
+pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
+    let Planned { job, path, run, .. } = planned;
+    report_predefined(job, &mut checker);
     let feeds = path.feeds.unwrap_or(job.feeds);
     check_path(job, path, &mut checker);
     let runs = !checker.failed();
@@ -249,20 +271,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     if checker.failed() {
         return Err(JobError { findings: checker.findings() });
     }
-    // A run that ends in the part ends before the results: nothing is stored.
-    let stored = run.collision.is_none();
-    let mut rows = part::evaluate(path, &run.triggers, job.scatter());
-    let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
-    part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
-    job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
-    if stored {
-        let implausible = judge_plausible(job, path, &mut rows);
-        report_implausible(job, path, &rows, &implausible, &mut checker);
-        report_at_start(job, path, &run.triggers, &mut checker);
-    } else {
-        rows.iter_mut().for_each(unknown);
-    }
-    let results = result_rows(job, path, rows);
+    let results = predicted(planned, &mut checker);
     report_untrue(job, &results, &mut checker);
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);

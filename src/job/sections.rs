@@ -296,6 +296,48 @@ pub struct Job {
     pub actual: Option<Box<dyn Cycle>>,
 }
 
+impl PartForm {
+    fn lie(&self, plane: Plane, resized: bool) -> Lie {
+        Lie {
+            rigid: Rigid::new(plane, self.offset, self.rotation.to_radians()),
+            turn: self.rotation,
+            nominal: self.offset == Vec3::ZERO && self.rotation == 0.0 && !resized,
+        }
+    }
+}
+
+impl Stylus {
+    fn shape(&self) -> Shape {
+        Shape { length: self.length, shank: self.shank, body: self.body }
+    }
+}
+
+impl LimitsForm {
+    fn limits(&self) -> Limits {
+        Limits { position: self.position, size: self.size, angle: self.angle, residual: self.residual }
+    }
+}
+
+impl MachineForm {
+    /// The latency in seconds.
+    fn machine(&self) -> Machine {
+        Machine { acceleration: self.acceleration, latency: self.latency / 1000.0, deflection: self.deflection }
+    }
+}
+
+impl FeedForm {
+    fn feeds(&self) -> Feeds {
+        Feeds {
+            approach: self.approach,
+            long_link: self.long_link,
+            work: self.work,
+            retract: self.retract,
+            return_: self.return_,
+            rapid: None,
+        }
+    }
+}
+
 impl Job {
     /// What makes results uncertain. A spindle that is turned to the angle of calibration has the ball's eccentricity in that.
     pub fn scatter(&self) -> Scatter {
@@ -321,7 +363,6 @@ impl Job {
         let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
         let length = read_tool(checker, value, &general.plane);
         let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
-
         let plane = Plane::named(&general.plane);
         let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
         let cycle = read_cycle(checker, value);
@@ -344,22 +385,11 @@ impl Job {
             unit: units.word(),
             setup,
             repeatability: stylus.repeatability,
-            shape: Shape { length: stylus.length, shank: stylus.shank, body: stylus.body },
+            shape: stylus.shape(),
             runout: stylus.runout,
-            limits: Limits { position: limits.position, size: limits.size, angle: limits.angle, residual: limits.residual },
-            machine: Machine {
-                acceleration: machine.acceleration,
-                latency: machine.latency / 1000.0,
-                deflection: machine.deflection,
-            },
-            feeds: Feeds {
-                approach: feeds.approach,
-                long_link: feeds.long_link,
-                work: feeds.work,
-                retract: feeds.retract,
-                return_: feeds.return_,
-                rapid: None,
-            },
+            limits: limits.limits(),
+            machine: machine.machine(),
+            feeds: feeds.feeds(),
             def,
             cycle,
             post,
@@ -371,11 +401,7 @@ impl Job {
             orient: control.orient,
             report: Report::named(&control.report),
             number: control.number,
-            lie: Lie {
-                rigid: Rigid::new(plane, part.offset, part.rotation.to_radians()),
-                turn: part.rotation,
-                nominal: part.offset == Vec3::ZERO && part.rotation == 0.0 && sizes.is_none(),
-            },
+            lie: part.lie(plane, sizes.is_some()),
             actual: sizes,
         })
     }

@@ -194,6 +194,17 @@ fn general(class: &str, size: f64) -> Result<(f64, f64), Text> {
     }
 }
 
+/// The grade, IT01 as −1. IT01 and IT0 are for H, h, JS and js only.
+fn grade_of(class: &str, text: &str) -> Option<i32> {
+    let grade = match text {
+        "01" => -1,
+        "0" => 0,
+        g if g.starts_with('0') => return None,
+        g => g.parse::<i32>().ok().filter(|g| (1..=18).contains(g))?,
+    };
+    (grade >= 1 || matches!(class, "H" | "h" | "JS" | "js")).then_some(grade)
+}
+
 /// ISO 286-1: lower and upper deviation in mm of a class for a size in mm. Capital letters are holes.
 fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text> {
     let unknown = || {
@@ -204,16 +215,7 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
             decimal(size, 4)
         )
     };
-    let grade = match grade_text {
-        "01" => -1,
-        "0" => 0,
-        g if g.starts_with('0') => return Err(unknown()),
-        g => g.parse::<i32>().ok().filter(|g| (1..=18).contains(g)).ok_or_else(unknown)?,
-    };
-    // IT01 and IT0 are for H, h, JS and js only.
-    if grade < 1 && !matches!(class, "H" | "h" | "JS" | "js") {
-        return Err(unknown());
-    }
+    let grade = grade_of(class, grade_text).ok_or_else(unknown)?;
     if !(size > 0.0 && size <= 500.0 + AT_BAND_END) {
         return Err(text!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {size} mm", decimal(size, 4)));
     }
@@ -237,41 +239,22 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
         _ => SHAFTS.iter().find(|(l, _)| *l == letter).map_or_else(|| Err(unknown()), |(_, row)| given(row[sub])),
     };
     let early = matches!(lower.as_str(), "a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g");
+    let above = |low: f64| (low, low + width);
+    let below = |high: f64| (high - width, high);
     // Micrometres: lower and upper deviation.
     let (low, high) = match (lower.as_str(), hole) {
         ("js", _) => (-width / 2.0, width / 2.0),
         ("h", true) => (0.0, width),
         ("h", false) => (-width, 0.0),
-        ("j", true) => {
-            let upper = table(&HOLE_J)?;
-            (upper - width, upper)
-        }
-        ("j", false) => {
-            let low = table(&SHAFT_J)?;
-            (low, low + width)
-        }
-        (letter, true) if early => {
-            let low = -shaft(letter)?;
-            (low, low + width)
-        }
-        (letter, false) if early => {
-            let high = shaft(letter)?;
-            (high - width, high)
-        }
+        ("j", true) => below(table(&HOLE_J)?),
+        ("j", false) => above(table(&SHAFT_J)?),
+        (letter, true) if early => above(-shaft(letter)?),
+        (letter, false) if early => below(shaft(letter)?),
         // The hole K has one ei for every grade up to 8, and is not defined above, over 3 mm.
         ("k", true) if grade > 8 && size > 3.0 + AT_BAND_END => return Err(unknown()),
-        ("k", true) => {
-            let upper = hole_upper("k", grade, size, given(SHAFT_K[sub])?, width - it(grade - 1));
-            (upper - width, upper)
-        }
-        (letter, true) => {
-            let upper = hole_upper(letter, grade, size, shaft(letter)?, width - it(grade - 1));
-            (upper - width, upper)
-        }
-        (letter, false) => {
-            let low = shaft(letter)?;
-            (low, low + width)
-        }
+        ("k", true) => below(hole_upper("k", grade, size, given(SHAFT_K[sub])?, width - it(grade - 1))),
+        (letter, true) => below(hole_upper(letter, grade, size, shaft(letter)?, width - it(grade - 1))),
+        (letter, false) => above(shaft(letter)?),
     };
     Ok((low / 1000.0, high / 1000.0))
 }

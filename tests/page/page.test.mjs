@@ -391,7 +391,7 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   await page.locator("#file").setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
   await until("cycle.diameter1", "20H7");
   assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
-  assert.match((await page.locator(".note").textContent()) ?? "", /does not say how the part lies/);
+  assert.match((await page.locator(".note").textContent()) ?? "", /does not contain the part's position/);
   assert.deepEqual(problems, []);
 });
 
@@ -594,7 +594,9 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
     test(`no serious accessibility problem at ${width} px, ${colorScheme}, also with errors`, async () => {
       await open({ viewport: { width, height }, colorScheme });
       const violations = async () => {
-        const { violations } = await new AxeBuilder({ page }).analyze();
+        // The page has no frames, which the other mode asks for one by one: it takes five times as long.
+        const axe = new AxeBuilder({ page }).setLegacyMode().options({ resultTypes: ["violations"] });
+        const { violations } = await axe.analyze();
         return violations
           .filter((v) => v.impact === "serious" || v.impact === "critical")
           .map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" | ")}`);

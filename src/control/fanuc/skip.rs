@@ -213,30 +213,7 @@ impl Moves for Skip<'_> {
         if number::chosen(request).is_none() {
             w.comment("No number was chosen: this may replace a program O1000 of the control");
         }
-        if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
-            let (height, place) = (w.height_word(first.to), w.place_words(first.to));
-            w.comment(&format!(
-                "The stylus must stand at {height} or higher, else nothing moves. It goes in the plane, then down to {place}: that way must be free"
-            ));
-        }
-        w.comment(
-            "Not verified on a control: run it without a part first, feed hold at hand. G31 may ignore the feed override",
-        );
-        if self.moving() {
-            w.comment(
-                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move",
-            );
-        }
-        if self.moving() {
-            w.comment(&match self.request.orient {
-                Some(_) if self.flavour.angle.is_none() => {
-                    "M19 turns the spindle to the angle that is set in the control: the probe must be calibrated at that one"
-                        .to_owned()
-                }
-                _ => orientation_line(request),
-            });
-            w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
-        }
+        self.head(w);
         let more = if request.corrects() { self.change(CHANGES) - self.registers.last - 1 } else { 0 };
         for line in self.registers.lines(formula, more, request.post.dialect.comment_width - 2, variable) {
             w.comment(&line);
@@ -453,6 +430,35 @@ impl Moves for Skip<'_> {
 }
 
 impl Skip<'_> {
+    /// What the operator must know before it runs.
+    fn head(&self, w: &mut Writer<'_>) {
+        let request = self.request;
+        if let (Some(first), None) = (request.path.moves.first(), request.path.start) {
+            let (height, place) = (w.height_word(first.to), w.place_words(first.to));
+            w.comment(&format!(
+                "The stylus must stand at {height} or higher, else nothing moves. It goes in the plane, then down to {place}: that way must be free"
+            ));
+        }
+        w.comment(
+            "Not verified on a control: run it without a part first, feed hold at hand. G31 may ignore the feed override",
+        );
+        if self.moving() {
+            w.comment(
+                "Watched moves are G31 with a check that they come to their end; touches the same, the other way round. #149 is the move",
+            );
+        }
+        if self.moving() {
+            w.comment(&match self.request.orient {
+                Some(_) if self.flavour.angle.is_none() => {
+                    "M19 turns the spindle to the angle that is set in the control: the probe must be calibrated at that one"
+                        .to_owned()
+                }
+                _ => orientation_line(request),
+            });
+            w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
+        }
+    }
+
     /// What stands after the end: a contact that lifts, one that does not, a missed touch, a state that nothing may move in.
     fn exits(&self, w: &mut Writer<'_>, first: &Move) {
         let top = self.request.highest().z;

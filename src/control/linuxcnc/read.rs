@@ -4,7 +4,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, after, trimmed};
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Node, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, Node, NodeId, Part, Script, System, Trouble, What};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -193,14 +193,7 @@ fn o_word<'t>(
             }
         }
         "call" => {
-            let mut arguments = Vec::new();
-            while !cursor.is_done() {
-                arguments.push(cursor.bracketed(&GRAMMAR, script)?);
-            }
-            // What is not given is 0 inside.
-            while arguments.len() < MOST_ARGUMENTS as usize {
-                arguments.push(script.keep(Node::Number(0.0)));
-            }
+            let arguments = arguments(script, cursor)?;
             script.push(line, What::Call(0, arguments));
             targets.wanted.push((here, label));
         }
@@ -229,6 +222,18 @@ fn o_word<'t>(
         _ => return fault(text!("this O word is not understood")),
     }
     cursor.end()
+}
+
+/// The arguments of a call. What is not given is 0 inside.
+fn arguments<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Vec<NodeId>> {
+    let mut arguments = Vec::new();
+    while !cursor.is_done() {
+        arguments.push(cursor.bracketed(&GRAMMAR, script)?);
+    }
+    while arguments.len() < MOST_ARGUMENTS as usize {
+        arguments.push(script.keep(Node::Number(0.0)));
+    }
+    Ok(arguments)
 }
 
 fn jump_to(script: &mut Script<'_>, from: usize, to: usize) {

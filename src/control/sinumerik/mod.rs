@@ -513,14 +513,16 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
 }
 
 /// The end, and the exits after it. Whatever went wrong, the program itself has written nothing.
-fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
-    w.line("M30");
+/// Stops with an alarm.
+fn stop(w: &mut Writer<'_>) {
+    for line in ["SETAL(65000)", "M0", "M30"] {
+        w.line(line);
+    }
+}
+
+/// The exits of watched moves and of touches.
+fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     let tool = request.plane.axes()[2];
-    let stop = |w: &mut Writer<'_>| {
-        for line in ["SETAL(65000)", "M0", "M30"] {
-            w.line(line);
-        }
-    };
     // A cycle of the control's own may have written before the last lift.
     let written = match (request.form, request.work_offset) {
         (Form::Cycle, Some(_)) => "The cycle may have corrected the work offset",
@@ -563,6 +565,11 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
         }
         stop(w);
     }
+}
+
+fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
+    w.line("M30");
+    exits(w, request, count);
     for (label, message) in [
         ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
         ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),

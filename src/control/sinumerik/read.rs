@@ -148,34 +148,13 @@ fn block<'t>(
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
         What::JumpIf(condition, 0)
     } else if cursor.eat("MEAS=1 ") {
-        match words::words(&mut cursor, &GRAMMAR, script)? {
-            What::Words(mut words) if words.motion == Some(Motion::Straight) => {
-                words.motion = Some(Motion::MayTouch);
-                What::Words(words)
-            }
-            _ => return fault(text!("MEAS=1 belongs in a block with G1")),
-        }
+        measured(script, &mut cursor)?
     } else if let Some((name, arguments)) =
         code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))
     {
         return call(script, line, name, arguments);
     } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
-        let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
-        if !cursor.eat("=") {
-            return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
-        }
-        let value = cursor.value(&GRAMMAR, script)?;
-        match system(name) {
-            // One letter is an axis, or a word with its value; any other name is what the control knows under it.
-            None if name.len() == 1 => return fault(text!("this is not understood")),
-            None => {
-                let slot = script.slot(name);
-                let own = is_register(name) || declared.get(slot as usize).is_some_and(|own| *own);
-                if own { What::Set(slot, value) } else { What::SetOther(slot, value) }
-            }
-            Some(System::Offset(part)) => What::SetOffset(part, value),
-            Some(_) => return fault(text!("the control's own values must not be written")),
-        }
+        assignment(script, code, &mut cursor, declared)?
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
             What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
@@ -187,6 +166,37 @@ fn block<'t>(
     cursor.end()?;
     script.push(line, what);
     Ok(())
+}
+
+/// What stands behind `MEAS=1`.
+fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<What> {
+    match words::words(cursor, &GRAMMAR, script)? {
+        What::Words(mut words) if words.motion == Some(Motion::Straight) => {
+            words.motion = Some(Motion::MayTouch);
+            Ok(What::Words(words))
+        }
+        _ => fault(text!("MEAS=1 belongs in a block with G1")),
+    }
+}
+
+/// `R1=5`, `TP_MOVE=3`, `$P_UIFR[1,X,TR]=…`.
+fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>, declared: &[bool]) -> Parsed<What> {
+    let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
+    if !cursor.eat("=") {
+        return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
+    }
+    let value = cursor.value(&GRAMMAR, script)?;
+    match system(name) {
+        // One letter is an axis, or a word with its value; any other name is what the control knows under it.
+        None if name.len() == 1 => fault(text!("this is not understood")),
+        None => {
+            let slot = script.slot(name);
+            let own = is_register(name) || declared.get(slot as usize).is_some_and(|own| *own);
+            Ok(if own { What::Set(slot, value) } else { What::SetOther(slot, value) })
+        }
+        Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
+        Some(_) => fault(text!("the control's own values must not be written")),
+    }
 }
 
 /// `MSG(…)`, `SETAL(65000)`, `CYCLE977(…)` with its 29 arguments. Nothing stands behind its bracket.

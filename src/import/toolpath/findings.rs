@@ -62,15 +62,19 @@ impl Reader {
             text!("Blocks with / are read: the control leaves them out where block skip is on"),
         );
         say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
-        if let Some(line) = self.late_units {
-            let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
-            checker.warning("no-units", "", message);
-        }
-        if self.path.metric.is_none() && !self.path.is_empty() {
-            checker.info("no-units", "", text!("The program does not say its units"));
-        }
+        say_units(self.late_units, &self.path, &mut checker);
         self.path.findings = checker.findings();
         self.path.plane = self.plane.unwrap_or_default();
         self.path
+    }
+}
+
+fn say_units(late: Option<usize>, path: &Toolpath, checker: &mut Checker) {
+    if let Some(line) = late {
+        let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
+        checker.warning("no-units", "", message);
+    }
+    if path.metric.is_none() && !path.is_empty() {
+        checker.info("no-units", "", text!("The program does not say its units"));
     }
 }

@@ -210,7 +210,22 @@ impl Reader {
         // Between a jump and the end that it leaves out may stand comments, and variables that get a value.
         let leaped = self.leaps;
         self.leaps &= matches!(line.get(begin), Some(b'(' | b'#'));
-        let mut at = begin;
+        self.words(line, block);
+        if block.strange {
+            return self.pass_strange(line, block, before);
+        }
+        // With block skip on, the control leaves it out: an end there ends nothing.
+        let moves_before = self.path.len();
+        self.follow(line, block, before, leaped || head.skips);
+        if head.skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
+            count(&mut self.optional, self.line);
+        }
+    }
+
+    /// Takes the words of a block.
+    #[inline]
+    fn words(&mut self, line: &[u8], block: &mut Block) {
+        let mut at = block.begin;
         while at < line.len() {
             at = match line[at] {
                 b' ' | b'\t' => at + 1,
@@ -226,32 +241,27 @@ impl Reader {
                 _ => self.odd(line, at, block),
             };
         }
-        if block.strange {
-            // Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. Its modes count,
-            // unless it jumps.
-            if block.jumps {
-                self.modes = before;
-            }
-            self.settle(block, before);
-            let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || self.sinumerik && runs_cycle(line);
-            let gone = if lost { 7 } else { block.given };
-            self.forget(gone);
-            // It is said of the line already.
-            self.lost &= !gone;
-            self.leaps |= block.jumps && line[begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
-            if !block.jumps {
-                let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
-                let word = &line[begin..][..line[begin..].iter().take_while(named).count()];
-                self.branch(word, self.sinumerik);
-            }
-            return count(&mut self.skipped, self.line);
+    }
+
+    /// Nothing of such a line is a move: it jumps, calls or computes. Where it might go to is not known. Its modes count, unless it jumps.
+    #[cold]
+    fn pass_strange(&mut self, line: &[u8], block: &Block, before: Modes) {
+        if block.jumps {
+            self.modes = before;
         }
-        // With block skip on, the control leaves it out: an end there ends nothing.
-        let moves_before = self.path.len();
-        self.follow(line, block, before, leaped || head.skips);
-        if head.skips && (self.path.len() > moves_before || self.modes != before || block.ends) {
-            count(&mut self.optional, self.line);
+        self.settle(block, before);
+        let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || self.sinumerik && runs_cycle(line);
+        let gone = if lost { 7 } else { block.given };
+        self.forget(gone);
+        // It is said of the line already.
+        self.lost &= !gone;
+        self.leaps |= block.jumps && line[block.begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
+        if !block.jumps {
+            let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
+            let word = &line[block.begin..][..line[block.begin..].iter().take_while(named).count()];
+            self.branch(word, self.sinumerik);
         }
+        count(&mut self.skipped, self.line);
     }
 
     /// Follows a block of words.

@@ -8,41 +8,24 @@ use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::{Given, Reader};
 use crate::num::read_digits;
 
+/// What stands behind a letter.
+enum Value {
+    /// A value, and where it ends.
+    Is(Word, usize),
+    /// The letter belongs to a label, which ends there.
+    Label(usize),
+    /// The letter begins a name.
+    Named,
+}
+
 impl Reader {
     /// Takes the word at `at` and gives where the next one begins; none where it is none.
     pub(super) fn word(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
         let letter = line[at].to_ascii_uppercase();
-        let mut next = at + 1;
-        while matches!(line.get(next), Some(b' ' | b'\t')) {
-            next += 1;
-        }
-        let first = *line.get(next)?;
-        let signed = usize::from(matches!(first, b'-' | b'+'));
-        let (word, end) = match first {
-            b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => (Word::Computed, end_of_value(line, next + 1)),
-            b'0'..=b'9' | b'.' | b'-' | b'+' => {
-                let (size, length) = read_digits(line.get(next + signed..)?)?;
-                let (number, end) = (if first == b'-' { -size } else { size }, next + signed + length);
-                match line.get(end) {
-                    // `R1=5` gives a variable a value.
-                    Some(b'=') => return None,
-                    // A label: `L1: G1 X5`.
-                    Some(b':') if self.sinumerik => return Some(end + 1),
-                    _ => {}
-                }
-                (Word::Number(number), end)
-            }
-            b'#' | b'[' => (Word::Computed, end_of_value(line, next)),
-            b'=' if self.sinumerik => by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1)),
-            // What a function gives: XSIN[30].
-            _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
-                let name = line[next..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
-                if line.get(next + name) != Some(&b'[') {
-                    return None;
-                }
-                (Word::Computed, end_of_value(line, next))
-            }
-            _ => return self.name(line, at, block),
+        let (word, end) = match self.value(line, at, letter)? {
+            Value::Is(word, end) => (word, end),
+            Value::Label(end) => return Some(end),
+            Value::Named => return self.name(line, at, block),
         };
         match (letter, word) {
             (b'X'..=b'Z', word) => {
@@ -94,6 +77,48 @@ impl Reader {
             _ => {}
         }
         Some(end)
+    }
+
+    /// What stands behind the letter of a word; none where that is no value.
+    #[inline]
+    fn value(&self, line: &[u8], at: usize, letter: u8) -> Option<Value> {
+        let mut next = at + 1;
+        while matches!(line.get(next), Some(b' ' | b'\t')) {
+            next += 1;
+        }
+        let first = *line.get(next)?;
+        let signed = usize::from(matches!(first, b'-' | b'+'));
+        Some(match first {
+            b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => {
+                Value::Is(Word::Computed, end_of_value(line, next + 1))
+            }
+            b'0'..=b'9' | b'.' | b'-' | b'+' => {
+                let (size, length) = read_digits(line.get(next + signed..)?)?;
+                let (number, end) = (if first == b'-' { -size } else { size }, next + signed + length);
+                match line.get(end) {
+                    // `R1=5` gives a variable a value.
+                    Some(b'=') => return None,
+                    // A label: `L1: G1 X5`.
+                    Some(b':') if self.sinumerik => return Some(Value::Label(end + 1)),
+                    _ => {}
+                }
+                Value::Is(Word::Number(number), end)
+            }
+            b'#' | b'[' => Value::Is(Word::Computed, end_of_value(line, next)),
+            b'=' if self.sinumerik => {
+                let (word, end) = by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1));
+                Value::Is(word, end)
+            }
+            // What a function gives: XSIN[30].
+            _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
+                let name = line[next..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+                if line.get(next + name) != Some(&b'[') {
+                    return None;
+                }
+                Value::Is(Word::Computed, end_of_value(line, next))
+            }
+            _ => Value::Named,
+        })
     }
 
     /// A word of more letters: `MEAS=1`, `CR = 5`, `SPOS=0`, a label, and none else.

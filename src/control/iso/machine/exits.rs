@@ -27,6 +27,10 @@ pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
 }
 
+/// An exit computes less than so many values. Of a program of someone else it is not known what its results should be: an alarm after them is none
+/// of the move.
+const COMPUTES: usize = 2;
+
 impl Machine<'_, '_> {
     /// What a probing move leads to that meets this, without making it.
     pub(super) fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
@@ -50,8 +54,6 @@ impl Machine<'_, '_> {
     fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
         let (deflected, mut probes) = (probe != Probe::Free, 0);
-        // An exit computes nothing. Of a program of someone else it is not known what its results should be: an alarm after them is none of the move.
-        const COMPUTES: usize = 2;
         let mut computed = 0;
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };

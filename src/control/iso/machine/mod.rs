@@ -10,7 +10,7 @@ pub use tail::{Tail, restarted};
 use std::cell::Cell;
 
 use crate::control::iso::script::{Ahead, Block, Modes, Motion, NodeId, Part, Script, Slot, Trouble, What, Words};
-use crate::control::trace::{Ending, Kind, Place, Step, Trace, Write};
+use crate::control::trace::{Ending, Kind, Place, Step, Trace};
 use crate::geom::Plane;
 use crate::text::{Text, text};
 
@@ -131,6 +131,26 @@ enum Flow<'s> {
     End,
 }
 
+/// The way that the last condition since the last motion did not go.
+#[derive(Default)]
+struct Fork {
+    open: bool,
+    state: State,
+}
+
+impl Fork {
+    fn opens(&mut self, state: &State, pc: usize) {
+        self.open = true;
+        self.state.become_like(state);
+        self.state.pc = pc;
+    }
+
+    fn take(&mut self) -> &State {
+        self.open = false;
+        &self.state
+    }
+}
+
 /// Follows a program to its end.
 pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace, Trouble> {
     run_marked(script, run, world, &[]).map(|(trace, _)| trace)
@@ -142,15 +162,14 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     let mut trace = Trace::default();
     let mut scratch = State::default();
     let mut tail = Tail::default();
-    // The way that the last condition since the last motion did not go, and the alarm after which it was gone all the same.
-    let (mut forks, mut fork) = (false, State::default());
+    let mut fork = Fork::default();
+    // The alarm after which the other way was gone.
     let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
         if matches!(block.what, What::Words(_)) {
             machine.spend(MOTION + script.slots / 8);
         }
-        let line = machine.line(block.line);
-        let at = machine.state.pc;
+        let (line, at) = (machine.line(block.line), machine.state.pc);
         let flow = machine.step()?;
         match &block.what {
             What::Set(slot, _) if marks.contains(slot) => {
@@ -159,9 +178,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
             }
             What::JumpIf(_, target) | What::JumpUnless(_, target) => {
                 machine.spend(1 + script.slots / 8);
-                forks = true;
-                fork.become_like(&machine.state);
-                fork.pc = if machine.state.pc == at + 1 { *target } else { at + 1 };
+                fork.opens(&machine.state, if machine.state.pc == at + 1 { *target } else { at + 1 });
             }
             _ => {}
         }
@@ -169,18 +186,13 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
             Flow::Next => {}
             Flow::Output(code, value) => trace.outputs.push((code.to_owned(), value)),
             Flow::Native => trace.natives.push(line),
-            Flow::Wrote(number, axes, turn) => {
-                let after = trace.steps.len();
-                let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
-                trace.writes.extend(own.map(|axis| Write { line, number, axis, after }));
-            }
+            Flow::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
             // What the touches read here is no good part: a result that the program takes for a fault is none.
-            Flow::Alarm if forks && (!marks.is_empty() || !run.strict) => {
+            Flow::Alarm if fork.open && (!marks.is_empty() || !run.strict) => {
                 machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
-                forks = false;
-                machine.state.become_like(&fork);
+                machine.state.become_like(fork.take());
             }
             Flow::Alarm => return Err(trouble(line, stops())),
             Flow::End => {
@@ -191,37 +203,30 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
                 if let Some(line) = implausible.filter(|_| run.strict) {
                     return Err(trouble(line, stops()));
                 }
-                forks = false;
-                let modes = machine.state.modes;
-                let first = *machine.first.get_or_insert(modes);
-                trace.modes = first;
-                if modes != first && trace.changed.len() < MOST_CHANGES {
-                    trace.changed.push((line, modes));
-                }
-                let mut step = machine.motion(line, words, motion)?;
-                if machine.refused.take() {
-                    return Err(trouble(line, reads_ahead()));
-                }
-                machine.go(&mut step, motion, world, &mut scratch)?;
+                fork.open = false;
+                let step = machine.moved(line, words, motion, &mut trace, world, &mut scratch)?;
                 trace.steps.push(step);
                 tail.moved(&machine.state);
-                if run.until.is_some_and(|(place, off)| near(place, machine.state.at, off)) {
+                if machine.is_there() {
                     return Ok((trace, tail));
                 }
             }
         }
     }
-    if trace.steps.is_empty() {
-        trace.modes = machine.state.modes;
-    }
-    trace.spun = machine.spun;
-    trace.written = machine.written(&trace);
+    machine.finish(&mut trace);
     tail.end(&mut machine.state);
     Ok((trace, tail))
 }
 
 fn stops() -> Text {
     text!("the program stops here with an alarm though nothing is wrong")
+}
+
+fn not_in_a_proof(what: &What) -> Text {
+    match what {
+        What::SetOther(..) => text!("the control's own values must not be written"),
+        _ => text!("this goes to a place of the machine's own system"),
+    }
 }
 
 fn reads_ahead() -> Text {
@@ -262,6 +267,44 @@ impl<'s, 't> Machine<'s, 't> {
             refused: Cell::new(false),
             left: Cell::new(BUDGET),
         }
+    }
+
+    /// Makes a motion, and keeps what modes it is in.
+    fn moved(
+        &mut self,
+        line: usize,
+        words: &Words,
+        motion: Motion,
+        trace: &mut Trace,
+        world: &mut World<'_>,
+        scratch: &mut State,
+    ) -> Result<Step, Trouble> {
+        let modes = self.state.modes;
+        let first = *self.first.get_or_insert(modes);
+        trace.modes = first;
+        if modes != first && trace.changed.len() < MOST_CHANGES {
+            trace.changed.push((line, modes));
+        }
+        let mut step = self.motion(line, words, motion)?;
+        if self.refused.take() {
+            return Err(trouble(line, reads_ahead()));
+        }
+        self.go(&mut step, motion, world, scratch)?;
+        Ok(step)
+    }
+
+    /// Whether it is where the run is to end.
+    fn is_there(&self) -> bool {
+        self.run.until.is_some_and(|(place, off)| near(place, self.state.at, off))
+    }
+
+    /// What is known at the end.
+    fn finish(&mut self, trace: &mut Trace) {
+        if trace.steps.is_empty() {
+            trace.modes = self.state.modes;
+        }
+        trace.spun = self.spun;
+        trace.written = self.written(trace);
     }
 
     /// The line of a block: inside a subroutine that of the outermost call.
@@ -333,13 +376,10 @@ impl<'s, 't> Machine<'s, 't> {
                 }
             }
             What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::SetOther(..) if self.run.strict => {
-                return Err(self.refuse(block.line, text!("the control's own values must not be written")));
+            What::SetOther(..) | What::Elsewhere(_) if self.run.strict => {
+                return Err(self.refuse(block.line, not_in_a_proof(&block.what)));
             }
             What::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::Elsewhere(_) if self.run.strict => {
-                return Err(self.refuse(block.line, text!("this goes to a place of the machine's own system")));
-            }
             What::Elsewhere(axes) => {
                 (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
             }
@@ -362,43 +402,15 @@ impl<'s, 't> Machine<'s, 't> {
                     self.state.pc = *target;
                 }
             }
-            What::Call(target, arguments) => {
-                let values: Vec<(usize, f64)> = arguments
-                    .iter()
-                    .enumerate()
-                    .filter_map(|(i, node)| Some((self.script.find(ARGUMENTS.get(i)?)? as usize, self.value(*node))))
-                    .collect();
-                let before = values.iter().map(|(slot, _)| (*slot, self.state.slots[*slot])).collect();
-                if self.state.stack.len() >= ARGUMENTS.len() {
-                    return Err(trouble(block.line, text!("subroutines call each other too deeply")));
-                }
-                let called = Called { back: self.state.pc, line: self.line(block.line), arguments: before };
-                self.state.stack.push(called);
-                values.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
-                self.state.pc = *target;
-            }
-            What::Return => {
-                let Some(called) = self.state.stack.pop() else {
-                    return Err(trouble(block.line, text!("a subroutine ends that was not called")));
-                };
-                called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
-                self.state.pc = called.back;
-            }
+            What::Call(target, arguments) => self.call(block.line, *target, arguments)?,
+            What::Return => self.give_back(block.line)?,
             What::Output(code, node) => return Ok(Flow::Output(code, self.value(*node))),
             What::Reading(number, axes) => {
                 self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
                 return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), false));
             }
             What::Origin(number, axes, turn) => {
-                for (axis, node) in axes.iter().enumerate() {
-                    if let Some(value) = node.map(|node| self.value(node)) {
-                        self.set_part(Part::Origin(*number, axis), value);
-                    }
-                }
-                if let Some(value) = turn.map(|node| self.value(node)) {
-                    let axis = self.tool_axis();
-                    self.set_part(Part::Turn(*number, axis), value);
-                }
+                self.set_origin(*number, axes, *turn);
                 return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), turn.is_some()));
             }
             What::Alarm => return Ok(Flow::Alarm),
@@ -408,6 +420,45 @@ impl<'s, 't> Machine<'s, 't> {
             What::End => return Ok(Flow::End),
         }
         Ok(Flow::Next)
+    }
+
+    /// Goes into a subroutine with these arguments.
+    fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), Trouble> {
+        let values: Vec<(usize, f64)> = arguments
+            .iter()
+            .enumerate()
+            .filter_map(|(i, node)| Some((self.script.find(ARGUMENTS.get(i)?)? as usize, self.value(*node))))
+            .collect();
+        let before = values.iter().map(|(slot, _)| (*slot, self.state.slots[*slot])).collect();
+        if self.state.stack.len() >= ARGUMENTS.len() {
+            return Err(trouble(line, text!("subroutines call each other too deeply")));
+        }
+        let called = Called { back: self.state.pc, line: self.line(line), arguments: before };
+        self.state.stack.push(called);
+        values.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+        self.state.pc = target;
+        Ok(())
+    }
+
+    /// Comes back from a subroutine.
+    fn give_back(&mut self, line: usize) -> Result<(), Trouble> {
+        let called = self.state.stack.pop().ok_or_else(|| trouble(line, text!("a subroutine ends that was not called")))?;
+        called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+        self.state.pc = called.back;
+        Ok(())
+    }
+
+    /// Sets the origin and the turn of a work offset.
+    fn set_origin(&mut self, number: i32, axes: &[Option<NodeId>; 3], turn: Option<NodeId>) {
+        for (axis, node) in axes.iter().enumerate() {
+            if let Some(value) = node.map(|node| self.value(node)) {
+                self.set_part(Part::Origin(number, axis), value);
+            }
+        }
+        if let Some(value) = turn.map(|node| self.value(node)) {
+            let axis = self.tool_axis();
+            self.set_part(Part::Turn(number, axis), value);
+        }
     }
 
     /// A motion from where the ball is.
