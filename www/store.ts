@@ -8,12 +8,12 @@ import {
   type Job,
   JobError,
   jobName,
+  misfit,
   type Plan,
   plan,
   type Said,
   type Words,
 } from "./core/browser.js";
-import { misfit } from "./core/inside.js";
 import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";

@@ -42,6 +42,11 @@ export function jobName(job: unknown): string {
   return on(job, raw.jobName);
 }
 
+/** Why the form cannot show a job, as a sentence that names the path; null where it can. A single value may still be wrong. @internal */
+export function misfit(job: unknown): Said | null {
+  return on(job, (codes, text) => raw.misfit(codes, text));
+}
+
 /** Everything that is wrong, unusual or worth knowing. Never throws. */
 export function check(job: unknown): Finding[] {
   try {
