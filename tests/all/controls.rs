@@ -48,10 +48,10 @@ fn every_control_has_a_judge() {
 fn every_control_of_moves_has_broken_programs() {
     for post in of_moves() {
         let broken = BROKEN.iter().any(|(_, key, ..)| key.trim_end_matches(" unwatched") == post);
-        assert!(broken, "no broken program of {post} in tests/all/safety.rs, BROKEN");
+        assert!(broken, "no broken program of {post} in tests/all/safety/mod.rs, BROKEN");
         assert!(
             DANGEROUS.iter().any(|(key, _)| *key == post),
-            "no dangerous lines of {post} in tests/all/safety.rs, DANGEROUS"
+            "no dangerous lines of {post} in tests/all/safety/mod.rs, DANGEROUS"
         );
     }
 }

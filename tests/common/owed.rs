@@ -3,16 +3,18 @@
 use touchpath::form::Value;
 use touchpath::job::Plan;
 
+/// A law by its name, and what is so; then what breaks it.
 macro_rules! owe {
-    ($holds:expr $(,)?) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), stringify!($holds))); } }};
-    ($holds:expr, $($why:tt)+) => {{ let holds: bool = $holds; if !holds { return Err(format!("line {}: {}", line!(), format!($($why)+))); } }};
+    ($law:literal, $holds:expr $(,)?) => {{ let holds: bool = $holds; if !holds { return Err($law.to_owned()); } }};
+    ($law:literal, $holds:expr, $($what:tt)+) => {{ let holds: bool = $holds; if !holds { return Err(format!("{}: {}", $law, format!($($what)+))); } }};
 }
 
 macro_rules! owe_eq {
-    ($a:expr, $b:expr $(,)?) => {{ let (a, b) = (&$a, &$b); if *a != *b { return Err(format!("line {}: {a:?} is not {b:?}", line!())); } }};
-    ($a:expr, $b:expr, $($why:tt)+) => {{
+    ($law:literal, $a:expr, $b:expr $(,)?) => {{
         let (a, b) = (&$a, &$b);
-        if *a != *b { return Err(format!("line {}: {a:?} is not {b:?}: {}", line!(), format!($($why)+))); }
+        if *a != *b {
+            return Err(format!("{}: {a:?} is not {b:?}", $law));
+        }
     }};
 }
 
@@ -26,9 +28,12 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
     let picked = matches!(job.get("cycle").and_then(|c| c.get("touches")), Some(Value::List(_)));
     let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
     let level = if picked { if inch { 0.01 / 25.4 } else { 0.01 } } else { 0.0 };
-    owe!(plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
-    owe!(plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
-    owe!(plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error));
+    owe!("every move ends at a place", plan.moves.iter().all(|m| m.to.iter().all(|x| x.is_finite())));
+    owe!("length and time are finite", plan.length.is_finite() && plan.time.is_finite() && plan.time >= 0.0);
+    owe!(
+        "a program ends its last line, and a plan has no error",
+        plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error)
+    );
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
         if step.kind == "touch" {
@@ -36,9 +41,9 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
             let k = step.touch.unwrap();
             touched.push(k);
             let (before, back) = (&plan.moves[i - 1], &plan.moves[i + 1]);
-            owe_eq!(back.kind, "back");
-            owe_eq!(back.touch, Some(k));
-            owe!(distance(before.to, back.to) < 1e-9);
+            owe_eq!("behind a touch is its way back", back.kind, "back");
+            owe_eq!("the way back is that of its touch", back.touch, Some(k));
+            owe!("a touch goes back to where it began", distance(before.to, back.to) < 1e-9);
             let vector = plan.touches[k].vector;
             let towards: f64 = (0..3).map(|a| (before.to[a] - step.to[a]) * vector[a]).sum();
             // Picked touches may run askew by a degree, and short ones aside by the hundredth that picks of one level may differ.
@@ -46,30 +51,30 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
             let off = |a: usize| before.to[a] - step.to[a] - towards * vector[a];
             let aside = distance([off(0), off(1), off(2)], [0.0; 3]);
             let askew = if picked { (way * 1f64.to_radians().sin()).max(level) } else { 0.0 };
-            owe!(towards > 0.0 && aside <= askew + 1e-6, "touch {k} does not run along its inverted vector");
-            owe_eq!(step.feed, "work");
+            owe!("a touch runs along its inverted vector", towards > 0.0 && aside <= askew + 1e-6, "touch {k}");
+            owe_eq!("a touch runs at the work feed", step.feed, "work");
         } else if !circles(plan) {
-            owe!(step.feed != "work", "{step:?}");
+            owe!("no other move runs at the work feed", step.feed != "work", "{step:?}");
         }
     }
-    owe_eq!(touched, (0..plan.touches.len()).collect::<Vec<_>>(), "each touch once, in order");
+    owe_eq!("each touch is made once, in order", touched, (0..plan.touches.len()).collect::<Vec<_>>());
     for touch in &plan.touches {
-        owe!((distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
+        owe!("a target vector has the length 1", (distance(touch.vector, [0.0; 3]) - 1.0).abs() < 1e-9);
     }
     if circles(plan) {
         return program_is_sane(plan);
     }
     if plan.moves.is_empty() {
-        owe!(plan.touches.is_empty() && plan.results.is_empty());
+        owe!("who does not move measures nothing", plan.touches.is_empty() && plan.results.is_empty());
         return program_is_sane(plan);
     }
     // It ends where it began, above the touches.
     let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
-    owe!(distance(first.to, last.to) < 1e-8);
+    owe!("a path ends where it began", distance(first.to, last.to) < 1e-8);
     // A move of a nanometre is none: the end may lie that much lower.
     owe!(
-        plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6),
-        "a move goes higher than the path ends"
+        "no move goes higher than the path ends",
+        plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6)
     );
     program_is_sane(plan)
 }
@@ -101,15 +106,15 @@ fn program_is_sane(plan: &Plan) -> Result<(), String> {
 }
 
 fn klartext_is_sane(plan: &Plan) -> Result<(), String> {
-    owe!(plan.program.move_lines.iter().all(|l| *l == -1));
-    owe!(plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
+    owe!("the control moves by itself", plan.program.move_lines.iter().all(|l| *l == -1));
+    owe!("no line of Klartext is odd", plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
     Ok(())
 }
 
 fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
     let lines: Vec<&str> = plan.program.text.lines().collect();
-    owe_eq!(plan.program.move_lines.len(), plan.moves.len());
-    owe!(plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
+    owe_eq!("every move has its line", plan.program.move_lines.len(), plan.moves.len());
+    owe!("lines and moves have one order", plan.program.move_lines.windows(2).all(|w| w[0] < w[1]));
     let watched = lines.iter().any(|l| l.starts_with("G38.3"));
     let scale = if lines.contains(&"G20") { 25.4 } else { 1.0 };
     for (i, (&line, step)) in plan.program.move_lines.iter().zip(&plan.moves).enumerate() {
@@ -134,16 +139,21 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
             (_, "rapid", None) => &["G0"],
             (.., None) => &["G1"],
         };
-        owe!(wanted.contains(&word), "{} for {:?}", word, step);
+        owe!("a block has the motion word of its move", wanted.contains(&word), "{} for {:?}", word, step);
         block_ends_at_its_place(lines[line as usize], step, plan, scale)?;
         if word == "G38.3" {
             let check = lines[line as usize + 1];
-            owe!(check.starts_with('o') && check.ends_with(" if [#5070 NE 0]"), "{}", check);
+            owe!(
+                "a watched move is checked in the next line",
+                check.starts_with('o') && check.ends_with(" if [#5070 NE 0]"),
+                "{}",
+                check
+            );
         }
         if word == "G0" && plan.program.post == "grbl" && i > 0 {
             let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
             let axis = [2, 1, 0][axis];
-            owe!(step.to[axis] >= plan.moves[i - 1].to[axis] - 2e-6, "a rapid goes down on grbl: {:?}", step);
+            owe!("no rapid goes down on grbl", step.to[axis] >= plan.moves[i - 1].to[axis] - 2e-6, "{:?}", step);
         }
     }
     // Every block that moves belongs to a move of the path: but for the subroutines, the approach, and the pieces of arcs.
@@ -153,18 +163,24 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
     for (i, line) in lines.iter().enumerate().skip(body.max(first)) {
         let moves = ["G0 ", "G1 ", "G2 ", "G3 ", "G38"].iter().any(|g| line.starts_with(g));
         let piece = watched && known.iter().rposition(|l| *l <= i).is_some_and(|m| plan.moves[m].arc.is_some());
-        owe!(!moves || known.contains(&i) || piece, "{} is of no move", line);
+        owe!("every block that moves is a move of the path", !moves || known.contains(&i) || piece, "{}", line);
     }
     for line in &lines {
-        owe!(line.is_ascii() && line.len() <= 255, "{}", line);
-        owe!(!line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"), "{}", line);
+        owe!("a line is ASCII and not too long", line.is_ascii() && line.len() <= 255, "{}", line);
+        owe!(
+            "no number of a line is odd",
+            !line.contains("-0 ") && !line.ends_with("-0") && !line.contains("NaN") && !line.contains("inf"),
+            "{}",
+            line
+        );
         if *line == "M66 E0 L0" {
             continue;
         }
         if line.starts_with('(') {
-            owe!(line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
+            owe!("a comment is one comment", line.ends_with(')') && line.matches(['(', ')']).count() == 2, "{}", line);
         } else {
             owe!(
+                "no sign of a comment is in a block",
                 !line.contains(['(', ')', ';', '%', 'e', 'E']) || line.starts_with(['#', 'o']) || line.starts_with("G10"),
                 "{}",
                 line
@@ -181,24 +197,29 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
         // The control makes the moves of its own cycle.
         let own =
             plan.moves.iter().zip(&plan.program.move_lines).filter(|(m, _)| m.kind == "touch").all(|(_, line)| *line == -1);
-        owe!(own, "{text}");
+        owe!("the touches of the control's own cycle have no line", own, "{text}");
         return Ok(());
     }
     let program = crate::common::mpf::read(text).map_err(|t| format!("{t:?}\n{text}"))?;
-    owe_eq!(program.troubles(), []);
+    owe_eq!("nothing of the program is in trouble", program.troubles(), []);
     // How far each touch searches is not in the plan: its end must lie on its line, behind the contact.
     let ends = program.moves().map_err(|t| format!("{t:?}"))?;
     let ends: Vec<_> = ends.iter().filter(|s| s.purpose == crate::common::mpf::Purpose::Touch).collect();
     let contacts: Vec<_> = plan.moves.iter().filter(|m| m.kind == "touch").collect();
-    owe_eq!(ends.len(), contacts.len());
+    owe_eq!("every touch is in the program", ends.len(), contacts.len());
     let searches: Vec<f64> = ends.iter().zip(&contacts).map(|(end, contact)| distance(end.to, contact.to)).collect();
     super::compare_mpf(plan, |k| searches[k], &program)?;
     for line in text.lines() {
-        owe!(line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"), "{}", line);
-        owe!(line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
+        owe!(
+            "a line is ASCII and not too long",
+            line.is_ascii() && line.len() <= 512 && !line.contains("NaN") && !line.contains("inf"),
+            "{}",
+            line
+        );
+        owe!("a line has one comment", line.matches(';').count() <= 1 || line.starts_with(';'), "{}", line);
     }
     let registers = text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|w| w.strip_prefix('R')?.parse::<usize>().ok());
-    owe!(registers.max().unwrap_or(0) <= 99);
+    owe!("R parameters are within the control's", registers.max().unwrap_or(0) <= 99);
     Ok(())
 }
 
@@ -220,7 +241,7 @@ fn skip_is_sane(plan: &Plan) -> Result<(), String> {
         control.at = [first.to[0] + 40.0, first.to[1] - 30.0, first.to[2] + 70.0];
     }
     control.run(text).map_err(|e| format!("{e}\n{text}"))?;
-    owe_eq!(control.alarm, None);
+    owe_eq!("no alarm is raised on the nominal part", control.alarm, None);
     let last = if text.contains("\nG20\n") { 1e-5 } else { 1e-4 };
     let mut made = control.path.iter();
     for (i, step) in plan.moves.iter().enumerate() {
@@ -231,17 +252,30 @@ fn skip_is_sane(plan: &Plan) -> Result<(), String> {
                 _ => distance(*end, step.to) < last,
             };
             // To the first place in steps, along an arc in pieces.
-            owe!(there || i == 0 || step.arc.is_some(), "move {} ends at {:?}, not {:?}\n{}", i, end, step.to, text);
-            owe!(step.kind != "back" || !probing, "{}", text);
+            owe!(
+                "each move ends at its place",
+                there || i == 0 || step.arc.is_some(),
+                "move {} ends at {:?}, not {:?}\n{}",
+                i,
+                end,
+                step.to,
+                text
+            );
+            owe!("no way back probes", step.kind != "back" || !probing, "{}", text);
             if there {
                 break;
             }
         }
     }
-    owe!(made.next().is_none(), "{}", text);
+    owe!("nothing moves behind the last move", made.next().is_none(), "{}", text);
     for line in text.lines() {
-        owe!(line.is_ascii() && line.len() <= 255 && !line.contains("NAN"), "{}", line);
-        owe!(!line.contains("[-0.]") && !line.split(' ').any(|word| word.ends_with("-0.") && word.len() == 4), "{}", line);
+        owe!("a line is ASCII and not too long", line.is_ascii() && line.len() <= 255 && !line.contains("NAN"), "{}", line);
+        owe!(
+            "no number of a line is odd",
+            !line.contains("[-0.]") && !line.split(' ').any(|word| word.ends_with("-0.") && word.len() == 4),
+            "{}",
+            line
+        );
     }
     Ok(())
 }
@@ -258,6 +292,7 @@ fn block_ends_at_its_place(line: &str, step: &touchpath::job::Move, plan: &Plan,
         let written: f64 = word[1..].parse().map_err(|_| format!("{line}: {word} is no number"))?;
         match step.touch.filter(|_| step.kind == "touch") {
             None => owe!(
+                "an axis word is the place of its move",
                 step.arc.is_some() && !line.contains(['I', 'J', 'K']) || (written - step.to[axis]).abs() < last,
                 "{line} {step:?}"
             ),
@@ -265,12 +300,16 @@ fn block_ends_at_its_place(line: &str, step: &touchpath::job::Move, plan: &Plan,
                 let vector = plan.touches[k].vector[axis];
                 if vector.abs() > 0.5 {
                     let reach = (step.to[axis] - written) / vector;
-                    owe!(reach > -last && search.is_none_or(|s| (s - reach).abs() < 4.0 * last), "{line} {step:?}");
+                    owe!(
+                        "a touch searches along its line, behind the contact",
+                        reach > -last && search.is_none_or(|s| (s - reach).abs() < 4.0 * last),
+                        "{line} {step:?}"
+                    );
                     search = Some(reach);
                 }
             }
         }
     }
-    owe!(step.kind != "touch" || search.is_some(), "{line} does not reach for its wall");
+    owe!("a touch reaches for its wall", step.kind != "touch" || search.is_some(), "{line}");
     Ok(())
 }

@@ -1,0 +1,233 @@
+//! What stays from block to block, and what is left early.
+
+use super::*;
+/// G53 alone only halts some controls: it was said to go to a place of the machine.
+#[test]
+fn a_code_of_the_machines_system_without_places_goes_nowhere() {
+    let codes = |text: &str| -> Vec<String> { read_program(text, None).findings.into_iter().map(|f| f.code).collect() };
+    let program = |code: &str| format!("G21 G90\nG0 X0 Y0 Z5\n{code}\nG31 Z0 F100\nM30\n");
+    assert!(!codes(&program("G53")).contains(&"machine-places".to_owned()));
+    for code in ["G53 G0 Z0", "G28", "G28 Z0"] {
+        assert!(codes(&program(code)).contains(&"machine-places".to_owned()), "{code}");
+    }
+}
+
+/// A program below `G21 G90 F100`, `G0 X10 Y0 Z20`: its last move ends where the interpreter's does, with its feed, but for what is not known (axes, and
+/// F for the feed), and this is said of it.
+fn ends_as_interpreted(cases: &[(&str, &str, &[&str])]) {
+    for (text, unknown, wanted) in cases {
+        let text = format!("G21 G90 F100\nG0 X10 Y0 Z20\n{text}\nM2\n");
+        let ran = interpret(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let path = read_program(&text, Some("iso"));
+        let (last, true_last) = (path.end(path.len() - 1).to_array(), ran.moves.last().expect("a move"));
+        for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
+            let right =
+                if unknown.contains(name) { last[axis].is_nan() } else { (last[axis] - true_last.to[axis]).abs() < 1e-3 };
+            assert!(right, "{text}{name}: {last:?}, truly {:?}", true_last.to);
+        }
+        let feed = path.feed[path.len() - 1];
+        let right = if unknown.contains('F') || true_last.kind == "rapid" { feed.is_nan() } else { feed == true_last.feed };
+        assert!(right, "{text}feed {feed}, truly {}", true_last.feed);
+        assert_eq!(said(&path), *wanted, "{text}");
+    }
+}
+
+/// Places, modes and feeds of lines that are not followed were those of before.
+#[test]
+fn nothing_stale_stays_after_a_line_that_is_not_followed() {
+    ends_as_interpreted(&[
+        ("#1=5 G91 G1 X7\nG1 Y1", "X", &["lines-skipped"]),
+        ("#1=[3+4]G91G1Z7\nG1 Y1", "Z", &["lines-skipped"]),
+        ("#<x1>=5 (X5 G91)\nG1 Y1", "", &["lines-skipped"]),
+        ("#1 = 5 F83\nG1 Y1", "", &["lines-skipped"]),
+        ("G1 XSIN[30]\nY1", "X", &["places-computed"]),
+        ("ZATAN[1]/[2]\nG1 Y1", "Z", &["lines-skipped"]),
+        ("G1 FSQRT[49] Y1", "F", &[]),
+        ("G1 @5 ^30\nZ1", "XY", &["places-computed"]),
+        ("G1 @5^30Z1", "XY", &["places-computed"]),
+        ("G1 @5 ^30\nG1 X1 Y2", "", &["places-computed"]),
+        ("F1 00\nG1 Y1", "F", &["lines-skipped"]),
+        ("G1 Y1 X1 0 F70\nY2", "X", &["lines-skipped"]),
+    ]);
+    // A SINUMERIK's own words stand before a feed; its variables may begin with the letter of an axis.
+    let path = read_program("G71\nG1 X1 Y1 F100\nX2 RND=5 F200\nXMAX=5\nG1 Y2\nSOFT FFWON\nG1 Y3\n", Some("sinumerik"));
+    assert_eq!((path.feed[1], path.feed[2]), (200.0, 200.0));
+    assert!(path.end(1).x.is_nan() && path.end(1).y == 2.0);
+    let kept = read_program("G71\nG1 X1 Y1 Z1 F100\nXMAX=5\nDEF REAL Y_POS\nG1 Z2\n", Some("sinumerik"));
+    assert_eq!(kept.end(1).to_array(), [1.0, 1.0, 2.0]);
+}
+
+/// The body of a subroutine was read as moves where its O words stood behind a number or a slash.
+#[test]
+fn an_o_word_may_stand_behind_a_number() {
+    ends_as_interpreted(&[
+        ("N5 o100 sub\nG1 X77\nN6 o100 endsub\nG1 X1", "", &["lines-skipped"]),
+        ("/o100 sub\nG1 X77\n/ N6 O100 endsub\nG1 X1", "", &["lines-skipped"]),
+        ("n5o<s>sub\nG1 X77\nN6 o<s> endsub\nG1 X1\nN7 o<s> call\nG1 X2 Y3", "Z", &["lines-skipped"]),
+        ("N5 o1 if [0]\nM2\nN6 o1 endif\nG1 X5", "", &["lines-skipped"]),
+        ("G1 Y5\n/N5\nN6.5\nX4", "", &[]),
+    ]);
+}
+
+/// A tool that is longer or shorter stands at another place: it was read as standing where it was.
+#[test]
+fn a_tools_length_changes_places() {
+    let computed: &[&str] = &["places-computed"];
+    ends_as_interpreted(&[
+        ("G43.1 Z50\nG0 X5", "Z", computed),
+        ("G43.1 Z50\nG0 X5\nY3\nZ4", "", computed),
+        ("G43.1 X3\nG0 Z5", "X", computed),
+        ("G43.1 X3\nG0 X5\nG49\nZ6", "X", computed),
+        ("G43.1 Z50\nG0 X5 Z3", "", &[]),
+        ("G43.1 X50\nG0 X0\nG49 G0 Z3", "X", computed),
+        ("T1 M6\nG43 H1 Z50", "", &[]),
+        ("T1 M6\nG0 X3", "", &[]),
+        ("T1 M6\nG43 H1\nG0 X3", "Z", computed),
+        ("G43 H1\nG49\nG0 X3", "Z", computed),
+        ("G4 P0\nM70\nG43.1 Z5\nG0 Z3\nM72\nX5", "Z", computed),
+    ]);
+    // Incremental moves are counted from 0, as ever from a place that is not known.
+    let path = read_program("G21 G90 F100\nG0 X10 Y0 Z20\nG43.1 Z50\nG0 X5\nG91 G38.2 Z-5\n", None);
+    assert!(path.end(1).z.is_nan() && path.end(2).z == -5.0, "{:?}", places(&path));
+    assert_eq!(said(&path), ["places-computed", "start-unknown"]);
+    // Nothing has moved: nothing was known.
+    let first = read_program("G21 G90\nG43 H1\nG0 X1\nY2 Z3\n", None);
+    assert_eq!((said(&first).len(), first.end(1).to_array()), (0, [1.0, 2.0, 3.0]));
+    let edge = read_program("G71\nG0 X1 Y2 Z3\nT=\"PROBE\" D1\nM6\nG0 X4\nZ5\n", Some("sinumerik"));
+    assert!(edge.end(1).z.is_nan() && edge.end(1).y == 2.0 && edge.end(2).z == 5.0);
+    assert_eq!(said(&edge), ["places-computed"]);
+    // Where Z went in a line that is not followed, nothing more is said of it.
+    let supa = read_program("G17 G71 G90\nG0 X0 Y0 Z50\nSUPA G0 Z0 D0\nT=\"DRILL\" D1\nM6\nG0 X5 Y5\nZ10\n", Some("sinumerik"));
+    assert!(supa.end(1).z.is_nan() && supa.end(2).z == 10.0);
+    assert_eq!(said(&supa), ["lines-skipped"]);
+}
+
+/// M70 and M73 keep the modes, M72 gives them back.
+#[test]
+fn modes_are_kept_and_given_back() {
+    ends_as_interpreted(&[
+        ("M70\nG91\nG0 X5\nM72\nX5", "", &[]),
+        ("M73\nG91\nM72\nG91\nM72\nX5\nX5", "", &[]),
+        ("G91 M70\nG90\nM72\nX5\nX5", "", &[]),
+        ("M70 G91\nX5\nM72 G91\nX5", "", &[]),
+        ("M70\nG20 F10 G1 X1\nM72\nG1 X5", "", &[]),
+        ("M70 F50\nF60\nM72 F30\nG1 X5", "", &[]),
+        ("M70\nG1 X5\nM72\nX6", "", &[]),
+        ("M70\nG93\nM72\nG1 X6 F7", "", &[]),
+    ]);
+    // A SINUMERIK's M70 is its spindle's.
+    let path = read_program("G71\nG0 X1 Y1 Z1\nM70\nG91\nM72\nX5\nX5\n", Some("sinumerik"));
+    assert_eq!(path.end(2).x, 11.0);
+}
+
+/// The feed of a block that goes nowhere was lost, and so was a place beside the time of a dwell.
+#[test]
+fn feeds_and_places_of_blocks_that_are_left_early_stay() {
+    ends_as_interpreted(&[
+        ("G43.1 Z0 F83\nG1 X5 Z5", "", &[]),
+        ("G4 P.01 F35\nG1 X5", "", &[]),
+        ("G10 L1 P1 Z0 F36\nG1 X5", "", &[]),
+        ("G92 X10 F33\nG1 X5", "", &["places-transformed"]),
+        ("G52 X0 F44\nG1 X5", "", &["places-transformed"]),
+        ("G4 P0.1 X7", "", &[]),
+        ("G1 Y1\nG4 P0.1 X7 F83", "", &[]),
+    ]);
+    assert_eq!(read_program("G21\nG0 X1\nG4 X2.\n", None).len(), 1, "the time of a dwell");
+    let call = read_program("G21\nG1 X1 F100\nG65 P9811 X5. F300\nG1 X2\n", None);
+    assert_eq!(call.feed, [100.0, 100.0], "an argument of a macro");
+}
+
+/// P was no word of an arc: its whole turns were lost.
+#[test]
+fn an_arc_turns_as_often_as_p_says() {
+    for (arc, sweep) in [
+        ("G2 X-10 I-10 P3", -900.0),
+        ("G3 X-10 I-10 P1", 180.0),
+        ("G3 X0 Y10 R10 P2", 450.0),
+        ("G2 X10 Y0 I-10 P2", -720.0),
+        ("G3 Z21 I-26 J-9 P2", 720.0),
+    ] {
+        let text = format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\nM2\n");
+        let turns = crate::common::canonical(&text).iter().find_map(|line| {
+            let (_, rest) = line.split_once("ARC_FEED(")?;
+            rest.split(", ").nth(4)?.parse::<f64>().ok()
+        });
+        let path = read_program(&text, None);
+        assert!((path.arcs[0][4] - sweep).abs() < 1e-9, "{arc}: {:?}", path.arcs);
+        assert_eq!(turns, Some((sweep / 360.0).abs().ceil().copysign(sweep)), "{arc}");
+    }
+    // How often is not known, or is more than can be drawn.
+    for arc in ["G2 X-10 I-10 P#5", "G2 X-10 I-10 P1000000000"] {
+        let path = read_program(&format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\n"), None);
+        assert_eq!((path.arcs.len(), said(&path)), (0, vec!["arc-unsolved"]), "{arc}");
+    }
+    let sinumerik = read_program("G71\nG0 X10 Y0 Z0\nG2 X-10 I-10 P3\n", Some("sinumerik"));
+    assert_eq!(sinumerik.arcs[0][4], -180.0);
+}
+
+/// What turns the system, and the radius of a tool, were unsaid; a diameter was a place.
+#[test]
+fn rotations_diameters_and_radii_are_not_passed_over() {
+    ends_as_interpreted(&[
+        ("G7 X30\nG1 X5", "", &[]),
+        ("G7\nG91 X3\nG8 X3", "", &[]),
+        ("G7\nG0 X30\nG2 X30 I5\nG1 Y3", "", &[]),
+        ("M70\nG7\nG0 X30\nM72\nX7", "", &[]),
+        ("G10 L1 P1 R90\nG0 Z5", "", &[]),
+    ]);
+    for code in ["G10 L2 P1 R90", "G10 L[1+1] P1 X7", "G10 L2 P1 R#5", "G41 D1", "G42 X5 D1", "G41.1 D6", "G42.1 D6"] {
+        let path = read_program(&format!("G21 G90\nG0 X1 Y2 Z3\n{code}\nG1 X5 F100\n"), None);
+        assert_eq!(said(&path), ["places-transformed"], "{code}");
+    }
+    assert_eq!(said(&read_program("G71\nG41 D1\nG1 X5\n", Some("sinumerik"))), ["places-transformed"]);
+}
+
+/// A loop was read once, and what its body moves by a distance was said to be where one round leaves it.
+#[test]
+fn a_loop_leaves_its_incremental_moves_somewhere() {
+    let skipped: &[&str] = &["lines-skipped"];
+    ends_as_interpreted(&[
+        ("o1 repeat [3]\nG91 G1 X5\no1 endrepeat\nG90 Y3", "X", skipped),
+        ("#1=0\no1 while [#1 LT 3]\nG91 G1 X5\nG90 Y7\n#1=[#1+1]\no1 endwhile\nZ3", "X", skipped),
+        ("#1=0\no1 do\nG91 G1 X5\n#1=[#1+1]\no1 while [#1 LT 3]\nG90 Y3", "X", skipped),
+        ("#1=0\nG91 G1 X5\nG90\no1 while [#1 LT 3]\nY7\n#1=[#1+1]\no1 endwhile\nZ3", "", skipped),
+        (
+            "o1 repeat [2]\nG91 G1 X5\nG90\no2 repeat [2]\nG91 Y5\nG90\no2 endrepeat\nG91 Z1\nG90\no1 endrepeat\nZ3",
+            "XY",
+            skipped,
+        ),
+        ("o1 repeat [2]\nG91 G1 X5\nG90 X3\no1 endrepeat\nG1 Y6", "", skipped),
+    ]);
+    let unknown = |text: &str, dialect: &'static str| {
+        let path = read_program(&format!("G90\nG1 X1 Y1 Z1 F100\n{text}\n"), Some(dialect));
+        ["X", "Y", "Z"]
+            .into_iter()
+            .zip(path.end(path.len() - 1).to_array())
+            .filter(|(_, x)| x.is_nan())
+            .map(|(name, _)| name)
+            .collect::<String>()
+    };
+    let body = "G91\nX5\nG90\nY4";
+    for (begin, end, dialect) in [
+        ("WHILE [#1 LT 3] DO1", "END1", "iso"),
+        ("N5 WHILE R1<3", "N6 ENDWHILE", "sinumerik"),
+        ("FOR R1=1 TO 3", "ENDFOR", "sinumerik"),
+        ("LOOP", "ENDLOOP", "sinumerik"),
+        ("REPEAT", "UNTIL R1>3", "sinumerik"),
+        ("o1 do", "o1 while [1]", "iso"),
+    ] {
+        assert_eq!(unknown(&format!("{begin}\n{body}\n{end}\nY6"), dialect), "X", "{begin}");
+        assert_eq!(unknown(&format!("{begin}\nG91\nX5\nG90\n{begin}\nZ4\n{end}\n{body}\n{end}\nZ6"), dialect), "X", "{begin}");
+    }
+    assert_eq!(unknown(&format!("DEF INT LOOP1\nLOOP1=2\n{body}"), "sinumerik"), "");
+}
+
+/// With block skip on, an end with a slash is left out: what stands below it is drawn.
+#[test]
+fn an_end_that_may_be_left_out_ends_nothing() {
+    for end in ["/M30", "/M99", "/ M2"] {
+        let path = read_program(&format!("G21 G0 X0 Y0 Z0\n{end}\nG0 X5\nM30\n"), None);
+        assert_eq!(places(&path).len(), 2, "{end}");
+        assert!(said(&path).contains(&"lines-optional"), "{end}: {:?}", said(&path));
+    }
+}
