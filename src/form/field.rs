@@ -1,7 +1,6 @@
 //! A field of a form, declared once.
 
 use crate::form::Section;
-use crate::geom::Vec3;
 
 /// One field: everything a form, a check, a table and a manual need to know about it.
 #[derive(Clone, Copy, Debug)]
@@ -326,9 +325,6 @@ pub trait Checked: Sized {
     fn shown(&self) -> Shown {
         Shown::Nothing
     }
-
-    /// Takes another value, where it is of this type.
-    fn put(&mut self, _value: Shown) {}
 }
 
 /// A checked value, whatever field it is of.
@@ -340,9 +336,7 @@ pub enum Shown {
     Whole(i32),
     /// True or false.
     Flag(bool),
-    /// A point, mm.
-    Point(Vec3),
-    /// Null, or text.
+    /// Null, a point or text.
     Nothing,
 }
 
@@ -350,25 +344,6 @@ pub enum Shown {
 pub trait Values {
     /// Each field with its value, in the order of the form.
     fn values(&self) -> Vec<(&'static Field, Shown)>;
-
-    /// Gives the field with this key another value; nothing happens where there is none.
-    fn put(&mut self, key: &str, value: Shown);
-
-    /// The number under a key.
-    fn number(&self, key: &str) -> Option<f64> {
-        self.values().into_iter().find_map(|(field, value)| match value {
-            Shown::Number(x) if field.key == key => Some(x),
-            _ => None,
-        })
-    }
-
-    /// The point under a key.
-    fn point(&self, key: &str) -> Option<Vec3> {
-        self.values().into_iter().find_map(|(field, value)| match value {
-            Shown::Point(point) if field.key == key => Some(point),
-            _ => None,
-        })
-    }
 }
 
 /// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.
@@ -397,13 +372,6 @@ macro_rules! form {
             fn values(&self) -> Vec<(&'static $crate::form::Field, $crate::form::Shown)> {
                 let mut fields = Self::FIELDS.iter();
                 vec![$((fields.next().expect("one field for each member"), $crate::form::shown(&self.$key)),)*]
-            }
-
-            fn put(&mut self, key: &str, value: $crate::form::Shown) {
-                let mut fields = Self::FIELDS.iter();
-                $(if fields.next().is_some_and(|f| f.key == key) {
-                    $crate::form::put(&mut self.$key, value);
-                })*
             }
         }
     };

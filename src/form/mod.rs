@@ -28,11 +28,6 @@ pub(crate) fn shown<T: field::Checked>(value: &T) -> Shown {
     value.shown()
 }
 
-/// Gives a checked value another.
-pub(crate) fn put<T: field::Checked>(place: &mut T, value: Shown) {
-    place.put(value);
-}
-
 /// A doc comment without the space that starts it.
 pub(crate) const fn trimmed(text: &'static str) -> &'static str {
     match text.as_bytes() {

@@ -3,7 +3,8 @@
 //! Each touch is entered from above, so that an island in the middle is not met.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, RoundProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, RoundProtected, words};
+use crate::form::Section;
 use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,14 +13,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "BORE",
     source: "ENCY/SprutCAM type 4",
     probes: Subject::HoleProtected,
-    own_feeds: false,
     number: Some(4),
     most_touches: MAX_TOUCHES,
-    doc: "docs/cycles/hole-protected.md",
     fields: RoundProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(RoundProtected::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
         words::OVER,
@@ -41,12 +38,10 @@ pub static DEF: CycleDef = CycleDef {
         words::VARIANT,
         words::CIRCLE,
     ],
-    read: |section| {
-        let form = RoundProtected::read(section);
-        ency::read(section, &DEF, "hole probing protected", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "hole probing protected", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &RoundProtected) -> Box<dyn Shape> {
-    form.shape(true)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    RoundProtected::read(section).dimensions(true)
 }

@@ -3,8 +3,8 @@
 //! One touch along the target vector, on a wall, a top side or anything between.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Point, Shape, field, words};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, Dimensions, Point, Shape, field, words};
+use crate::form::{Field, Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "SURFACE",
     source: "ENCY/SprutCAM type 2",
     probes: Subject::Surface,
-    own_feeds: false,
     number: Some(2),
     most_touches: 1,
-    doc: "docs/cycles/surface.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the clearance in front of the touch point along its target vector",
         "Touch",
@@ -35,10 +31,8 @@ pub static DEF: CycleDef = CycleDef {
         "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
         "Rotation and elevation are ours: the source has the target vector only.",
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "surface probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "surface probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -58,6 +52,8 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Point { clearance: form.clearance, elevation: form.elevation })
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Point(Point { clearance: form.clearance, elevation: form.elevation });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -34,7 +34,6 @@ pub static DEF: CycleDef = CycleDef {
     number: None,
     most_touches: 2 * 8 * 99,
     place: None,
-    doc: "docs/cycles/probing-two-circles.md",
     fields: Form::FIELDS,
     sections: &[PROBE, EXTRUSION],
     home: ("heidenhain", "cycle"),
@@ -85,7 +84,7 @@ pub static DEF: CycleDef = CycleDef {
         "With 1493 each touch is repeated along the extrusion and the mean goes into the fit; Q970, Q971, Q973, Q974 are the \
          largest deviations of the circles fitted at the single places.",
     ],
-    read: |section| {
+    read: |_, section| {
         let form = Form::read(section);
         let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
         let extrusion = section.sub(&EXTRUSION, Extrusion::read);
