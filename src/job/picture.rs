@@ -36,10 +36,6 @@ impl Planned {
         let mut scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
         scene.unit = Some(job.scale);
         scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
-        // A feature of the same kind can be of a cycle that has no such field.
-        let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
-        scene.dimensions.retain(|dimension| has(dimension.field));
-        scene.angles.retain(|angle| has(angle.field));
         let names = self.names(&scene, |_| None);
         scene.name(&names);
         Picture {

@@ -34,6 +34,9 @@ use crate::text::text;
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
+/// The field that says how far above its start a path begins and ends.
+const FEED_DISTANCE: &str = "cycle.feedDistance";
+
 /// What a cycle of the family is that says nothing of itself: rows of the table, no motion.
 pub const BASE: CycleDef = CycleDef {
     key: "",
@@ -228,7 +231,9 @@ impl Cycle for Ency {
             feeds: None,
             frame: on.frame,
             formula: shape.formula(&on),
-            feature: shape.feature(self.picks.is_some()),
+            feature: shape.feature(),
+            picked: self.picks.is_some(),
+            lift: Some(FEED_DISTANCE),
             touches: on.touches,
         }
     }
@@ -284,9 +289,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             "The path rises {height} above its end: one touch is too high compared with the others",
             checker.rounded_up(highest - end)
         );
-        checker.error("path-not-above", if path.feature.picked() { "cycle.touches" } else { "cycle" }, message);
+        checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
     }
-    let field = "cycle.feedDistance";
     match path.top {
         Some(top) => {
             let missing = top + setup.radius - begin.min(*end);
@@ -295,7 +299,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
                     "The path would begin and end inside the feature: with these clearances the feed distance must be at least {least}, so that the ball is clear of the top side",
                     checker.rounded_up(feed_distance + missing)
                 );
-                checker.error("start-in-feature", field, message);
+                checker.error("start-in-feature", FEED_DISTANCE, message);
             }
         }
         // Our choice of what is small: the source says nothing of the wall above the touches.
@@ -304,7 +308,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
                 "This cycle has no top side: the path begins and ends {height} above the touches, perhaps inside the feature",
                 checker.length(feed_distance)
             );
-            checker.warning("low-start", field, message);
+            checker.warning("low-start", FEED_DISTANCE, message);
         }
         None => {}
     }

@@ -9,7 +9,7 @@ use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_
 use crate::form::Checker;
 use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Entry, Feature, Feed, Setup, Surface, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// The angle between two walls: inside an internal corner, in the material of an external one.
@@ -361,8 +361,18 @@ impl Probed for Corner {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Corner(path::Corner { outside: !self.internal, angle: self.angle.degrees, picked })
+    fn feature(&self) -> Feature {
+        let distance = |field| self.distances.map(|_| field);
+        let touched = |clearance, step, field| Touched { clearance, step: Some(step), distance: distance(field) };
+        Feature::Corner(path::Corner {
+            outside: !self.internal,
+            angle: Entry { field: "cycle.angle", value: self.angle.degrees },
+            walls: vec![
+                touched("cycle.clearance1", "cycle.step1", "cycle.distance1"),
+                touched("cycle.clearance2", "cycle.step2", "cycle.distance2"),
+            ],
+            top: None,
+        })
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

@@ -95,8 +95,8 @@ pub trait Probed {
     /// The surfaces, one a group.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
 
-    /// What is probed; `picked` is whether the touches were picked one by one.
-    fn feature(&self, picked: bool) -> Feature;
+    /// What is probed.
+    fn feature(&self) -> Feature;
 
     /// Height of the top side along the tool axis, mm, where the source has one.
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

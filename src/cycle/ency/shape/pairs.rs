@@ -7,7 +7,7 @@ use crate::cycle::ency::shape::{
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
+use crate::path::{self, Entry, Feature, Feed, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// One pair of walls.
@@ -69,6 +69,11 @@ impl Pairs {
 
     fn protected(&self) -> bool {
         self.sides[0].clearance.is_some()
+    }
+
+    /// How far above the top side the ball crosses. Where the middle is touched, that is at its clearance, which has a rule of its own.
+    fn crossing(&self) -> Option<f64> {
+        self.top.filter(|_| self.protected() && self.middle.is_none())
     }
 
     /// 1 where walls face outwards, −1 where they face the middle.
@@ -142,9 +147,7 @@ impl Probed for Pairs {
                 checker.error("approach-beyond-wall", clearance_path, message);
             }
         }
-        // Where the middle is touched, the ball crosses at its clearance, which has a rule of its own.
-        let crossing = self.top.filter(|_| self.protected() && self.middle.is_none());
-        level_rules(checker, setup, self.depth, crossing, !self.internal);
+        level_rules(checker, setup, self.depth, self.crossing(), !self.internal);
         if let Some(middle) = self.middle {
             clearance_rule(checker, setup, "Middle clearance", middle, "cycle.middleClearance");
         }
@@ -326,17 +329,18 @@ impl Probed for Pairs {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        let sides = self.sides.first().zip(self.sides.last());
-        let clearances = sides.and_then(|(a, b)| Some([a.clearance?, b.clearance?]));
-        let protected = self.top.zip(clearances).map(|(top, sides)| Protection { top, sides });
-        if let [one, two] = self.sides.as_slice() {
-            let rectangle = Rectangle { widths: [one.width, two.width], depth: self.depth, protected, picked };
-            return if self.internal { Feature::Pocket(rectangle) } else { Feature::Block(rectangle) };
-        }
-        let (width, top_touched) = (self.sides[0].width, self.middle.is_some());
-        let pair = Pair { width, depth: self.depth, protected, top_touched, picked };
-        if self.internal { Feature::Groove(pair) } else { Feature::Web(pair) }
+    fn feature(&self) -> Feature {
+        let entry = |field, value| Entry { field, value };
+        let side = |(side, names): (&Side, &Names)| path::Side {
+            width: entry(names.width.1, side.width),
+            clearance: side.clearance.map(|clearance| entry(names.clearance.1, clearance)),
+        };
+        Feature::Pairs(path::Pairs {
+            internal: self.internal,
+            sides: self.sides.iter().zip(self.names()).map(side).collect(),
+            depth: entry("cycle.depth", self.depth),
+            crossing: self.crossing().map(|top| entry("cycle.topClearance", top)),
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -5,8 +5,11 @@ use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
+
+/// The field of the target vector's elevation.
+const ELEVATION: &str = "cycle.elevation";
 
 /// A surface, touched once.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +22,7 @@ pub struct Point {
 
 impl Point {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
-        vec![("cycle.elevation", &mut self.elevation)]
+        vec![(ELEVATION, &mut self.elevation)]
     }
 }
 
@@ -109,8 +112,8 @@ impl Probed for Point {
     }
 
     /// A top side is its own top; of a wall or a slope the source knows none.
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Surface { picked }
+    fn feature(&self) -> Feature {
+        Feature::Surface(path::Point { clearance: "cycle.clearance", elevation: ELEVATION })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -7,7 +7,7 @@ use crate::cycle::ency::shape::{
 use crate::form::Checker;
 use crate::formula::{CirclePart, Datum, Draft, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
-use crate::path::{Bore, Feature, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+use crate::path::{Bore, Entry, Feature, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::text::{Text, text, words};
 
 /// How the touches are spread.
@@ -249,10 +249,14 @@ impl Probed for Circle {
         })]
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        let protected = self.top.zip(self.clearance).map(|(top, side)| Protection { top, sides: [side; 2] });
-        let bore = Bore { diameter: self.diameter, depth: self.depth, protected, picked };
-        if self.internal { Feature::Hole(bore) } else { Feature::Boss(bore) }
+    fn feature(&self) -> Feature {
+        let entry = |field, value| Entry { field, value };
+        Feature::Bore(Bore {
+            diameter: entry("cycle.diameter", self.diameter),
+            depth: entry("cycle.depth", self.depth),
+            clearance: self.clearance.map(|clearance| entry("cycle.sideClearance", clearance)),
+            crossing: self.top.filter(|_| self.clearance.is_some()).map(|top| entry("cycle.topClearance", top)),
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -38,7 +38,7 @@ impl Probed for Still {
         Vec::new()
     }
 
-    fn feature(&self, _picked: bool) -> Feature {
+    fn feature(&self) -> Feature {
         Feature::Still
     }
 }

@@ -6,7 +6,7 @@ use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{Corner, Entry, Feature, Feed, Setup, Surface, Top, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// A corner of two walls and a floor, or of two walls and a top side.
@@ -274,8 +274,23 @@ impl Probed for Triple {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Triple(Corner { outside: !self.internal(), angle: self.angle.degrees, picked })
+    fn feature(&self) -> Feature {
+        let outside = |field| self.outside.map(|_| field);
+        let touched = |clearance, distance| Touched { clearance, step: None, distance };
+        let mut walls = vec![
+            touched("cycle.clearance1", outside("cycle.distance1")),
+            touched("cycle.clearance2", outside("cycle.distance2")),
+        ];
+        if self.internal() {
+            walls.push(touched("cycle.clearance3", None));
+        }
+        let top = self.outside.map(|_| Top {
+            depth: "cycle.depth",
+            clearance: "cycle.topClearance",
+            inwards: ["cycle.topDistance1", "cycle.topDistance2"],
+        });
+        let angle = Entry { field: "cycle.angle", value: self.angle.degrees };
+        Feature::Corner(Corner { outside: !self.internal(), angle, walls, top })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -92,6 +92,9 @@ pub static DEF: CycleDef = CycleDef {
     },
 };
 
+/// The fields of the two diameters.
+const DIAMETERS: [&str; 2] = ["cycle.diameter1", "cycle.diameter2"];
+
 /// The checked cycle.
 #[derive(Clone, Debug)]
 pub struct TwoCircles {
@@ -257,6 +260,7 @@ impl TwoCircles {
         let [extrusion, settings] =
             self.settings().map(|list| list.into_iter().map(|(setting, _)| setting).collect::<Vec<Setting>>());
         path::TwoCircles {
+            diameters: DIAMETERS,
             line: self.line(setup),
             spread: self.spread(setup),
             semi_automatic: self.objects().iter().any(|o| o.state == State::Semi),
@@ -299,6 +303,8 @@ impl Cycle for TwoCircles {
                 rapid: self.probe.rapid,
             }),
             feature: Feature::TwoCircles(Box::new(self.feature(setup))),
+            picked: false,
+            lift: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),
         }
