@@ -31,6 +31,20 @@ pub struct Field {
     pub size: bool,
     /// The other field of its form, and the number that this must have for the field to count at all.
     pub when: Option<(&'static str, i32)>,
+    /// Which view shows what it gives, where no dimension of its own does.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the page looks for the view"))]
+    pub seen: Option<Seen>,
+}
+
+/// In which view of a part a value is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Seen {
+    /// A turn about the tool axis, or a way in any direction of the plane: from the top.
+    Turning,
+    /// A height: where the tool axis is seen in its true length.
+    Upright,
+    /// A place: each coordinate where its axis is seen in its true length.
+    Placed,
 }
 
 /// What kind of value a field takes, and with it the unit.
@@ -157,6 +171,7 @@ impl Field {
             group: "",
             size: false,
             when: None,
+            seen: None,
         }
     }
 
@@ -305,6 +320,12 @@ impl Field {
     /// It counts only while another field of its form has this number.
     pub const fn only_with(mut self, key: &'static str, number: i32) -> Self {
         self.when = Some((key, number));
+        self
+    }
+
+    /// Seen so where no dimension of its own is drawn.
+    pub const fn seen(mut self, seen: Seen) -> Self {
+        self.seen = Some(seen);
         self
     }
 

@@ -16,7 +16,7 @@ pub use value::Value;
 
 pub(crate) use checker::{Checker, Section};
 pub(crate) use field::form;
-pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
+pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Seen, Shown, SubForm, Values};
 
 /// Takes the checked value of `field` out of a section.
 pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {

@@ -4,7 +4,7 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Corner, CornerAngle, Dimensions, Shape, field, words};
-use crate::form::{Field, Section, form};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::{MAX_TOUCHES, Subject};
 
@@ -50,7 +50,7 @@ form! {
     /// The form of type 14.
     pub struct Form {
         /// The corner, at the level of the touches.
-        origin: Vec3 = Field::point("origin", "Corner at touch level").group("Place"),
+        origin: Vec3 = field::origin("Corner at touch level"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, in the material.

@@ -39,9 +39,9 @@ form! {
     /// The form of type 2.
     pub struct Form {
         /// The touch point, on the surface.
-        origin: Vec3 = Field::point("origin", "Touch point").group("Place"),
+        origin: Vec3 = field::origin("Touch point"),
         /// Where the target vector points in the plane; counter-clockwise positive.
-        rotation: f64 = Field::angle("rotation", "Rotation", 0.0).group("Place"),
+        rotation: f64 = field::rotation(),
         /// How steeply the target vector points up from the plane: 90 is a top side, 0 a wall.
         elevation: f64 = Field::angle("elevation", "Elevation", 90.0).range(0.0, 90.0).group("Place"),
         /// From the surface to the ball centre where the touch begins.

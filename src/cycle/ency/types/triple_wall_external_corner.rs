@@ -4,7 +4,7 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, CornerAngle, Dimensions, Outside, Shape, Triple, field, words};
-use crate::form::{Field, Section, form};
+use crate::form::{Section, Seen, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -45,7 +45,7 @@ form! {
     /// The form of type 16.
     pub struct Form {
         /// The corner, on the top side.
-        origin: Vec3 = Field::point("origin", "Corner on the top side").group("Place"),
+        origin: Vec3 = field::origin("Corner on the top side"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, in the material.
@@ -57,7 +57,7 @@ form! {
         /// From wall 2 to the ball centre where its touch begins.
         clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
         /// From the top side to the ball centre where its touch begins, and where the ball crosses.
-        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]"),
+        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]").seen(Seen::Upright),
         /// From the corner along wall 1 to its touch.
         distance1: f64 = field::distance("distance1", "Distance 1", 15.0),
         /// From the corner along wall 2 to its touch.

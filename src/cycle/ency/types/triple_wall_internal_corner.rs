@@ -4,7 +4,7 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, CornerAngle, Dimensions, Shape, Triple, field, words};
-use crate::form::{Field, Section, form};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -42,7 +42,7 @@ form! {
     /// The form of type 15.
     pub struct Form {
         /// The corner, where the walls meet the floor.
-        origin: Vec3 = Field::point("origin", "Corner on the floor").group("Place"),
+        origin: Vec3 = field::origin("Corner on the floor"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, inside the corner.

@@ -4,7 +4,7 @@
 
 use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Dimensions, Pairs, Shape, Side, field, words};
-use crate::form::{Section, form};
+use crate::form::{Section, Seen, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -56,7 +56,7 @@ form! {
         /// From the wall to the ball centre where the left and the right touch begin.
         side_clearance: f64 = field::clearance("sideClearance", "Side clearance", 8.0, "CmdPrm.Flt[-56]"),
         /// From the top side to the ball centre where the middle touch begins, and where the ball crosses.
-        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]"),
+        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]").seen(Seen::Upright),
         feed_distance: f64 = field::feed_distance(),
         compensate_dimensions: bool = field::compensate(),
         sub_code: i32 = field::sub_code(),
