@@ -17,27 +17,11 @@ pub static DEF: CycleDef = CycleDef {
     most_touches: MAX_TOUCHES,
     fields: RoundProtected::FIELDS,
     place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
-    steps: &[
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the centre, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 once more for each touch point that is left",
-        words::LIFT,
-    ],
-    readings: &[
-        words::HEIGHTS,
-        words::NORMAL,
-        words::FEEDS,
-        words::COMPENSATION,
-        words::AS_MANY,
-        words::RECTANGULAR,
-        words::ANGULAR,
-        words::VARIANT,
-        words::CIRCLE,
-    ],
+    ),
+    readings: words::ROUND_PROTECTED,
     read: |def, section| ency::read(def, section, "boss probing", dimensions),
     ..ency::BASE
 };

@@ -17,16 +17,10 @@ pub static DEF: CycleDef = CycleDef {
     most_touches: 2,
     fields: PairProtected::FIELDS,
     place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
-    steps: &[
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: the middle, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 for the second touch point",
-        words::LIFT,
-    ],
+    ),
     readings: &[
         words::HEIGHTS,
         words::NORMAL,

@@ -18,13 +18,7 @@ pub static DEF: CycleDef = CycleDef {
     most_touches: 4,
     fields: Form::FIELDS,
     place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
-    steps: &[
-        "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
-        "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
-        "Touch, and back to the centre, once for each touch point",
-        "With the top clearance checked: up by top clearance and depth",
-        "Up to the feed distance",
-    ],
+    steps: words::FROM_CENTRE,
     readings: &[
         words::HEIGHTS,
         words::NORMAL,

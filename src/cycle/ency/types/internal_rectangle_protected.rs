@@ -17,16 +17,10 @@ pub static DEF: CycleDef = CycleDef {
     most_touches: 4,
     fields: RectangleProtected::FIELDS,
     place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
-    steps: &[
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 three times more, once for each touch point that is left",
-        words::LIFT,
-    ],
+    ),
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
