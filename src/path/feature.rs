@@ -132,9 +132,9 @@ pub struct Corner {
 pub struct Touched {
     /// From the wall to the ball centre where a touch begins.
     pub clearance: &'static str,
-    /// From touch to touch; none where there is one only.
+    /// From touch to touch, where there are two.
     pub step: Option<&'static str>,
-    /// From the corner to the first touch; none where that is the foot of the start.
+    /// From the corner to the first touch, of a corner from outside: else that is the foot of the start.
     pub distance: Option<&'static str>,
 }
 

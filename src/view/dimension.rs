@@ -186,7 +186,7 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
         if let (Some((_, next)), Some(field)) = (touches.next(), wall.step) {
             all.push(beside(field, first.point, next.point, false));
         }
-        if let Some(field) = wall.distance {
+        if let Some(field) = wall.distance.filter(|_| corner.outside) {
             all.push(beside(field, origin + w * (first.point - origin).dot(w), first.point, true));
         }
     }

@@ -12,6 +12,15 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Entry, Feature, Feed, Setup, Surface, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
+/// The field of the angle.
+pub const ANGLE: &str = "cycle.angle";
+
+/// The fields of the two walls.
+pub const WALLS: [Touched; 2] = [
+    Touched { clearance: "cycle.clearance1", step: Some("cycle.step1"), distance: Some("cycle.distance1") },
+    Touched { clearance: "cycle.clearance2", step: Some("cycle.step2"), distance: Some("cycle.distance2") },
+];
+
 /// The angle between two walls: inside an internal corner, in the material of an external one.
 #[derive(Clone, Copy, Debug)]
 pub struct CornerAngle {
@@ -128,7 +137,7 @@ pub fn sides_rule(internal: bool, firsts: &[(usize, Pick)], checker: &mut Checke
 
 impl Corner {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
-        let mut sizes = vec![("cycle.angle", &mut self.angle.degrees)];
+        let mut sizes = vec![(ANGLE, &mut self.angle.degrees)];
         if let Some([first, second]) = &mut self.distances {
             sizes.extend([("cycle.distance1", first), ("cycle.distance2", second)]);
         }
@@ -362,17 +371,8 @@ impl Probed for Corner {
     }
 
     fn feature(&self) -> Feature {
-        let distance = |field| self.distances.map(|_| field);
-        let touched = |clearance, step, field| Touched { clearance, step: Some(step), distance: distance(field) };
-        Feature::Corner(path::Corner {
-            outside: !self.internal,
-            angle: Entry { field: "cycle.angle", value: self.angle.degrees },
-            walls: vec![
-                touched("cycle.clearance1", "cycle.step1", "cycle.distance1"),
-                touched("cycle.clearance2", "cycle.step2", "cycle.distance2"),
-            ],
-            top: None,
-        })
+        let angle = Entry { field: ANGLE, value: self.angle.degrees };
+        Feature::Corner(path::Corner { outside: !self.internal, angle, walls: WALLS.to_vec(), top: None })
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

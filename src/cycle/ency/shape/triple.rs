@@ -1,7 +1,7 @@
 //! Corners of three walls, each touched once: a plane each, in any direction of space.
 
 use crate::cycle::ency::picks::{self, NEAR, Pick};
-use crate::cycle::ency::shape::corner::{self, CornerAngle, sides_rule};
+use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
 use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
@@ -33,7 +33,7 @@ pub struct Outside {
 
 impl Triple {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
-        let mut sizes = vec![("cycle.angle", &mut self.angle.degrees)];
+        let mut sizes = vec![(ANGLE, &mut self.angle.degrees)];
         if let Some(Outside { depth, distances: [first, second], inwards: [top1, top2] }) = &mut self.outside {
             let outside = [
                 ("cycle.depth", depth),
@@ -275,21 +275,16 @@ impl Probed for Triple {
     }
 
     fn feature(&self) -> Feature {
-        let outside = |field| self.outside.map(|_| field);
-        let touched = |clearance, distance| Touched { clearance, step: None, distance };
-        let mut walls = vec![
-            touched("cycle.clearance1", outside("cycle.distance1")),
-            touched("cycle.clearance2", outside("cycle.distance2")),
-        ];
+        let mut walls = WALLS.to_vec();
         if self.internal() {
-            walls.push(touched("cycle.clearance3", None));
+            walls.push(Touched { clearance: "cycle.clearance3", step: None, distance: None });
         }
         let top = self.outside.map(|_| Top {
             depth: "cycle.depth",
             clearance: "cycle.topClearance",
             inwards: ["cycle.topDistance1", "cycle.topDistance2"],
         });
-        let angle = Entry { field: "cycle.angle", value: self.angle.degrees };
+        let angle = Entry { field: ANGLE, value: self.angle.degrees };
         Feature::Corner(Corner { outside: !self.internal(), angle, walls, top })
     }
 
