@@ -51,8 +51,6 @@ pub struct CycleDef {
     pub number: Option<i32>,
     /// The most touches it can have.
     pub most_touches: usize,
-    /// Page of the manual.
-    pub doc: &'static str,
     /// Its form.
     pub fields: &'static [Field],
     /// Forms inside its form.
@@ -67,7 +65,14 @@ pub struct CycleDef {
     /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
     pub place: Option<PlaceBy>,
     /// Reads the form.
-    pub read: fn(&mut Section<'_, '_>) -> Box<dyn Cycle>,
+    pub read: fn(&'static CycleDef, &mut Section<'_, '_>) -> Box<dyn Cycle>,
+}
+
+impl CycleDef {
+    /// Its page of the manual.
+    pub fn doc(&self) -> String {
+        format!("docs/cycles/{}.md", self.key)
+    }
 }
 
 /// Reads a loose form and says where picked touches put the feature, and which touches its dimensions give there; none where they do

@@ -55,7 +55,7 @@ pub struct CycleEntry {
     /// Whether it has feeds and a search length of its own.
     pub own_feeds: bool,
     /// Page of the manual.
-    pub doc: &'static str,
+    pub doc: String,
     /// Its form.
     pub fields: Vec<FieldEntry>,
     /// Forms inside its form.
@@ -262,7 +262,7 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         touches: def.place.is_some(),
         max_touches: def.most_touches,
         own_feeds: def.own_feeds,
-        doc: def.doc,
+        doc: def.doc(),
         fields: entries(def.fields),
         sections: def
             .sections

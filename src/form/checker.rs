@@ -324,12 +324,6 @@ impl Checked for Option<f64> {
     fn shown(&self) -> Shown {
         self.map_or(Shown::Nothing, Shown::Number)
     }
-
-    fn put(&mut self, value: Shown) {
-        if let Shown::Number(x) = value {
-            *self = Some(x);
-        }
-    }
 }
 
 impl Checked for f64 {
@@ -340,12 +334,6 @@ impl Checked for f64 {
 
     fn shown(&self) -> Shown {
         Shown::Number(*self)
-    }
-
-    fn put(&mut self, value: Shown) {
-        if let Shown::Number(x) = value {
-            *self = x;
-        }
     }
 }
 
@@ -467,16 +455,6 @@ impl Checked for Vec3 {
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
-        }
-    }
-
-    fn shown(&self) -> Shown {
-        Shown::Point(*self)
-    }
-
-    fn put(&mut self, value: Shown) {
-        if let Shown::Point(point) = value {
-            *self = point;
         }
     }
 }

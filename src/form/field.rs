@@ -1,7 +1,6 @@
 //! A field of a form, declared once.
 
 use crate::form::Section;
-use crate::geom::Vec3;
 
 /// One field: everything a form, a check, a table and a manual need to know about it.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +31,20 @@ pub struct Field {
     pub size: bool,
     /// The other field of its form, and the number that this must have for the field to count at all.
     pub when: Option<(&'static str, i32)>,
+    /// Which view shows what it gives, where no dimension of its own does.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the page looks for the view"))]
+    pub seen: Option<Seen>,
+}
+
+/// In which view of a part a value is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Seen {
+    /// A turn about the tool axis, or a way in any direction of the plane: from the top.
+    Turning,
+    /// A height: where the tool axis is seen in its true length.
+    Upright,
+    /// A place: each coordinate where its axis is seen in its true length.
+    Placed,
 }
 
 /// What kind of value a field takes, and with it the unit.
@@ -158,6 +171,7 @@ impl Field {
             group: "",
             size: false,
             when: None,
+            seen: None,
         }
     }
 
@@ -309,6 +323,12 @@ impl Field {
         self
     }
 
+    /// Seen so where no dimension of its own is drawn.
+    pub const fn seen(mut self, seen: Seen) -> Self {
+        self.seen = Some(seen);
+        self
+    }
+
     /// A size that the virtual part may change.
     pub const fn size(mut self) -> Self {
         self.size = true;
@@ -326,9 +346,6 @@ pub trait Checked: Sized {
     fn shown(&self) -> Shown {
         Shown::Nothing
     }
-
-    /// Takes another value, where it is of this type.
-    fn put(&mut self, _value: Shown) {}
 }
 
 /// A checked value, whatever field it is of.
@@ -340,9 +357,7 @@ pub enum Shown {
     Whole(i32),
     /// True or false.
     Flag(bool),
-    /// A point, mm.
-    Point(Vec3),
-    /// Null, or text.
+    /// Null, a point or text.
     Nothing,
 }
 
@@ -350,25 +365,6 @@ pub enum Shown {
 pub trait Values {
     /// Each field with its value, in the order of the form.
     fn values(&self) -> Vec<(&'static Field, Shown)>;
-
-    /// Gives the field with this key another value; nothing happens where there is none.
-    fn put(&mut self, key: &str, value: Shown);
-
-    /// The number under a key.
-    fn number(&self, key: &str) -> Option<f64> {
-        self.values().into_iter().find_map(|(field, value)| match value {
-            Shown::Number(x) if field.key == key => Some(x),
-            _ => None,
-        })
-    }
-
-    /// The point under a key.
-    fn point(&self, key: &str) -> Option<Vec3> {
-        self.values().into_iter().find_map(|(field, value)| match value {
-            Shown::Point(point) if field.key == key => Some(point),
-            _ => None,
-        })
-    }
 }
 
 /// Declares a form: a struct of checked values, its list of fields, and how it is read. Doc comments are the help texts.
@@ -397,13 +393,6 @@ macro_rules! form {
             fn values(&self) -> Vec<(&'static $crate::form::Field, $crate::form::Shown)> {
                 let mut fields = Self::FIELDS.iter();
                 vec![$((fields.next().expect("one field for each member"), $crate::form::shown(&self.$key)),)*]
-            }
-
-            fn put(&mut self, key: &str, value: $crate::form::Shown) {
-                let mut fields = Self::FIELDS.iter();
-                $(if fields.next().is_some_and(|f| f.key == key) {
-                    $crate::form::put(&mut self.$key, value);
-                })*
             }
         }
     };

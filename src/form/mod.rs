@@ -16,7 +16,7 @@ pub use value::Value;
 
 pub(crate) use checker::{Checker, Section};
 pub(crate) use field::form;
-pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Shown, SubForm, Values};
+pub(crate) use field::{Choice, Code, Default, Field, Kind, Range, Seen, Shown, SubForm, Values};
 
 /// Takes the checked value of `field` out of a section.
 pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'static Field) -> T {
@@ -26,11 +26,6 @@ pub(crate) fn take<T: field::Checked>(section: &mut Section<'_, '_>, field: &'st
 /// A checked value as a plain one.
 pub(crate) fn shown<T: field::Checked>(value: &T) -> Shown {
     value.shown()
-}
-
-/// Gives a checked value another.
-pub(crate) fn put<T: field::Checked>(place: &mut T, value: Shown) {
-    place.put(value);
 }
 
 /// A doc comment without the space that starts it.

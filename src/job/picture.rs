@@ -1,6 +1,7 @@
 //! What is drawn of a planned job: its scene, and what is written in it.
 
-use crate::form::Value;
+use crate::form::{Seen, Value};
+use crate::geom::Vec3;
 use crate::job::{JobError, Planned, plan_with_path};
 use crate::num::decimal;
 use crate::view::scene::{self, Actual, Projection, Scene};
@@ -36,10 +37,6 @@ impl Planned {
         let mut scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
         scene.unit = Some(job.scale);
         scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
-        // A feature of the same kind can be of a cycle that has no such field.
-        let has = |path: &str| job.def.fields.iter().any(|field| path.strip_prefix("cycle.") == Some(field.key));
-        scene.dimensions.retain(|dimension| has(dimension.field));
-        scene.angles.retain(|angle| has(angle.field));
         let names = self.names(&scene, |_| None);
         scene.name(&names);
         Picture {
@@ -48,6 +45,27 @@ impl Planned {
             deviates: !job.lie.nominal,
             scene,
         }
+    }
+
+    /// Whether a view shows a field's dimension or angle in true size, or the place, height or turn that it gives.
+    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the page looks for the view"))]
+    pub fn shows(&self, field: &str, view: Projection) -> bool {
+        let (path, plane) = (&self.path, self.job.setup.plane);
+        // Of a point `cycle.origin[0]` and so on.
+        let (whole, axis) = field.strip_suffix(']').and_then(|field| field.split_once('[')).unwrap_or((field, ""));
+        let whole = whole.strip_prefix("cycle.").and_then(|key| self.job.def.fields.iter().find(|field| field.key == key));
+        let flat = |along: Vec3| {
+            let [x, y] = view.spot(plane, along);
+            x.hypot(y) > 0.999
+        };
+        let seen = match whole.and_then(|field| field.seen) {
+            Some(Seen::Turning) => view == Projection::Top,
+            Some(Seen::Upright) => flat(path.frame.w),
+            Some(Seen::Placed) => Vec3::AXES.into_iter().zip(["0", "1", "2"]).any(|(along, name)| name == axis && flat(along)),
+            None => false,
+        };
+        seen || scene::drawn(path, plane, view).iter().any(|dimension| dimension.field == field)
+            || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
     }
 
     /// What each dimension and angle is called, by its field's path: its label, the form's where `label` has no other, and its value in the job's

@@ -70,7 +70,7 @@ impl Planned {
 /// What the whole path must hold, whatever cycle it is of.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     for (k, fault) in path.touch_faults(job.setup.radius) {
-        let field = if path.feature.picked() { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
+        let field = if path.picked { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
         let n = k + 1;
         let (code, message) = match fault {
             TouchFault::Missing => {
@@ -129,7 +129,7 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
             far
         )
     };
-    let field = if path.feature.picked() { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
+    let field = if path.picked { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
     checker.warning("touch-close", field, message);
 }
 

@@ -461,7 +461,7 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
     let touches = def.place.is_some().then_some("touches").into_iter().chain(own);
     let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).chain(touches).collect();
     section.only(def.fields, &others);
-    let cycle = (def.read)(&mut section);
+    let cycle = (def.read)(def, &mut section);
     Some((def, cycle))
 }
 

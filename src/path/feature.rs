@@ -44,100 +44,116 @@ pub enum Subject {
     TwoCircles,
 }
 
-/// What is probed, with its dimensions: lengths in mm, angles in degrees. Its frame stands in [`crate::path::Path::frame`].
+/// What is probed, with the dimensions that it has, and the job's fields that say them. Its frame stands in [`crate::path::Path::frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Nothing.
     Still,
     /// A point of a surface.
-    Surface {
-        /// Whether its touch was picked, and does not follow from the dimensions.
-        picked: bool,
-    },
-    /// A hole.
-    Hole(Bore),
-    /// A boss.
-    Boss(Bore),
-    /// A rectangle from inside.
-    Pocket(Rectangle),
-    /// A rectangle from outside.
-    Block(Rectangle),
-    /// Two walls that face outwards.
-    Web(Pair),
-    /// Two walls that face each other.
-    Groove(Pair),
-    /// A corner of two walls.
+    Surface(Point),
+    /// A hole or a boss.
+    Bore(Bore),
+    /// One or two pairs of opposite walls.
+    Pairs(Pairs),
+    /// A corner of two or three walls.
     Corner(Corner),
-    /// A corner of three surfaces.
-    Triple(Corner),
     /// Two holes or studs.
     TwoCircles(Box<TwoCircles>),
 }
 
-/// How each touch is entered from above.
+/// A dimension, and the path of the job's field that says it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Protection {
-    /// How far above the top side the ball crosses.
-    pub top: f64,
-    /// From the wall to the ball centre where a touch begins: of the first pair of walls, and of the second. A single one is in both.
-    pub sides: [f64; 2],
+pub struct Entry {
+    /// Such as `cycle.width1`.
+    pub field: &'static str,
+    /// mm; of an angle degrees.
+    pub value: f64,
+}
+
+/// A point of a surface, by the fields that say how it is touched: the path has the values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// From the surface to the ball centre where the touch begins.
+    pub clearance: &'static str,
+    /// How steeply the target vector points up from the plane.
+    pub elevation: &'static str,
 }
 
 /// A circle about the tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bore {
     /// Its diameter.
-    pub diameter: f64,
+    pub diameter: Entry,
     /// From the top side down to the touches.
-    pub depth: f64,
-    /// None where touches begin in the middle.
-    pub protected: Option<Protection>,
-    /// Whether its touches were picked one by one, and do not follow from the dimensions.
-    pub picked: bool,
+    pub depth: Entry,
+    /// From the wall to the ball centre where a touch begins; none where touches begin in the middle.
+    pub clearance: Option<Entry>,
+    /// How far above the top side the ball crosses; none where it does not.
+    pub crossing: Option<Entry>,
 }
 
-/// Two pairs of walls, square to each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rectangle {
-    /// Along the first direction of the frame, and along the second.
-    pub widths: [f64; 2],
+/// Opposite walls: one pair, square to the first direction of the frame, or two, square to each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pairs {
+    /// Whether the material lies around it.
+    pub internal: bool,
+    /// Each pair.
+    pub sides: Vec<Side>,
     /// From the top side down to the touches.
-    pub depth: f64,
-    /// None where touches begin in the middle.
-    pub protected: Option<Protection>,
-    /// Whether its touches were picked one by one, and do not follow from the dimensions.
-    pub picked: bool,
+    pub depth: Entry,
+    /// How far above the top side the ball crosses; none where it does not, or where another field says it.
+    pub crossing: Option<Entry>,
 }
 
-/// Two opposite walls, square to the first direction of the frame.
+/// Two opposite walls.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair {
+pub struct Side {
     /// From wall to wall.
-    pub width: f64,
-    /// From the top side down to the touches.
-    pub depth: f64,
-    /// None where touches begin in the middle.
-    pub protected: Option<Protection>,
-    /// Whether the middle of the top is touched, too.
-    pub top_touched: bool,
-    /// Whether its touches were picked one by one, and do not follow from the dimensions.
-    pub picked: bool,
+    pub width: Entry,
+    /// From the wall to the ball centre where a touch begins; none where touches begin in the middle.
+    pub clearance: Option<Entry>,
 }
 
 /// Walls that meet.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Corner {
     /// Whether it is touched from outside.
     pub outside: bool,
-    /// Between the walls.
-    pub angle: f64,
-    /// Whether its touches were picked one by one, and do not follow from the dimensions.
-    pub picked: bool,
+    /// Between the first two walls.
+    pub angle: Entry,
+    /// The walls, but for a top side.
+    pub walls: Vec<Touched>,
+    /// The top side, where it is touched, too.
+    pub top: Option<Top>,
+}
+
+/// A wall of a corner, by the fields that say where it is touched: the path has the values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touched {
+    /// From the wall to the ball centre where a touch begins.
+    pub clearance: &'static str,
+    /// From touch to touch, where there are two.
+    pub step: Option<&'static str>,
+    /// From the corner to the first touch, of a corner from outside: else that is the foot of the start.
+    pub distance: Option<&'static str>,
+}
+
+/// The top side of a corner, by the fields that say where it is touched: the path has the values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Top {
+    /// From the top side down to the touches of the walls.
+    pub depth: &'static str,
+    /// From the top side to the ball centre where its touch begins.
+    pub clearance: &'static str,
+    /// From each of the two walls inwards to its touch.
+    pub inwards: [&'static str; 2],
 }
 
 /// Two holes or studs, and the control's own way to probe them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TwoCircles {
+    /// The fields that say the two diameters.
+    pub diameters: [&'static str; 2],
     /// The line between the two nominal centres, where both are known.
     pub line: Option<[Vec3; 2]>,
     /// How the touches are spread over the first circle.
@@ -183,18 +199,6 @@ pub struct Spread {
 }
 
 impl Feature {
-    /// Whether the touches were picked one by one, and do not follow from the dimensions.
-    pub fn picked(&self) -> bool {
-        match self {
-            Feature::Hole(bore) | Feature::Boss(bore) => bore.picked,
-            Feature::Pocket(rectangle) | Feature::Block(rectangle) => rectangle.picked,
-            Feature::Web(pair) | Feature::Groove(pair) => pair.picked,
-            Feature::Corner(corner) | Feature::Triple(corner) => corner.picked,
-            Feature::Surface { picked } => *picked,
-            Feature::Still | Feature::TwoCircles(_) => false,
-        }
-    }
-
     /// The two circles, where that is what is probed.
     pub fn two_circles(&self) -> Option<&TwoCircles> {
         match self {

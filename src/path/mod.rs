@@ -8,7 +8,7 @@ mod parameter;
 mod surface;
 mod tracer;
 
-pub use feature::{Bore, Corner, Feature, Pair, Protection, Rectangle, Setting, Spread, Subject, TwoCircles};
+pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
@@ -198,6 +198,10 @@ pub struct Path {
     pub formula: Formula,
     /// What is probed.
     pub feature: Feature,
+    /// Whether the touches were picked one by one, and do not follow from the dimensions.
+    pub picked: bool,
+    /// The field that says how far the last move lifts; none where the cycle ends otherwise.
+    pub lift: Option<&'static str>,
 }
 
 /// What is wrong with a touch of a path.

@@ -27,6 +27,34 @@ fn metric() -> impl Iterator<Item = (String, Value)> {
     jobs().into_iter().filter(|(_, job)| !matches!(job.get("units"), Some(Value::Text(units)) if units == "inch"))
 }
 
+/// Of a hole in G17: what its fields give, and in which of top, front and side that is seen.
+#[test]
+fn a_turn_is_seen_from_the_top_and_a_height_from_aside() {
+    let planned = job::planned(&of("hole")).expect("the job is sound");
+    for (field, seen) in [
+        ("cycle.rotation", [true, false, false]),
+        ("cycle.startAngle", [true, false, false]),
+        ("cycle.diameter", [true, true, false]),
+        ("cycle.topClearance", [false, true, true]),
+        ("cycle.feedDistance", [false, true, true]),
+        ("cycle.origin[0]", [true, true, false]),
+        ("cycle.origin[1]", [true, false, true]),
+        ("cycle.origin[2]", [false, true, true]),
+        ("cycle.origin", [false; 3]),
+        ("cycle.origin[3]", [false; 3]),
+        ("cycle.subCode", [false; 3]),
+        ("cycle.clearanceHeight", [false; 3]),
+        ("feeds.work", [false; 3]),
+        ("", [false; 3]),
+    ] {
+        assert_eq!(
+            [Projection::Top, Projection::Front, Projection::Side].map(|view| planned.shows(field, view)),
+            seen,
+            "{field}"
+        );
+    }
+}
+
 #[test]
 fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
     let mut seen = 0;

@@ -9,7 +9,7 @@ use std::ops::Range;
 use crate::control::Request;
 use crate::control::iso::writer::Writer;
 use crate::form::Checker;
-use crate::path::{self, Feature};
+use crate::path::{Entry, Feature};
 use crate::text::{text, words};
 
 /// The shortest measuring path that CYCLE977 is called with, mm.
@@ -18,6 +18,8 @@ const SHORTEST_PATH: f64 = 0.1;
 /// What CYCLE977 needs of an internal rectangle, mm.
 struct Rectangle {
     widths: [f64; 2],
+    /// From the walls to the ball centre where touches begin.
+    clearances: [Entry; 2],
     /// Measuring path: how far before and behind the nominal contact it searches.
     path: f64,
     /// Protection zone along abscissa and ordinate.
@@ -29,13 +31,20 @@ struct Rectangle {
 impl Rectangle {
     /// None where something else is probed.
     fn of(request: &Request<'_>) -> Option<Self> {
-        let Feature::Pocket(path::Rectangle { widths, depth, protected: Some(protection), .. }) = request.path.feature else {
-            return None;
-        };
+        let Feature::Pairs(pairs) = &request.path.feature else { return None };
+        let ([one, two], Some(crossing), true) = (pairs.sides.as_slice(), pairs.crossing, pairs.internal) else { return None };
+        let clearances = [one.clearance?, two.clearance?];
+        let widths = [one.width.value, two.width.value];
         let radius = request.setup.radius;
         // The zone is as large as the ball leaves free where it goes down.
-        let zone = [0, 1].map(|i| widths[i] - 2.0 * (protection.sides[i] + radius));
-        Some(Rectangle { widths, path: protection.sides[0] - radius, zone, infeed: depth + protection.top })
+        let zone = [0, 1].map(|i| widths[i] - 2.0 * (clearances[i].value + radius));
+        Some(Rectangle {
+            widths,
+            clearances,
+            path: clearances[0].value - radius,
+            zone,
+            infeed: pairs.depth.value + crossing.value,
+        })
     }
 }
 
@@ -48,7 +57,7 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
         let message = text!("The program calls CYCLE977 without a rotation, and this rectangle is turned{advice}", advice);
         checker.error("cycle-not-parallel", "cycle.rotation", message);
     }
-    if request.path.feature.picked() {
+    if request.path.picked {
         let message = text!("CYCLE977 chooses its own touch points{advice}", advice);
         checker.error("cycle-chooses-points", "cycle.touches", message);
     }
@@ -66,18 +75,18 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
             checker.length(SHORTEST_PATH),
             advice
         );
-        checker.error("cycle-path-short", "cycle.sideClearance1", message);
+        checker.error("cycle-path-short", rectangle.clearances[0].field, message);
     }
     let clearances = rectangle.widths.iter().zip(rectangle.zone).map(|(w, z)| (w - z) / 2.0).collect::<Vec<f64>>();
     if (clearances[0] - clearances[1]).abs() > 1e-9 {
         let message =
             text!("CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}", advice);
-        checker.error("cycle-one-path", "cycle.sideClearance2", message);
+        checker.error("cycle-one-path", rectangle.clearances[1].field, message);
     }
-    for (i, path) in ["cycle.sideClearance1", "cycle.sideClearance2"].into_iter().enumerate() {
-        if rectangle.zone[i] <= 0.0 {
+    for (clearance, zone) in rectangle.clearances.into_iter().zip(rectangle.zone) {
+        if zone <= 0.0 {
             let message = text!("The points where the ball goes down leave no room for a protection zone{advice}", advice);
-            checker.error("cycle-no-zone", path, message);
+            checker.error("cycle-no-zone", clearance.field, message);
         }
     }
     let message = text!(

@@ -1,14 +1,19 @@
 //! Fields that several cycles of the family have.
 
-use crate::form::{Code, Field, form};
+use crate::form::{Code, Field, Seen, form};
 use crate::text::words;
 
 /// The smallest size, step or clearance, mm: less would be lost in a program's last decimals.
 const SMALLEST: f64 = 0.001;
 
+/// Where a feature is.
+pub const fn origin(label: &'static str) -> Field {
+    Field::point("origin", label).group("Place").seen(Seen::Placed)
+}
+
 /// Where a feature with a top side is.
 pub const fn top_centre() -> Field {
-    Field::point("origin", "Centre on the top side").help("Centre of the feature, on its top side.").group("Place")
+    origin("Centre on the top side").help("Centre of the feature, on its top side.")
 }
 
 /// How the feature is turned.
@@ -16,6 +21,7 @@ pub const fn rotation() -> Field {
     Field::angle("rotation", "Rotation", 0.0)
         .help("How the feature is turned about the tool axis; counter-clockwise positive.")
         .group("Place")
+        .seen(Seen::Turning)
 }
 
 /// A width between two touch points.
@@ -42,6 +48,7 @@ pub const fn depth() -> Field {
         .usual(0.5, 200.0)
         .code("CmdPrm.Flt[-51]")
         .group("Size")
+        .seen(Seen::Upright)
 }
 
 /// How high the ball crosses.
@@ -52,6 +59,7 @@ pub const fn top_clearance() -> Field {
         .usual(1.0, 200.0)
         .code("CmdPrm.Flt[-55]")
         .group("Clearances")
+        .seen(Seen::Upright)
 }
 
 /// From how high the ball goes in, where it goes in from above at all.
@@ -63,6 +71,7 @@ pub const fn entry_clearance() -> Field {
         .null_means("not checked")
         .code("CmdPrm.Flt[-55]")
         .group("Clearances")
+        .seen(Seen::Upright)
 }
 
 /// A clearance from a wall to the ball centre where a touch begins.
@@ -78,6 +87,7 @@ pub const fn feed_distance() -> Field {
         .usual(1.0, 500.0)
         .code("CmdPrm.Flt[-50]")
         .group("Clearances")
+        .seen(Seen::Upright)
 }
 
 /// Whether the points of the table are ball-centre positions.
@@ -135,6 +145,7 @@ pub const fn start_angle() -> Field {
         .code("CmdPrm.Flt[-60]")
         .only_with("variant", ANGULAR)
         .group("Touches")
+        .seen(Seen::Turning)
 }
 
 /// From touch to touch in the angular variant.
@@ -144,6 +155,7 @@ pub const fn angular_step() -> Field {
         .code("CmdPrm.Flt[-61]")
         .only_with("variant", ANGULAR)
         .group("Touches")
+        .seen(Seen::Turning)
 }
 
 /// How many touches the angular variant has.

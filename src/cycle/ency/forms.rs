@@ -1,6 +1,6 @@
 //! Forms that two cycles share: what is probed from inside, and the same from outside.
 
-use crate::cycle::ency::{Circle, Pairs, Shape, Side, Variant, field};
+use crate::cycle::ency::{Circle, Dimensions, Pairs, Shape, Side, Variant, field};
 use crate::form::form;
 use crate::geom::Vec3;
 
@@ -25,20 +25,17 @@ form! {
 }
 
 impl RoundProtected {
-    /// What it makes; `internal` is whether the material lies around it.
-    pub fn shape(&self, internal: bool) -> Box<dyn Shape> {
-        let variant = match self.variant {
-            0 => Variant::Rectangular,
-            _ => Variant::Angular { start: self.start_angle, step: self.angular_step, count: self.step_count.max(1) as usize },
-        };
-        Box::new(Circle {
+    /// What it says of the feature; `internal` is whether the material lies around it.
+    pub fn dimensions(&self, internal: bool) -> Dimensions {
+        let shape = Shape::Circle(Circle {
             internal,
             diameter: self.diameter,
-            variant,
+            variant: Variant::of(self.variant, self.start_angle, self.angular_step, self.step_count),
             depth: self.depth,
             top: Some(self.top_clearance),
             clearance: Some(self.side_clearance),
-        })
+        });
+        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
     }
 }
 
@@ -64,19 +61,19 @@ form! {
 }
 
 impl RectangleProtected {
-    /// What it makes; `internal` is whether the material lies around it.
-    pub fn shape(&self, internal: bool) -> Box<dyn Shape> {
-        let side = |key: (&'static str, &'static str), width, clearance| Side { width_key: key, width, clearance };
-        Box::new(Pairs {
+    /// What it says of the feature; `internal` is whether the material lies around it.
+    pub fn dimensions(&self, internal: bool) -> Dimensions {
+        let shape = Shape::Pairs(Pairs {
             internal,
             sides: vec![
-                side(("width1", "Width 1"), self.width1, Some(("sideClearance1", "Side clearance 1", self.side_clearance1))),
-                side(("width2", "Width 2"), self.width2, Some(("sideClearance2", "Side clearance 2", self.side_clearance2))),
+                Side { width: self.width1, clearance: Some(self.side_clearance1) },
+                Side { width: self.width2, clearance: Some(self.side_clearance2) },
             ],
             depth: self.depth,
             top: Some(self.top_clearance),
             middle: None,
-        })
+        });
+        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
     }
 }
 
@@ -98,18 +95,15 @@ form! {
 }
 
 impl PairProtected {
-    /// What it makes; `internal` is whether the material lies around it.
-    pub fn shape(&self, internal: bool) -> Box<dyn Shape> {
-        Box::new(Pairs {
+    /// What it says of the feature; `internal` is whether the material lies around it.
+    pub fn dimensions(&self, internal: bool) -> Dimensions {
+        let shape = Shape::Pairs(Pairs {
             internal,
-            sides: vec![Side {
-                width_key: ("width", "Width"),
-                width: self.width,
-                clearance: Some(("sideClearance", "Side clearance", self.side_clearance)),
-            }],
+            sides: vec![Side { width: self.width, clearance: Some(self.side_clearance) }],
             depth: self.depth,
             top: Some(self.top_clearance),
             middle: None,
-        })
+        });
+        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
     }
 }

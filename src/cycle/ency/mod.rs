@@ -1,8 +1,8 @@
 //! What the cycles of the ENCY / SprutCAM family share.
 //!
-//! A cycle of the family is a form ([`Filled`]) and a [`Shape`]: what its dimensions make of it. The shape gives the touches,
-//! walks the documented steps, states the arithmetic of the results, and gives the surfaces. The touches may also be picked one
-//! by one, as in the Job Assignment: then everything follows from them, and the dimensions only fill the parameter table.
+//! A cycle of the family is its [`Dimensions`], of which the most is a [`Shape`]: that gives the touches, walks the documented steps,
+//! states the arithmetic of the results, and gives the surfaces. The touches may also be picked one by one, as in the Job Assignment:
+//! then everything follows from them, and the dimensions only fill the parameter table.
 
 mod custom;
 pub mod field;
@@ -17,188 +17,154 @@ pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use forms::{PairProtected, RectangleProtected, RoundProtected};
 pub use picks::{LONGEST_VECTOR, POINT, Pick, Placement};
-pub use shape::{Circle, Corner, Outside, Pairs, Point, Seated, Shape, Side, Still, Triple, Variant};
+pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, Variant};
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};
 
 use custom::Custom;
+use shape::Seated;
 
 use crate::cycle::{Cycle, CycleDef};
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
-use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Surface, Touch, Tracer};
+use crate::geom::{Plane, Vec3};
+use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer};
 use crate::text::text;
 
 /// The form that every cycle of the family may have besides its own.
 pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
 
-/// A cycle of the family with its form filled in, whichever it is.
-trait Filled {
-    /// Its form.
-    fn form(&self) -> &dyn Values;
+/// The field that says how far above its start a path begins and ends.
+const FEED_DISTANCE: &str = "cycle.feedDistance";
 
-    /// Its form, to be changed.
-    fn form_mut(&mut self) -> &mut dyn Values;
+/// What a cycle of the family is that says nothing of itself: rows of the table, no motion.
+pub const BASE: CycleDef = CycleDef {
+    key: "",
+    title: "",
+    name: "",
+    source: "",
+    probes: Subject::Action,
+    own_feeds: false,
+    number: None,
+    most_touches: 0,
+    fields: &[],
+    sections: &[PROPERTIES],
+    home: ("linuxcnc", "moves"),
+    steps: &[],
+    readings: &[],
+    place: None,
+    read: |def, section| read(def, section, "", |_| Dimensions::default()),
+};
 
-    /// A copy of it.
-    fn copy(&self) -> Box<dyn Filled>;
+/// A form with checked values, and what it says of the feature.
+#[derive(Clone, Default)]
+pub struct Dimensions {
+    /// Each field with its value, for the parameter table.
+    values: Vec<(&'static Field, Shown)>,
+    placed: Placed,
+    /// How far above its start the path begins and ends, mm.
+    feed_distance: f64,
+}
 
-    /// What its dimensions make of it.
-    fn shape(&self) -> Box<dyn Shape>;
+impl Dimensions {
+    /// Those of a form: origin (mm), rotation (degrees) and feed distance (mm) of every cycle that moves, and the shape of its own.
+    pub fn of(form: &dyn Values, (origin, rotation): (Vec3, f64), feed_distance: f64, shape: Shape) -> Self {
+        Dimensions { values: form.values(), placed: Placed { origin, rotation, shape }, feed_distance }
+    }
+
+    /// Those of a form that says of no place.
+    pub fn still(form: &dyn Values) -> Self {
+        Dimensions { values: form.values(), ..Dimensions::default() }
+    }
+
+    fn field(&self, path: &str) -> Option<&'static Field> {
+        let key = key_of(path);
+        self.values.iter().map(|(field, _)| *field).find(|field| field.key == key)
+    }
+}
+
+/// The key in the form that a path of the job ends with.
+fn key_of(path: &str) -> &str {
+    path.strip_prefix("cycle.").unwrap_or(path)
 }
 
 /// A cycle of the family with checked values.
+#[derive(Clone)]
 struct Ency {
     def: &'static CycleDef,
     /// What the source calls it in the parameter table.
     name: &'static str,
-    form: Box<dyn Filled>,
+    form: Dimensions,
     properties: Option<Properties>,
     picks: Option<Vec<Pick>>,
     custom: Vec<Custom>,
-    /// What the actual part's sizes differ by.
-    deltas: Vec<(String, f64)>,
+    /// What the actual part's sizes make; none where they are nominal.
+    actual: Option<Shape>,
 }
 
-impl Clone for Ency {
-    fn clone(&self) -> Self {
-        Ency {
-            def: self.def,
-            name: self.name,
-            form: self.form.copy(),
-            properties: self.properties.clone(),
-            picks: self.picks.clone(),
-            custom: self.custom.clone(),
-            deltas: self.deltas.clone(),
-        }
-    }
-}
-
-/// A form, and the shape it makes.
-#[derive(Clone)]
-struct Made<F> {
-    form: F,
-    shape: fn(&F) -> Box<dyn Shape>,
-}
-
-impl<F: Values + Clone + 'static> Filled for Made<F> {
-    fn form(&self) -> &dyn Values {
-        &self.form
-    }
-
-    fn form_mut(&mut self) -> &mut dyn Values {
-        &mut self.form
-    }
-
-    fn copy(&self) -> Box<dyn Filled> {
-        Box::new(self.clone())
-    }
-
-    fn shape(&self) -> Box<dyn Shape> {
-        (self.shape)(&self.form)
-    }
-}
-
-/// Makes a cycle of a form: what is known of it, what the source calls it in the parameter table, and the shape of its dimensions.
-pub fn read<F: Values + Clone + 'static>(
-    section: &mut Section<'_, '_>,
+/// Makes a cycle of a form: what is known of it, what the source calls it in the parameter table, and how its dimensions are read.
+pub fn read(
     def: &'static CycleDef,
-    name: &'static str,
-    form: F,
-    shape: fn(&F) -> Box<dyn Shape>,
-) -> Box<dyn Cycle> {
-    read_rest(section, def, name, Box::new(Made { form, shape }))
-}
-
-/// Reads what every cycle of the family may have besides its form.
-fn read_rest(
     section: &mut Section<'_, '_>,
-    def: &'static CycleDef,
     name: &'static str,
-    form: Box<dyn Filled>,
+    dimensions: fn(&mut Section<'_, '_>) -> Dimensions,
 ) -> Box<dyn Cycle> {
+    let form = dimensions(section);
     let properties = section.sub(&PROPERTIES, Properties::read);
     let picks = if def.place.is_some() { picks::read(section) } else { None };
     let custom = custom::read(section);
-    Box::new(Ency { def, name, form, properties, picks, custom, deltas: Vec::new() })
+    Box::new(Ency { def, name, form, properties, picks, custom, actual: None })
 }
 
-/// Where picked touches put a cycle, and the touches that its dimensions give there; none where they do not make one.
-pub fn place<F: Values + Clone + 'static>(
-    form: F,
-    shape: fn(&F) -> Box<dyn Shape>,
+/// Where picked touches put a cycle, and the touches that its dimensions give there: those with a code of the source as they are, the others
+/// as the picks have them. None where the picks do not make one.
+pub fn place(
+    section: &mut Section<'_, '_>,
+    dimensions: fn(&mut Section<'_, '_>) -> Dimensions,
     picks: &[Pick],
     plane: Plane,
 ) -> Option<(Placement, Vec<Pick>)> {
-    place_by(Box::new(Made { form, shape }), picks, plane)
-}
-
-fn place_by(mut form: Box<dyn Filled>, picks: &[Pick], plane: Plane) -> Option<(Placement, Vec<Pick>)> {
+    let form = dimensions(section);
+    let mut own = form.placed.shape.clone();
     let mut checker = Checker::default();
-    let shape = form.shape();
-    shape.check(picks, plane, &mut checker);
+    own.check(picks, plane, &mut checker);
     if checker.failed() {
         return None;
     }
-    let placement = shape.place(picks, plane);
-    put_in_place(&mut *form, &placement, false);
-    let frame = Ency::frame(&*form, plane);
-    let touches = form.shape().touches(&frame).into_iter().map(|(point, vector, _)| Pick { point, vector }).collect();
-    Some((placement, touches))
-}
-
-/// Gives a form the place of its picks, and their sizes: all, or those that have no code of the source.
-fn put_in_place(form: &mut dyn Filled, placement: &Placement, coded: bool) {
-    form.form_mut().put("origin", Shown::Point(placement.origin));
-    form.form_mut().put("rotation", Shown::Number(placement.rotation));
-    let fields: Vec<&'static Field> = form.form().values().into_iter().map(|(field, _)| field).collect();
-    for (key, size) in &placement.sizes {
-        if coded || fields.iter().any(|f| f.key == *key && f.code.is_empty()) {
-            form.form_mut().put(key, Shown::Number(*size));
+    let mut placed = own.place(picks, plane);
+    let mut sizes = Vec::new();
+    for ((path, size), (_, own)) in placed.shape.sizes().into_iter().zip(own.sizes()) {
+        sizes.push((key_of(path), *size));
+        if form.field(path).is_some_and(|field| field.code.is_empty()) {
+            *own = *size;
         }
     }
+    placed.shape = own;
+    let touches = placed.shape.touches(&placed.frame(plane));
+    let touches = touches.into_iter().map(|(point, vector, _)| Pick { point, vector }).collect();
+    Some((Placement { origin: placed.origin, rotation: placed.rotation, sizes }, touches))
 }
 
 impl Ency {
-    /// The form as the picks have it.
-    fn placed(&self, plane: Plane) -> Box<dyn Filled> {
-        let mut form = self.form.copy();
-        if let Some(picks) = &self.picks {
-            put_in_place(&mut *form, &self.form.shape().place(picks, plane), true);
-        }
-        form
+    /// The shape in its place, as the picks have both.
+    fn placed(&self, plane: Plane) -> Placed {
+        let placed = &self.form.placed;
+        self.picks.as_ref().map_or_else(|| placed.clone(), |picks| placed.shape.place(picks, plane))
     }
 
-    fn frame(form: &dyn Filled, plane: Plane) -> Frame {
-        let origin = form.form().point("origin");
-        let rotation = form.form().number("rotation").unwrap_or(0.0);
-        Frame::new(plane, origin.unwrap_or(Vec3::ZERO), rotation.to_radians())
-    }
-
-    /// The shape and its touches: nominal, or with the actual part's sizes.
-    fn seat(&self, setup: &Setup) -> (Box<dyn Shape>, Frame, Vec<Touch>) {
+    /// The shape with its touches: nominal, or with the actual part's sizes.
+    fn seat<'s>(&self, setup: &'s Setup) -> (Shape, Seated<'s>) {
         let nominal = self.placed(setup.plane);
-        let mut form = nominal.copy();
-        for (key, delta) in &self.deltas {
-            if let Some(size) = form.form().number(key) {
-                // The angle of a corner whose walls are named the other way round is negative.
-                form.form_mut().put(key, Shown::Number(size + delta * if size < 0.0 { -1.0 } else { 1.0 }));
-            }
-        }
-        let frame = Self::frame(&*form, setup.plane);
-        let shape = form.shape();
+        let frame = nominal.frame(setup.plane);
+        let before = self.picks.as_ref().map(|picks| (picks, nominal.shape.touches(&frame)));
+        let shape = self.actual.clone().unwrap_or(nominal.shape);
         let mut touches = shape.touches(&frame);
-        if let Some(picks) = &self.picks {
+        if let Some((picks, before)) = before {
             // A picked touch goes with its wall: as far as the touch of the dimensions does.
-            let before = nominal.shape().touches(&frame);
-            touches = picks
-                .iter()
-                .zip(touches.iter().zip(&before))
-                .map(|(pick, (now, then))| {
-                    (pick.point + now.0 - then.0, (pick.vector + now.1 - then.1).normalize_or(pick.vector), now.2)
-                })
-                .collect();
+            for ((now, then), pick) in touches.iter_mut().zip(before).zip(picks) {
+                let vector = (pick.vector + now.1 - then.1).normalize_or(pick.vector);
+                *now = (pick.point + now.0 - then.0, vector, now.2);
+            }
         }
         let search = setup.overtravel;
         let touches = touches
@@ -206,13 +172,37 @@ impl Ency {
             .enumerate()
             .map(|(sample, (point, vector, group))| Touch { point, vector, group, search, sample })
             .collect();
-        (shape, frame, touches)
+        (shape, Seated { frame, touches, setup, feed_distance: self.form.feed_distance })
+    }
+
+    /// Reports sizes of the picks that no form may have, or that the form says otherwise.
+    fn compare(&self, placed: &mut Shape, checker: &mut Checker) {
+        let mut given = self.form.placed.shape.clone();
+        for ((path, size), (_, given)) in placed.sizes().into_iter().zip(given.sizes()) {
+            let Some(field) = self.form.field(path) else { continue };
+            if !field.hard.nearly_holds(*size) {
+                let message = text!("The picked touches give {label} a value that it must not have", field.label);
+                checker.error("picks-out-of-range", "cycle.touches", message);
+            } else if (*size - *given).abs() > 1e-3 && !field.code.is_empty() {
+                let shown = |x: f64| match field.kind {
+                    Kind::Angle => format!("{}°", crate::num::decimal(x, 4)),
+                    _ => checker.length(x),
+                };
+                let message = text!(
+                    "{label} is {given} in the form, but {size} between the picked touches: the path follows the touches, the table the form",
+                    field.label,
+                    shown(*given),
+                    shown(*size)
+                );
+                checker.warning("picks-differ", path, message);
+            }
+        }
     }
 }
 
 impl Cycle for Ency {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
-        let shape = self.form.shape();
+        let shape = &self.form.placed.shape;
         let Some(picks) = &self.picks else { return shape.rules(setup, checker) };
         if !checker.sound(&["cycle"]) {
             return;
@@ -221,90 +211,68 @@ impl Cycle for Ency {
         if !checker.sound(&["cycle"]) {
             return;
         }
-        // The sizes the picks give must be ones that a form may have.
-        let placement = shape.place(picks, setup.plane);
-        for (key, size) in &placement.sizes {
-            let Some((field, Shown::Number(given))) = self.form.form().values().into_iter().find(|(f, _)| f.key == *key) else {
-                continue;
-            };
-            if !field.hard.nearly_holds(if *key == "angle" { size.abs() } else { *size }) {
-                let message = text!("The picked touches give {label} a value that it must not have", field.label);
-                checker.error("picks-out-of-range", "cycle.touches", message);
-            } else if (size - given).abs() > 1e-3 && !field.code.is_empty() {
-                let shown = |x: f64| match field.kind {
-                    Kind::Angle => format!("{}°", crate::num::decimal(x, 4)),
-                    _ => checker.length(x),
-                };
-                let message = text!(
-                    "{label} is {given} in the form, but {size} between the picked touches: the path follows the touches, the table the form",
-                    field.label,
-                    shown(given),
-                    shown(*size)
-                );
-                checker.warning("picks-differ", format!("cycle.{key}"), message);
-            }
-        }
+        let mut placed = shape.place(picks, setup.plane).shape;
+        self.compare(&mut placed, checker);
         // The dimensions that the picks replace do not matter.
         if checker.sound(&["cycle"]) {
-            self.placed(setup.plane).shape().rules(setup, checker);
+            placed.rules(setup, checker);
         }
     }
 
     fn plan(&self, setup: &Setup) -> Path {
-        let (shape, frame, touches) = self.seat(setup);
-        let on = Seated { frame, touches: &touches, setup };
+        let (shape, on) = self.seat(setup);
         let mut tracer = Tracer::new(setup);
-        shape.walk(&on, self.form.form().number("feedDistance").unwrap_or(0.0), &mut tracer);
-        let (formula, surfaces, top) = (shape.formula(&on), shape.surfaces(&on), shape.top(&on));
+        shape.walk(&on, &mut tracer);
         Path {
             moves: tracer.moves(),
             start: None,
-            top,
-            surfaces,
+            top: shape.top(&on),
+            surfaces: shape.surfaces(&on),
             feeds: None,
-            frame,
-            formula,
-            feature: shape.feature(self.picks.is_some()),
-            touches,
+            frame: on.frame,
+            formula: shape.formula(&on),
+            feature: shape.feature(),
+            picked: self.picks.is_some(),
+            lift: Some(FEED_DISTANCE),
+            touches: on.touches,
         }
     }
 
     fn formula(&self, setup: &Setup) -> Formula {
-        let (shape, frame, touches) = self.seat(setup);
-        shape.formula(&Seated { frame, touches: &touches, setup })
+        let (shape, on) = self.seat(setup);
+        shape.formula(&on)
     }
 
     fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
-        let (shape, ..) = self.seat(setup);
-        let mut rows = table((self.def, self.name), &*self.form, self.properties.as_ref(), touches, setup, |k| shape.name(k));
+        let (shape, _) = self.seat(setup);
+        let kind = (self.def, self.name);
+        let mut rows = table(kind, &self.form.values, self.properties.as_ref(), touches, setup, |k| shape.name(k));
         rows.extend(self.custom.iter().map(Custom::row));
         rows
     }
 
     fn review(&self, setup: &Setup, path: &Path, checker: &mut Checker) {
-        review(self.form.form().number("feedDistance").unwrap_or(0.0), setup, path, checker);
+        review(self.form.feed_distance, setup, path, checker);
     }
 
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
-        let (shape, frame, touches) = self.seat(setup);
-        shape.surfaces(&Seated { frame, touches: &touches, setup })
+        let (shape, on) = self.seat(setup);
+        shape.surfaces(&on)
     }
 
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
-        let (field, _) = self.form.form().values().into_iter().find(|(field, _)| field.size && field.key == key)?;
-        let size = self.placed(setup.plane).form().number(key)?.abs() + delta;
+        let field = self.def.fields.iter().find(|field| field.size && field.key == key)?;
+        let mut actual = self.actual.clone().unwrap_or_else(|| self.placed(setup.plane).shape);
+        let (_, size) = actual.sizes().into_iter().find(|(path, _)| key_of(path) == key)?;
+        *size += delta;
         // Walls that meet at no angle, or at a straight one, make no corner.
-        let most = if field.key == "angle" { 180.0 } else { f64::INFINITY };
-        if size <= 0.0 || size >= most {
-            return None;
-        }
-        let mut cycle = self.clone();
-        cycle.deltas.push((key.to_owned(), delta));
-        Some(Box::new(cycle))
+        let most = if field.kind == Kind::Angle { 180.0 } else { f64::INFINITY };
+        let left = *size > 0.0 && *size < most;
+        left.then(|| Box::new(Ency { actual: Some(actual), ..self.clone() }) as Box<dyn Cycle>)
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
-        self.form.shape().turned_error(code)
+        self.form.placed.shape.turned_error(code)
     }
 }
 
@@ -321,9 +289,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             "The path rises {height} above its end: one touch is too high compared with the others",
             checker.rounded_up(highest - end)
         );
-        checker.error("path-not-above", if path.feature.picked() { "cycle.touches" } else { "cycle" }, message);
+        checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
     }
-    let field = "cycle.feedDistance";
     match path.top {
         Some(top) => {
             let missing = top + setup.radius - begin.min(*end);
@@ -332,7 +299,7 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
                     "The path would begin and end inside the feature: with these clearances the feed distance must be at least {least}, so that the ball is clear of the top side",
                     checker.rounded_up(feed_distance + missing)
                 );
-                checker.error("start-in-feature", field, message);
+                checker.error("start-in-feature", FEED_DISTANCE, message);
             }
         }
         // Our choice of what is small: the source says nothing of the wall above the touches.
@@ -341,35 +308,8 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
                 "This cycle has no top side: the path begins and ends {height} above the touches, perhaps inside the feature",
                 checker.length(feed_distance)
             );
-            checker.warning("low-start", field, message);
+            checker.warning("low-start", FEED_DISTANCE, message);
         }
         None => {}
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::form::{Value, form};
-
-    form! {
-        /// A form with another point in front of the place.
-        struct Form {
-            /// Any.
-            target: Vec3 = Field::point("target", "Target"),
-            origin: Vec3 = field::top_centre(),
-        }
-    }
-
-    #[test]
-    fn a_cycle_stands_at_its_origin_whatever_points_its_form_has() {
-        let point = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
-        let given = [("target", [7.0, 8.0, 9.0]), ("origin", [1.0, 2.0, 3.0])];
-        let given = Value::Map(given.map(|(key, p)| (key.to_owned(), point(p))).to_vec());
-        let mut checker = Checker::default();
-        let form = Form::read(&mut Section::new(&mut checker, Some(&given), "cycle"));
-        assert_eq!(form.values()[0].1, Shown::Point(Vec3::new(7.0, 8.0, 9.0)));
-        let made = Made { form, shape: |_| Box::new(Still) };
-        assert_eq!(Ency::frame(&made, Plane::G17).origin, Vec3::new(1.0, 2.0, 3.0));
     }
 }

@@ -1,7 +1,7 @@
 //! The parameter table, from the form's own codes.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{Filled, Properties};
+use crate::cycle::ency::Properties;
 use crate::form::{Field, Kind, Shown, Values};
 use crate::path::{Accessor, Parameter, ParameterValue, Setup, Subject, Touch};
 use crate::text::{Text, text};
@@ -29,7 +29,7 @@ pub fn only_angular(code: i32, variant: f64) -> bool {
 /// touches, *Compensate dimensions*; then the custom properties that are set. A surface's clearance stands after its touches.
 pub(super) fn table(
     (def, kind_name): (&CycleDef, &'static str),
-    form: &dyn Filled,
+    values: &[(&'static Field, Shown)],
     properties: Option<&Properties>,
     touches: &[Touch],
     setup: &Setup,
@@ -48,8 +48,7 @@ pub(super) fn table(
         let meaning = text!("Probing cycle type: {number} = {name}", number, kind_name.to_owned());
         whole(-1, number, meaning, Some("cycle.type".to_owned()))
     });
-    let mut own: Vec<Parameter> =
-        form.form().values().into_iter().filter_map(|(field, value)| row(field, value, "cycle")).collect();
+    let mut own: Vec<Parameter> = values.iter().filter_map(|(field, value)| row(field, *value, "cycle")).collect();
     // In the rectangular variant the touches follow from the variant alone.
     let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
@@ -98,7 +97,7 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
         Shown::Flag(on) if accessor == Accessor::Bol => (ParameterValue::Flag(on), "Boolean"),
         // Written with the Flt accessor and the type Integer, as the source's tables do.
         Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
-        Shown::Point(_) | Shown::Nothing => return None,
+        Shown::Nothing => return None,
     };
     let first = field.help.split_once(". ").map_or(field.help, |(first, _)| first).trim_end_matches('.');
     let meaning = if code == -66 {

@@ -1,11 +1,27 @@
 //! What the manual says of several cycles: steps they share, and what is our reading.
 
-pub const OVER: &str = "At the height of the start, across to the side clearance from the touch point";
-pub const DOWN: &str = "Down by top clearance and depth";
-pub const TOUCH: &str = "Touch, and back to where the touch began";
-pub const UP: &str = "Up by top clearance and depth";
-pub const BACK: &str = "Back to the start";
-pub const LIFT: &str = "Up by the feed distance";
+/// The documented steps of a protected cycle: where its start is, and how often steps 2 to 6 are made.
+pub const fn protected(start: &'static str, again: &'static str) -> [&'static str; 8] {
+    [
+        start,
+        "At the height of the start, across to the side clearance from the touch point",
+        "Down by top clearance and depth",
+        "Touch, and back to where the touch began",
+        "Up by top clearance and depth",
+        "Back to the start",
+        again,
+        "Up by the feed distance",
+    ]
+}
+
+/// The documented steps of a cycle that touches from the centre.
+pub const FROM_CENTRE: &[&str] = &[
+    "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
+    "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
+    "Touch, and back to the centre, once for each touch point",
+    "With the top clearance checked: up by top clearance and depth",
+    "Up to the feed distance",
+];
 
 pub const HEIGHTS: &str = "Clearances are measured from the wall to the ball centre, heights are of the ball centre.";
 pub const NORMAL: &str = "The target vector is the outward normal of the wall: from the material into free space.";
@@ -53,3 +69,6 @@ pub const LINES: &str = "A wall with two touches or more is the line of total le
 pub const TURN: &str = "`rotation` is how far wall 1 is turned from its nominal direction, counter-clockwise positive.";
 pub const PLANES: &str =
     "Each surface keeps its nominal direction: one touch gives no angle. The corner is where the three planes meet.";
+
+/// What is our reading of holes and bosses, each touch entered from above.
+pub const ROUND_PROTECTED: &[&str] = &[HEIGHTS, NORMAL, FEEDS, COMPENSATION, AS_MANY, RECTANGULAR, ANGULAR, VARIANT, CIRCLE];

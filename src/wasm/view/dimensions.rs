@@ -6,22 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::View;
 use crate::view::layout::Placed;
 use crate::view::plate::Plate;
-use crate::view::scene::{self, Projection, Scene};
-
-/// The paths of a feature's place.
-const ORIGIN: [&str; 3] = ["cycle.origin[0]", "cycle.origin[1]", "cycle.origin[2]"];
-
-/// Fields of heights along the tool axis, and of places and turns about it, that have no dimension of their own in every cycle.
-const HEIGHTS: [&str; 5] =
-    ["cycle.topClearance", "cycle.middleClearance", "cycle.feedDistance", "cycle.depth", "cycle.clearanceHeight"];
-const TURNS: [&str; 6] = [
-    "cycle.rotation",
-    "cycle.startAngle",
-    "cycle.angularStep",
-    "cycle.startingAngle",
-    "cycle.angularLength",
-    "cycle.setUpClearance",
-];
+use crate::view::scene::{Projection, Scene};
 
 #[wasm_bindgen]
 impl View {
@@ -29,24 +14,11 @@ impl View {
     /// nothing for any other field.
     #[wasm_bindgen(js_name = lookFor)]
     pub fn look_for(&self, field: &str) -> Option<String> {
-        let held = self.held()?;
-        let (path, plane) = (&held.last.planned.path, held.plane);
-        // Whether a direction is seen in its true length.
-        let flat = |view: Projection, along: crate::geom::Vec3| {
-            let [x, y] = view.spot(plane, along);
-            x.hypot(y) > 0.999
-        };
-        let basis = crate::geom::Vec3::AXES;
-        let sees = |view| {
-            scene::drawn(path, plane, view).iter().any(|d| d.field == field)
-                || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
-                || (TURNS.contains(&field) && view == Projection::Top)
-                || (HEIGHTS.contains(&field) && flat(view, path.frame.w))
-                || (0..3).any(|i| field == ORIGIN[i] && flat(view, basis[i]))
-        };
+        let planned = &self.held()?.last.planned;
         let names = ["top", "front", "side"];
         let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
-        let found = now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(sees));
+        let found =
+            now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(|view| planned.shows(field, view)));
         found.map(str::to_owned)
     }
 

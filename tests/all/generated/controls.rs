@@ -25,7 +25,7 @@ fn matrix() -> String {
     let mut text = format!("| cycle | source | {} |\n|---|---|{}\n", heads.join(" | "), "---|".repeat(POSTS.len()));
     for def in CYCLES {
         let cells: Vec<&str> = POSTS.iter().map(|post| cell(post, def)).collect();
-        let page = def.doc.trim_start_matches("docs/");
+        let page = format!("cycles/{}.md", def.key);
         writeln!(text, "| [{}]({page}) | {} | {} |", def.title, def.source, cells.join(" | ")).unwrap();
     }
     text

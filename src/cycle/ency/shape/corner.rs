@@ -2,23 +2,53 @@
 //!
 //! In the frame (u, v) wall 1 runs from the corner along +v, wall 2 along (sin A, cos A), A being the angle between them: inside
 //! an internal corner, in the material of an external one. Picked touches may name the walls the other way round: then all is
-//! mirrored at the u axis, and the angle counts negative here.
+//! mirrored at the u axis.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
-use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, flat, touch_count_rule};
+use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, flat, lift, touch_count_rule};
 use crate::form::Checker;
 use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Entry, Feature, Feed, Setup, Surface, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
+/// The field of the angle.
+pub const ANGLE: &str = "cycle.angle";
+
+/// The fields of the two walls.
+pub const WALLS: [Touched; 2] = [
+    Touched { clearance: "cycle.clearance1", step: Some("cycle.step1"), distance: Some("cycle.distance1") },
+    Touched { clearance: "cycle.clearance2", step: Some("cycle.step2"), distance: Some("cycle.distance2") },
+];
+
+/// The angle between two walls: inside an internal corner, in the material of an external one.
+#[derive(Clone, Copy, Debug)]
+pub struct CornerAngle {
+    /// Degrees, above 0 and below 180.
+    pub degrees: f64,
+    /// Whether the walls are named the other way round.
+    pub mirrored: bool,
+}
+
+impl CornerAngle {
+    /// As a form says it.
+    pub fn of(degrees: f64) -> Self {
+        CornerAngle { degrees, mirrored: false }
+    }
+
+    /// Degrees from wall 1 to wall 2, clockwise positive.
+    pub fn signed(self) -> f64 {
+        if self.mirrored { -self.degrees } else { self.degrees }
+    }
+}
+
 /// A corner of two walls. Indices are those of the walls.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Corner {
     /// Whether the material lies around it.
     pub internal: bool,
-    /// Between the walls, degrees; negative where they are named the other way round.
-    pub angle: f64,
+    /// Between the walls.
+    pub angle: CornerAngle,
     /// From the wall to the ball centre where its touches begin, mm.
     pub clearances: [f64; 2],
     /// How many touches.
@@ -43,8 +73,8 @@ pub struct Side {
 /// The directions of the two walls, and the start: `clearances` from both. With wall 1 on the v axis that is, inside,
 /// u = c1, v = (c2 + c1·cos A) / sin A; by symmetry its foot on wall 2 is (c1 + c2·cos A) / sin A from the corner. Outside it is
 /// the same point on the other side of the corner.
-pub fn walls(internal: bool, angle: f64, clearances: [f64; 2], distances: Option<[f64; 2]>) -> ([Side; 2], (f64, f64)) {
-    let (sin, cos) = angle.to_radians().sin_cos();
+pub fn walls(internal: bool, angle: CornerAngle, clearances: [f64; 2], distances: Option<[f64; 2]>) -> ([Side; 2], (f64, f64)) {
+    let (sin, cos) = angle.signed().to_radians().sin_cos();
     let [c1, c2] = clearances;
     let side = if internal { 1.0 } else { -1.0 };
     let hand = sin.signum();
@@ -63,9 +93,8 @@ fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f6
     if (internal == (wall == 0)) != mirrored { (-normal.1, normal.0) } else { (normal.1, -normal.0) }
 }
 
-/// The corner's direction and angle from the normals of its walls: degrees; the angle is negative where wall 2 lies
-/// counter-clockwise from wall 1.
-pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, f64) {
+/// The corner's direction (degrees) and angle from the normals of its walls.
+pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, CornerAngle) {
     let side = if internal { 1.0 } else { -1.0 };
     let [n1, n2] = normals.map(|n| {
         let (a, o) = flat(plane, n);
@@ -74,7 +103,8 @@ pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, f
     let rotation = n1.1.atan2(n1.0).to_degrees();
     // n2 = (−cos A, sin A) with n1 as the first direction.
     let (x, y) = (n2.0 * n1.0 + n2.1 * n1.1, n2.1 * n1.0 - n2.0 * n1.1);
-    (rotation, y.atan2(-x).to_degrees())
+    let degrees = y.atan2(-x).to_degrees();
+    (rotation, CornerAngle { degrees: degrees.abs(), mirrored: degrees < 0.0 })
 }
 
 /// Where two walls meet, at the level of the first touch.
@@ -106,6 +136,17 @@ pub fn sides_rule(internal: bool, firsts: &[(usize, Pick)], checker: &mut Checke
 }
 
 impl Corner {
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        let mut sizes = vec![(ANGLE, &mut self.angle.degrees)];
+        if let Some([first, second]) = &mut self.distances {
+            sizes.extend([("cycle.distance1", first), ("cycle.distance2", second)]);
+        }
+        // One touch has no step.
+        let steps = ["cycle.step1", "cycle.step2"].into_iter().zip(&mut self.steps);
+        sizes.extend(steps.zip(self.counts).filter(|(_, count)| *count > 1).map(|(step, _)| step));
+        sizes
+    }
+
     fn sides(&self) -> ([Side; 2], (f64, f64)) {
         walls(self.internal, self.angle, self.clearances, self.distances)
     }
@@ -115,7 +156,7 @@ impl Corner {
     }
 }
 
-impl Shape for Corner {
+impl Probed for Corner {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         let (sides, _) = self.sides();
         let mut touches = Vec::new();
@@ -149,11 +190,11 @@ impl Shape for Corner {
         }
         // The first touch of a wall has its foot `first` from the corner, and the ball in contact there stands
         // c_other + (c − r)·cos A from the other wall.
-        let cos = self.angle.to_radians().cos();
+        let cos = self.angle.signed().to_radians().cos();
         let (sides, _) = self.sides();
         for (n, other) in [(0, 1), (1, 0)] {
             let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
-            let angle = crate::num::decimal(self.angle, 4);
+            let angle = crate::num::decimal(self.angle.signed(), 4);
             let (first, n1, other1) = (sides[n].first, n + 1, other + 1);
             let message = if first <= 0.0 {
                 text!(
@@ -219,29 +260,29 @@ impl Shape for Corner {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let [one, two] = [picks[0], picks[self.counts[0].min(picks.len() - 1)]];
         let origin = meeting(plane, &one, &two).unwrap_or(one.point);
         let (rotation, angle) = from_normals(self.internal, plane, [one.vector, two.vector]);
-        let mut sizes = vec![("angle", angle)];
-        if self.distances.is_some() {
-            sizes.push(("distance1", (one.point - origin).length()));
+        let distances = self.distances.map(|_| {
             let level = plane.basis()[2];
             let away = two.point - origin;
-            sizes.push(("distance2", (away - level * away.dot(level)).length()));
-        }
-        for (key, first, count) in [("step1", 0, self.counts[0]), ("step2", self.counts[0], self.counts[1])] {
-            if let [a, b, ..] = &picks[first..(first + count).min(picks.len())] {
-                sizes.push((key, a.point.distance(b.point)));
+            [(one.point - origin).length(), (away - level * away.dot(level)).length()]
+        });
+        let mut steps = self.steps;
+        let (first, second) = picks.split_at(self.counts[0].min(picks.len()));
+        for (step, touches) in steps.iter_mut().zip([first, second]) {
+            if let [a, b, ..] = touches {
+                *step = a.point.distance(b.point);
             }
         }
-        Placement { origin, rotation, sizes }
+        Placed { origin, rotation, shape: Shape::Corner(Corner { angle, distances, steps, ..*self }) }
     }
 
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
         let (_, (u, v)) = self.sides();
         let start = on.frame.point(u, v, 0.0);
-        begin(tracer, &on.frame, start, feed_distance, 1);
+        begin(on, tracer, start, 1);
         // Step numbers of each side: first touch, further touches, back to the start.
         for (wall, [first, further, back]) in [[2, 3, 5], [6, 7, 9]].into_iter().enumerate() {
             let touches = on.touches.iter().enumerate().filter(|(_, t)| t.group == wall);
@@ -254,7 +295,7 @@ impl Shape for Corner {
             }
             tracer.position(start, Feed::LongLink, back);
         }
-        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 10);
+        lift(on, tracer, start, 10);
     }
 
     /// Each wall is a line: through the mean of the ball centres, along their total-least-squares direction where there are two or
@@ -271,7 +312,7 @@ impl Shape for Corner {
                 number: i + 1,
                 first: firsts[i],
                 count: self.counts[i],
-                along: along(self.internal, self.angle < 0.0, i, normal),
+                along: along(self.internal, self.angle.mirrored, i, normal),
                 normal,
             };
             line.fit(&f, (a, o), on.setup.radius)
@@ -285,9 +326,9 @@ impl Shape for Corner {
         // A positive tilt turns a wall towards its free side: inside, both make the angle smaller, outside larger. Inside, wall 1 has
         // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
         let tilts = one.tilt.zip(two.tilt);
-        let clockwise = self.internal != (self.angle < 0.0);
+        let clockwise = self.internal != self.angle.mirrored;
         let rotation = one.tilt.map(|tilt| f.set("rotation", if clockwise { f.number(0.0) - tilt } else { tilt.into() }));
-        let nominal = self.angle.abs();
+        let nominal = self.angle.degrees;
         let angle = tilts.map(|(t1, t2)| {
             let sum = if self.internal { f.number(nominal) - t1 - t2 } else { f.number(nominal) + t1 + t2 };
             f.set("angle", sum)
@@ -329,8 +370,9 @@ impl Shape for Corner {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Corner(path::Corner { outside: !self.internal, angle: self.angle.abs(), picked })
+    fn feature(&self) -> Feature {
+        let angle = Entry { field: ANGLE, value: self.angle.degrees };
+        Feature::Corner(path::Corner { outside: !self.internal, angle, walls: WALLS.to_vec(), top: None })
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {

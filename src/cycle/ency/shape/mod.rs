@@ -7,14 +7,15 @@ mod round;
 mod still;
 mod triple;
 
-pub use corner::Corner;
+pub use corner::{Corner, CornerAngle};
 pub use pairs::{Pairs, Side};
 pub use point::Point;
 pub use round::{Circle, Variant};
-pub use still::Still;
 pub use triple::{Outside, Triple};
 
-use crate::cycle::ency::{Pick, Placement};
+use still::Still;
+
+use crate::cycle::ency::Pick;
 use crate::form::Checker;
 use crate::formula::{Draft, Expr, Formula};
 use crate::geom::{Frame, Plane, Vec3};
@@ -22,7 +23,54 @@ use crate::path::{Feature, Feed, MAX_TOUCHES, SHORTEST_TOUCH, Setup, Surface, To
 use crate::text::{Text, text};
 
 /// A feature with its dimensions, and how it is probed.
-pub trait Shape {
+#[derive(Clone, Debug, Default)]
+pub enum Shape {
+    /// Nothing is touched, nothing moves.
+    #[default]
+    Still,
+    /// A point of a surface.
+    Point(Point),
+    /// A hole or a boss.
+    Circle(Circle),
+    /// One or two pairs of opposite walls.
+    Pairs(Pairs),
+    /// A corner of two walls.
+    Corner(Corner),
+    /// A corner of three walls.
+    Triple(Triple),
+}
+
+impl Shape {
+    /// The sizes that picked touches give, by the paths of their fields: mm, degrees.
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        match self {
+            Shape::Still => Vec::new(),
+            Shape::Point(point) => point.sizes(),
+            Shape::Circle(circle) => circle.sizes(),
+            Shape::Pairs(pairs) => pairs.sizes(),
+            Shape::Corner(corner) => corner.sizes(),
+            Shape::Triple(triple) => triple.sizes(),
+        }
+    }
+}
+
+impl std::ops::Deref for Shape {
+    type Target = dyn Probed;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Shape::Still => &Still,
+            Shape::Point(point) => point,
+            Shape::Circle(circle) => circle,
+            Shape::Pairs(pairs) => pairs,
+            Shape::Corner(corner) => corner,
+            Shape::Triple(triple) => triple,
+        }
+    }
+}
+
+/// What every shape does.
+pub trait Probed {
     /// The touches that the dimensions give: point, target vector, group.
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)>;
 
@@ -35,11 +83,11 @@ pub trait Shape {
     /// Reports what is wrong with picked touches.
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker);
 
-    /// Where sound picks put the feature, and the sizes they give it.
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement;
+    /// The shape as sound picks have it, where they put it.
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed;
 
     /// Walks the documented steps.
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer);
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer);
 
     /// What the control computes.
     fn formula(&self, on: &Seated<'_>) -> Formula;
@@ -47,31 +95,60 @@ pub trait Shape {
     /// The surfaces, one a group.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
 
-    /// What is probed; `picked` is whether the touches were picked one by one.
-    fn feature(&self, picked: bool) -> Feature;
+    /// What is probed.
+    fn feature(&self) -> Feature;
 
     /// Height of the top side along the tool axis, mm, where the source has one.
-    fn top(&self, on: &Seated<'_>) -> Option<f64>;
+    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
+        None
+    }
 
     /// Why the control's value of this result is off on a turned part, where it is.
-    fn turned_error(&self, code: &str) -> Option<&'static str>;
+    fn turned_error(&self, _code: &str) -> Option<&'static str> {
+        None
+    }
 }
 
-/// A shape in its place.
+/// A shape, and where its form or its picks put it.
+#[derive(Clone, Debug, Default)]
+pub struct Placed {
+    /// `origin` of the form, mm.
+    pub origin: Vec3,
+    /// `rotation` of the form, degrees.
+    pub rotation: f64,
+    /// With its sizes.
+    pub shape: Shape,
+}
+
+impl Placed {
+    /// The frame of its dimensions.
+    pub fn frame(&self, plane: Plane) -> Frame {
+        Frame::new(plane, self.origin, self.rotation.to_radians())
+    }
+}
+
+/// The touches of a shape, and what is around them.
 #[derive(Debug)]
 pub struct Seated<'a> {
-    /// The frame of its dimensions.
+    /// The frame of the shape's dimensions.
     pub frame: Frame,
     /// Its touches.
-    pub touches: &'a [Touch],
+    pub touches: Vec<Touch>,
     /// The job around it.
     pub setup: &'a Setup,
+    /// How far above its start the path begins and ends, mm.
+    pub feed_distance: f64,
 }
 
 /// To the feed distance above the start, and down to it.
-pub fn begin(tracer: &mut Tracer, frame: &Frame, start: Vec3, feed_distance: f64, step: u8) {
-    tracer.position(start + frame.w * feed_distance, Feed::Approach, step);
+pub fn begin(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
+    tracer.position(start + on.frame.w * on.feed_distance, Feed::Approach, step);
     tracer.position(start, Feed::Approach, step);
+}
+
+/// Up by the feed distance, at the end.
+pub fn lift(on: &Seated<'_>, tracer: &mut Tracer, start: Vec3, step: u8) {
+    tracer.position(start + on.frame.w * on.feed_distance, Feed::Return, step);
 }
 
 /// The documented steps 2 to 6 of a protected cycle: over the place in front of the touch at the height of the start, down, touch
@@ -89,21 +166,21 @@ pub fn protected(on: &Seated<'_>, tracer: &mut Tracer, k: usize, start: Vec3, cl
 
 /// The documented steps of a cycle that touches from the middle: in from above where the top clearance is checked, all touches
 /// from there, and out.
-pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>, feed_distance: f64) {
+pub fn from_middle(on: &Seated<'_>, tracer: &mut Tracer, depth: f64, top: Option<f64>) {
     let start = on.frame.point(0.0, 0.0, -depth);
     match top {
         Some(top) => {
-            begin(tracer, &on.frame, on.frame.point(0.0, 0.0, top), feed_distance, 1);
+            begin(on, tracer, on.frame.point(0.0, 0.0, top), 1);
             tracer.position(start, Feed::LongLink, 1);
         }
-        None => begin(tracer, &on.frame, start, feed_distance, 2),
+        None => begin(on, tracer, start, 2),
     }
     for (k, touch) in on.touches.iter().enumerate() {
         tracer.touch(k, touch, Feed::LongLink, 3);
     }
     let out = top.map_or(start, |top| on.frame.point(0.0, 0.0, top));
     tracer.position(out, Feed::LongLink, 4);
-    tracer.position(out + on.frame.w * feed_distance, Feed::Return, 5);
+    lift(on, tracer, out, 5);
 }
 
 /// A component of a direction in the plane, as a formula multiplies with it.

@@ -1,23 +1,38 @@
 //! Opposite walls: rectangles, webs, grooves.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
-use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, protected};
+use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::shape::{
+    Placed, Probed, Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, lift, protected,
+};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, Pair, Protection, Rectangle, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
+use crate::path::{self, Entry, Feature, Feed, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// One pair of walls.
 #[derive(Clone, Copy, Debug)]
 pub struct Side {
-    /// Key of the width in the form, and its label.
-    pub width_key: (&'static str, &'static str),
     /// From wall to wall, mm.
     pub width: f64,
-    /// Key and label of the clearance, and the clearance itself; none where touches begin in the middle.
-    pub clearance: Option<(&'static str, &'static str, f64)>,
+    /// From the wall to the ball centre where a touch begins, mm; none where touches begin in the middle.
+    pub clearance: Option<f64>,
 }
+
+/// What the form calls a pair of walls: label and path of each field.
+struct Names {
+    width: (&'static str, &'static str),
+    clearance: (&'static str, &'static str),
+}
+
+/// Of a single pair.
+const ONE: [Names; 1] = [Names { width: ("Width", "cycle.width"), clearance: ("Side clearance", "cycle.sideClearance") }];
+
+/// Of the two of a rectangle.
+const TWO: [Names; 2] = [
+    Names { width: ("Width 1", "cycle.width1"), clearance: ("Side clearance 1", "cycle.sideClearance1") },
+    Names { width: ("Width 2", "cycle.width2"), clearance: ("Side clearance 2", "cycle.sideClearance2") },
+];
 
 /// One or two pairs of walls, the first along the first direction of the frame.
 #[derive(Clone, Debug)]
@@ -38,8 +53,27 @@ const ORDINALS: [&str; 4] = [words!("First"), words!("Second"), words!("Third"),
 const THREE: [&str; 3] = [words!("Left"), words!("Right"), words!("Middle")];
 
 impl Pairs {
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        let names = self.names();
+        let mut sizes: Vec<_> =
+            names.iter().zip(&mut self.sides).map(|(names, side)| (names.width.1, &mut side.width)).collect();
+        if self.middle.is_some() {
+            sizes.push(("cycle.depth", &mut self.depth));
+        }
+        sizes
+    }
+
+    fn names(&self) -> &'static [Names] {
+        if self.sides.len() == 2 { &TWO } else { &ONE }
+    }
+
     fn protected(&self) -> bool {
         self.sides[0].clearance.is_some()
+    }
+
+    /// How far above the top side the ball crosses. Where the middle is touched, that is at its clearance, which has a rule of its own.
+    fn crossing(&self) -> Option<f64> {
+        self.top.filter(|_| self.protected() && self.middle.is_none())
     }
 
     /// 1 where walls face outwards, −1 where they face the middle.
@@ -61,7 +95,7 @@ impl Pairs {
     }
 }
 
-impl Shape for Pairs {
+impl Probed for Pairs {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         let mut touches = Vec::new();
         for (k, (u, v)) in self.directions().into_iter().take(self.walls()).enumerate() {
@@ -80,16 +114,15 @@ impl Shape for Pairs {
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
-        for side in &self.sides {
-            let (width_key, label) = side.width_key;
-            let width_path = format!("cycle.{width_key}");
-            if let Some((key, label, clearance)) = side.clearance {
-                clearance_rule(checker, setup, label, clearance, &format!("cycle.{key}"));
+        for (side, names) in self.sides.iter().zip(self.names()) {
+            let ((label, width_path), (clearance_label, clearance_path)) = (names.width, names.clearance);
+            if let Some(clearance) = side.clearance {
+                clearance_rule(checker, setup, clearance_label, clearance, clearance_path);
             }
             if !self.internal {
                 continue;
             }
-            if checker.sound(&[&width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
+            if checker.sound(&[width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
                 let message = text!(
                     "{label} ({width}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                     label,
@@ -99,8 +132,8 @@ impl Shape for Pairs {
                     checker.length(2.0 * setup.radius)
                 );
                 checker.error("ball-too-wide", width_path, message);
-            } else if let Some((key, clearance_label, clearance)) = side.clearance
-                && checker.sound(&[&width_path, &format!("cycle.{key}"), "stylus.diameter"])
+            } else if let Some(clearance) = side.clearance
+                && checker.sound(&[width_path, clearance_path, "stylus.diameter"])
                 && clearance + setup.radius >= side.width
             {
                 let message = text!(
@@ -111,12 +144,10 @@ impl Shape for Pairs {
                     checker.length(side.width),
                     checker.length(side.width - setup.radius)
                 );
-                checker.error("approach-beyond-wall", format!("cycle.{key}"), message);
+                checker.error("approach-beyond-wall", clearance_path, message);
             }
         }
-        // Where the middle is touched, the ball crosses at its clearance, which has a rule of its own.
-        let crossing = self.top.filter(|_| self.protected() && self.middle.is_none());
-        level_rules(checker, setup, self.depth, crossing, !self.internal);
+        level_rules(checker, setup, self.depth, self.crossing(), !self.internal);
         if let Some(middle) = self.middle {
             clearance_rule(checker, setup, "Middle clearance", middle, "cycle.middleClearance");
         }
@@ -162,7 +193,7 @@ impl Shape for Pairs {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let up = plane.basis()[2];
         let outwards = picks[0].vector * self.sign();
         let mut origin = (picks[0].point + picks[1].point) / 2.0;
@@ -175,31 +206,35 @@ impl Shape for Pairs {
         let level = if self.middle.is_some() { picks[2].point.dot(up) } else { picks[0].point.dot(up) + self.depth };
         origin += up * (level - origin.dot(up));
         let widths = picks[..self.walls()].chunks(2).map(|p| (p[0].point - p[1].point).dot(p[0].vector).abs());
-        let mut sizes: Vec<_> = self.sides.iter().map(|s| s.width_key.0).zip(widths).collect();
-        if self.middle.is_some() {
-            sizes.push(("depth", (picks[2].point - picks[0].point).dot(up)));
+        let mut pairs = self.clone();
+        for (side, width) in pairs.sides.iter_mut().zip(widths) {
+            side.width = width;
         }
-        Placement { origin, rotation: picks::heading(plane, outwards * self.directions()[0].0), sizes }
+        if self.middle.is_some() {
+            pairs.depth = (picks[2].point - picks[0].point).dot(up);
+        }
+        let rotation = picks::heading(plane, outwards * self.directions()[0].0);
+        Placed { origin, rotation, shape: Shape::Pairs(pairs) }
     }
 
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
         if !self.protected() {
-            return from_middle(on, tracer, self.depth, self.top, feed_distance);
+            return from_middle(on, tracer, self.depth, self.top);
         }
         let start = match self.middle {
             Some(clearance) => on.touches[2].point + on.touches[2].vector * clearance,
             None => on.frame.point(0.0, 0.0, self.top.unwrap_or(0.0)),
         };
-        begin(tracer, &on.frame, start, feed_distance, 1);
+        begin(on, tracer, start, 1);
         for k in 0..self.walls() {
-            protected(on, tracer, k, start, self.sides[k / 2].clearance.map_or(0.0, |c| c.2));
+            protected(on, tracer, k, start, self.sides[k / 2].clearance.unwrap_or(0.0));
         }
         let mut last = 8;
         if self.middle.is_some() {
             tracer.touch(2, &on.touches[2], Feed::LongLink, 8);
             last = 9;
         }
-        tracer.position(start + on.frame.w * feed_distance, Feed::Return, last);
+        lift(on, tracer, start, last);
     }
 
     /// The control adds the ball radius along the probing direction, halves each pair, and takes the differences as widths. A
@@ -294,17 +329,18 @@ impl Shape for Pairs {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        let sides = self.sides.first().zip(self.sides.last());
-        let clearances = sides.and_then(|(a, b)| Some([a.clearance?.2, b.clearance?.2]));
-        let protected = self.top.zip(clearances).map(|(top, sides)| Protection { top, sides });
-        if let [one, two] = self.sides.as_slice() {
-            let rectangle = Rectangle { widths: [one.width, two.width], depth: self.depth, protected, picked };
-            return if self.internal { Feature::Pocket(rectangle) } else { Feature::Block(rectangle) };
-        }
-        let (width, top_touched) = (self.sides[0].width, self.middle.is_some());
-        let pair = Pair { width, depth: self.depth, protected, top_touched, picked };
-        if self.internal { Feature::Groove(pair) } else { Feature::Web(pair) }
+    fn feature(&self) -> Feature {
+        let entry = |field, value| Entry { field, value };
+        let side = |(side, names): (&Side, &Names)| path::Side {
+            width: entry(names.width.1, side.width),
+            clearance: side.clearance.map(|clearance| entry(names.clearance.1, clearance)),
+        };
+        Feature::Pairs(path::Pairs {
+            internal: self.internal,
+            sides: self.sides.iter().zip(self.names()).map(side).collect(),
+            depth: entry("cycle.depth", self.depth),
+            crossing: self.crossing().map(|top| entry("cycle.topClearance", top)),
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

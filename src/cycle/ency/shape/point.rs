@@ -1,15 +1,18 @@
 //! A single point on a surface.
 
-use crate::cycle::ency::picks::{self, Pick, Placement};
-use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant};
+use crate::cycle::ency::picks::{self, Pick};
+use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, lift};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{self, Feature, Feed, Setup, Surface, Tracer, Wall};
 use crate::text::{Text, text, words};
 
+/// The field of the target vector's elevation.
+const ELEVATION: &str = "cycle.elevation";
+
 /// A surface, touched once.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// From the surface to the ball centre where the touch begins, mm.
     pub clearance: f64,
@@ -17,7 +20,13 @@ pub struct Point {
     pub elevation: f64,
 }
 
-impl Shape for Point {
+impl Point {
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        vec![(ELEVATION, &mut self.elevation)]
+    }
+}
+
+impl Probed for Point {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         let (sin, cos) = match self.elevation {
             90.0 => (1.0, 0.0),
@@ -40,19 +49,20 @@ impl Shape for Point {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let vector = picks[0].vector;
         let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0).asin().to_degrees();
         let rotation = if elevation > 89.999_999 { 0.0 } else { picks::heading(plane, vector) };
-        Placement { origin: picks[0].point, rotation, sizes: vec![("elevation", elevation.max(0.0))] }
+        let shape = Shape::Point(Point { elevation: elevation.max(0.0), ..*self });
+        Placed { origin: picks[0].point, rotation, shape }
     }
 
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
         let touch = &on.touches[0];
         let start = touch.point + touch.vector * self.clearance;
-        begin(tracer, &on.frame, start, feed_distance, 1);
+        begin(on, tracer, start, 1);
         tracer.touch_in_steps(0, touch, Feed::Retract, [2, 3]);
-        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 4);
+        lift(on, tracer, start, 4);
     }
 
     /// The nominal point, moved along the target vector by its displacement. Across it nothing is measured.
@@ -102,16 +112,12 @@ impl Shape for Point {
     }
 
     /// A top side is its own top; of a wall or a slope the source knows none.
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Surface { picked }
+    fn feature(&self) -> Feature {
+        Feature::Surface(path::Point { clearance: "cycle.clearance", elevation: ELEVATION })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {
         let touch = &on.touches[0];
         (touch.vector.dot(on.frame.w) > 1.0 - 1e-6).then(|| touch.point.dot(on.frame.w))
-    }
-
-    fn turned_error(&self, _code: &str) -> Option<&'static str> {
-        None
     }
 }

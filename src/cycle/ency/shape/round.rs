@@ -1,11 +1,13 @@
 //! Holes and bosses.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
-use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, from_middle, level_rules, protected};
+use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::shape::{
+    Placed, Probed, Seated, Shape, begin, clearance_rule, from_middle, level_rules, lift, protected,
+};
 use crate::form::Checker;
 use crate::formula::{CirclePart, Datum, Draft, Formula, Role, fit_circle};
 use crate::geom::{Frame, Plane, Vec2, Vec3};
-use crate::path::{Bore, Feature, Feed, Protection, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
+use crate::path::{Bore, Entry, Feature, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::text::{Text, text, words};
 
 /// How the touches are spread.
@@ -24,8 +26,18 @@ pub enum Variant {
     },
 }
 
+impl Variant {
+    /// By the form's number of the variant.
+    pub fn of(number: i32, start: f64, step: f64, count: i32) -> Self {
+        match number {
+            0 => Variant::Rectangular,
+            _ => Variant::Angular { start, step, count: count.max(1) as usize },
+        }
+    }
+}
+
 /// A circle about the tool axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Circle {
     /// Whether it is a hole.
     pub internal: bool,
@@ -42,6 +54,14 @@ pub struct Circle {
 }
 
 impl Circle {
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        let mut sizes = vec![("cycle.diameter", &mut self.diameter)];
+        if let Variant::Angular { step, count: 2.., .. } = &mut self.variant {
+            sizes.push(("cycle.angularStep", step));
+        }
+        sizes
+    }
+
     fn angles(&self) -> Vec<f64> {
         match self.variant {
             Variant::Rectangular => vec![0.0, 180.0, 90.0, 270.0],
@@ -66,7 +86,7 @@ fn gives_circle(directions: impl Iterator<Item = Vec3>) -> bool {
     apart.len() >= 3
 }
 
-impl Shape for Circle {
+impl Probed for Circle {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         let touch = |degrees: f64| {
             // Quarter turns are exact.
@@ -168,31 +188,31 @@ impl Shape for Circle {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let up = plane.basis()[2];
         let center = self.center(picks, plane);
         let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
         let start = if let Variant::Angular { start, .. } = self.variant { start } else { 0.0 };
         let rotation = crate::num::wrap_degrees(picks::heading(plane, picks[0].vector * self.sign()) - start);
-        let mut sizes = vec![("diameter", 2.0 * self.radius(picks, center, plane))];
-        if let (Variant::Angular { step, .. }, [first, second, ..]) = (self.variant, picks) {
+        let mut circle = Circle { diameter: 2.0 * self.radius(picks, center, plane), ..*self };
+        if let (Variant::Angular { step, .. }, [first, second, ..]) = (&mut circle.variant, picks) {
             // Of the angles that mean the same direction, the one the form means.
             let turn = picks::heading(plane, second.vector) - picks::heading(plane, first.vector);
-            sizes.push(("angularStep", step + crate::num::wrap_degrees(turn - step)));
+            *step += crate::num::wrap_degrees(turn - *step);
         }
-        Placement { origin, rotation, sizes }
+        Placed { origin, rotation, shape: Shape::Circle(circle) }
     }
 
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
         let Some(clearance) = self.clearance else {
-            return from_middle(on, tracer, self.depth, self.top, feed_distance);
+            return from_middle(on, tracer, self.depth, self.top);
         };
         let start = on.frame.point(0.0, 0.0, self.top.unwrap_or(0.0));
-        begin(tracer, &on.frame, start, feed_distance, 1);
+        begin(on, tracer, start, 1);
         for k in 0..on.touches.len() {
             protected(on, tracer, k, start, clearance);
         }
-        tracer.position(start + on.frame.w * feed_distance, Feed::Return, 8);
+        lift(on, tracer, start, 8);
     }
 
     /// A circle of least squares through the ball centres, larger (in a hole) or smaller (at a boss) by the ball radius.
@@ -229,18 +249,18 @@ impl Shape for Circle {
         })]
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        let protected = self.top.zip(self.clearance).map(|(top, side)| Protection { top, sides: [side; 2] });
-        let bore = Bore { diameter: self.diameter, depth: self.depth, protected, picked };
-        if self.internal { Feature::Hole(bore) } else { Feature::Boss(bore) }
+    fn feature(&self) -> Feature {
+        let entry = |field, value| Entry { field, value };
+        Feature::Bore(Bore {
+            diameter: entry("cycle.diameter", self.diameter),
+            depth: entry("cycle.depth", self.depth),
+            clearance: self.clearance.map(|clearance| entry("cycle.sideClearance", clearance)),
+            crossing: self.top.filter(|_| self.clearance.is_some()).map(|top| entry("cycle.topClearance", top)),
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {
         Some(on.frame.origin.dot(on.frame.w))
-    }
-
-    fn turned_error(&self, _code: &str) -> Option<&'static str> {
-        None
     }
 }
 

@@ -1,6 +1,7 @@
 //! Rows of the table without any motion.
 
-use crate::cycle::ency::{Pick, Placement, Seated, Shape};
+use crate::cycle::ency::Pick;
+use crate::cycle::ency::shape::{Placed, Probed, Seated};
 use crate::form::Checker;
 use crate::formula::Formula;
 use crate::geom::{Frame, Plane, Vec3};
@@ -8,10 +9,9 @@ use crate::path::{Feature, Setup, Surface, Tracer};
 use crate::text::Text;
 
 /// Nothing is touched, nothing moves.
-#[derive(Clone, Copy, Debug)]
 pub struct Still;
 
-impl Shape for Still {
+impl Probed for Still {
     fn touches(&self, _frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         Vec::new()
     }
@@ -24,11 +24,11 @@ impl Shape for Still {
 
     fn check(&self, _picks: &[Pick], _plane: Plane, _checker: &mut Checker) {}
 
-    fn place(&self, _picks: &[Pick], _plane: Plane) -> Placement {
-        Placement { origin: Vec3::ZERO, rotation: 0.0, sizes: Vec::new() }
+    fn place(&self, _picks: &[Pick], _plane: Plane) -> Placed {
+        Placed::default()
     }
 
-    fn walk(&self, _on: &Seated<'_>, _feed_distance: f64, _tracer: &mut Tracer) {}
+    fn walk(&self, _on: &Seated<'_>, _tracer: &mut Tracer) {}
 
     fn formula(&self, _on: &Seated<'_>) -> Formula {
         Formula::default()
@@ -38,15 +38,7 @@ impl Shape for Still {
         Vec::new()
     }
 
-    fn feature(&self, _picked: bool) -> Feature {
+    fn feature(&self) -> Feature {
         Feature::Still
-    }
-
-    fn top(&self, _on: &Seated<'_>) -> Option<f64> {
-        None
-    }
-
-    fn turned_error(&self, _code: &str) -> Option<&'static str> {
-        None
     }
 }

@@ -1,19 +1,19 @@
 //! Corners of three walls, each touched once: a plane each, in any direction of space.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick, Placement};
-use crate::cycle::ency::shape::corner::{self, sides_rule};
-use crate::cycle::ency::shape::{Seated, Shape, begin, clearance_rule, constant, level_rules};
+use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
+use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{Corner, Feature, Feed, Setup, Surface, Tracer, Wall};
+use crate::path::{Corner, Entry, Feature, Feed, Setup, Surface, Top, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
 /// A corner of two walls and a floor, or of two walls and a top side.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Triple {
-    /// Between the walls, degrees: inside an internal corner, in the material of an external one.
-    pub angle: f64,
+    /// Between the first two walls.
+    pub angle: CornerAngle,
     /// From each surface to the ball centre where its touch begins, mm.
     pub clearances: [f64; 3],
     /// What an external corner has besides; none is an internal one.
@@ -32,6 +32,21 @@ pub struct Outside {
 }
 
 impl Triple {
+    pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
+        let mut sizes = vec![(ANGLE, &mut self.angle.degrees)];
+        if let Some(Outside { depth, distances: [first, second], inwards: [top1, top2] }) = &mut self.outside {
+            let outside = [
+                ("cycle.depth", depth),
+                ("cycle.distance1", first),
+                ("cycle.distance2", second),
+                ("cycle.topDistance1", top1),
+                ("cycle.topDistance2", top2),
+            ];
+            sizes.extend(outside);
+        }
+        sizes
+    }
+
     fn internal(&self) -> bool {
         self.outside.is_none()
     }
@@ -53,7 +68,7 @@ impl Triple {
     }
 }
 
-impl Shape for Triple {
+impl Probed for Triple {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         let (sides, (u, v)) = self.walls();
         let normals = sides.map(|s| frame.direction(s.normal.0, s.normal.1));
@@ -102,7 +117,7 @@ impl Shape for Triple {
         if !checker.sound(&["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"]) {
             return;
         }
-        let cos = self.angle.to_radians().cos();
+        let cos = self.angle.signed().to_radians().cos();
         for (n, other) in [(0, 1), (1, 0)] {
             let free = self.clearances[other] + (self.clearances[n] - setup.radius) * cos;
             if free <= setup.radius {
@@ -110,7 +125,7 @@ impl Shape for Triple {
                     "In the touch of wall {n} the ball would contact wall {other} first: at {angle}° clearance {other2} must be larger than {least}",
                     n + 1,
                     other + 1,
-                    crate::num::decimal(self.angle, 4),
+                    crate::num::decimal(self.angle.signed(), 4),
                     other + 1,
                     checker.length(setup.radius - (self.clearances[n] - setup.radius) * cos)
                 );
@@ -153,33 +168,32 @@ impl Shape for Triple {
         }
     }
 
-    fn place(&self, picks: &[Pick], plane: Plane) -> Placement {
+    fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let origin = Self::meeting(picks).unwrap_or(picks[0].point);
         let (rotation, angle) = corner::from_normals(self.internal(), plane, [picks[0].vector, picks[1].vector]);
-        let mut sizes = vec![("angle", angle)];
-        if self.outside.is_some() {
+        let outside = self.outside.map(|_| {
             let up = plane.basis()[2];
-            let in_plane = |p: Vec3| {
-                let away = p - origin;
+            let in_plane = |pick: &Pick| {
+                let away = pick.point - origin;
                 (away - up * away.dot(up)).length()
             };
-            sizes.push(("depth", (picks[2].point - picks[0].point).dot(up)));
-            sizes.push(("distance1", in_plane(picks[0].point)));
-            sizes.push(("distance2", in_plane(picks[1].point)));
-            sizes.push(("topDistance1", -(picks[2].point - origin).dot(picks[0].vector)));
-            sizes.push(("topDistance2", -(picks[2].point - origin).dot(picks[1].vector)));
-        }
-        Placement { origin, rotation, sizes }
+            Outside {
+                depth: (picks[2].point - picks[0].point).dot(up),
+                distances: [in_plane(&picks[0]), in_plane(&picks[1])],
+                inwards: [0, 1].map(|k| -(picks[2].point - origin).dot(picks[k].vector)),
+            }
+        });
+        Placed { origin, rotation, shape: Shape::Triple(Triple { angle, outside, ..*self }) }
     }
 
-    fn walk(&self, on: &Seated<'_>, feed_distance: f64, tracer: &mut Tracer) {
+    fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
         let (_, (u, v)) = self.walls();
         let start = if self.internal() {
             on.touches[0].point + on.touches[0].vector * self.clearances[0]
         } else {
             on.frame.point(u, v, self.clearances[2])
         };
-        begin(tracer, &on.frame, start, feed_distance, 1);
+        begin(on, tracer, start, 1);
         for (k, touch) in on.touches.iter().enumerate() {
             if self.internal() {
                 tracer.touch(k, touch, Feed::LongLink, k as u8 + 2);
@@ -191,7 +205,7 @@ impl Shape for Triple {
             tracer.position(start, Feed::LongLink, step + 1);
         }
         let last = if self.internal() { 5 } else { 8 };
-        tracer.position(start + on.frame.w * feed_distance, Feed::Return, last);
+        lift(on, tracer, start, last);
     }
 
     /// Each surface keeps its nominal direction n and is put a ball radius behind its trigger: n·p = q. The corner is where the
@@ -260,8 +274,18 @@ impl Shape for Triple {
             .collect()
     }
 
-    fn feature(&self, picked: bool) -> Feature {
-        Feature::Triple(Corner { outside: !self.internal(), angle: self.angle.abs(), picked })
+    fn feature(&self) -> Feature {
+        let mut walls = WALLS.to_vec();
+        if self.internal() {
+            walls.push(Touched { clearance: "cycle.clearance3", step: None, distance: None });
+        }
+        let top = self.outside.map(|_| Top {
+            depth: "cycle.depth",
+            clearance: "cycle.topClearance",
+            inwards: ["cycle.topDistance1", "cycle.topDistance2"],
+        });
+        let angle = Entry { field: ANGLE, value: self.angle.degrees };
+        Feature::Corner(Corner { outside: !self.internal(), angle, walls, top })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

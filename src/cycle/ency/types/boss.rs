@@ -3,7 +3,8 @@
 //! A stud, touched from outside.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, RoundProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, RoundProtected, words};
+use crate::form::Section;
 use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,41 +13,19 @@ pub static DEF: CycleDef = CycleDef {
     name: "BOSS",
     source: "ENCY/SprutCAM type 5",
     probes: Subject::Boss,
-    own_feeds: false,
     number: Some(5),
     most_touches: MAX_TOUCHES,
-    doc: "docs/cycles/boss.md",
     fields: RoundProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(RoundProtected::read(section), shape, picks, plane)),
-    steps: &[
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the centre, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 once more for each touch point that is left",
-        words::LIFT,
-    ],
-    readings: &[
-        words::HEIGHTS,
-        words::NORMAL,
-        words::FEEDS,
-        words::COMPENSATION,
-        words::AS_MANY,
-        words::RECTANGULAR,
-        words::ANGULAR,
-        words::VARIANT,
-        words::CIRCLE,
-    ],
-    read: |section| {
-        let form = RoundProtected::read(section);
-        ency::read(section, &DEF, "boss probing", form, shape)
-    },
+    ),
+    readings: words::ROUND_PROTECTED,
+    read: |def, section| ency::read(def, section, "boss probing", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &RoundProtected) -> Box<dyn Shape> {
-    form.shape(false)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    RoundProtected::read(section).dimensions(false)
 }

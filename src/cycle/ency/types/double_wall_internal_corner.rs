@@ -4,8 +4,8 @@
 //! of the touches between the first and the last move.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Corner, Shape, field, words};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, Corner, CornerAngle, Dimensions, Shape, field, words};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::{MAX_TOUCHES, Subject};
 
@@ -15,14 +15,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "CORNER",
     source: "ENCY/SprutCAM type 13",
     probes: Subject::CornerInside,
-    own_feeds: false,
     number: Some(13),
     most_touches: MAX_TOUCHES,
-    doc: "docs/cycles/double-wall-internal-corner.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: clearance 1 from wall 1 and clearance 2 from wall 2",
         "Touch the first point of wall 1, and back",
@@ -45,17 +41,15 @@ pub static DEF: CycleDef = CycleDef {
         words::LINES,
         words::TURN,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "double wall internal corner probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "double wall internal corner probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
     /// The form of type 13.
     pub struct Form {
         /// The corner, at the level of the touches.
-        origin: Vec3 = Field::point("origin", "Corner at touch level").group("Place"),
+        origin: Vec3 = field::origin("Corner at touch level"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, inside the corner.
@@ -77,13 +71,15 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Corner {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Corner(Corner {
         internal: true,
-        angle: form.angle,
+        angle: CornerAngle::of(form.angle),
         clearances: [form.clearance1, form.clearance2],
         counts: [form.count1.max(1) as usize, form.count2.max(1) as usize],
         steps: [form.step1, form.step2],
         distances: None,
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,8 +3,8 @@
 //! Both walls of a groove, from its middle.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
-use crate::form::form;
+use crate::cycle::ency::{self, Dimensions, Pairs, Shape, Side, field, words};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "GROOVE",
     source: "ENCY/SprutCAM type 11",
     probes: Subject::Groove,
-    own_feeds: false,
     number: Some(11),
     most_touches: 2,
-    doc: "docs/cycles/groove.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "With the top clearance checked: to the feed distance above it, down to it over the middle, then down to the middle at the depth",
         "With the top clearance not checked: to the feed distance above the middle at the depth, then down to it",
@@ -38,10 +34,8 @@ pub static DEF: CycleDef = CycleDef {
         words::SINGLE,
         words::UNCHECKED,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "groove probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "groove probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -58,12 +52,14 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Pairs {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Pairs(Pairs {
         internal: true,
-        sides: vec![Side { width_key: ("width", "Width"), width: form.width, clearance: None }],
+        sides: vec![Side { width: form.width, clearance: None }],
         depth: form.depth,
         top: form.top_clearance,
         middle: None,
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,7 +3,8 @@
 //! Both walls of a groove, each touch entered from above.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, PairProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, PairProtected, words};
+use crate::form::Section;
 use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,24 +13,14 @@ pub static DEF: CycleDef = CycleDef {
     name: "GROOVE",
     source: "ENCY/SprutCAM type 12",
     probes: Subject::GrooveProtected,
-    own_feeds: false,
     number: Some(12),
     most_touches: 2,
-    doc: "docs/cycles/groove-protected.md",
     fields: PairProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(PairProtected::read(section), shape, picks, plane)),
-    steps: &[
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: the middle, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 for the second touch point",
-        words::LIFT,
-    ],
+    ),
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
@@ -39,12 +30,10 @@ pub static DEF: CycleDef = CycleDef {
         words::COSINE_INSIDE,
         words::SINGLE,
     ],
-    read: |section| {
-        let form = PairProtected::read(section);
-        ency::read(section, &DEF, "groove probing protected", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "groove probing protected", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &PairProtected) -> Box<dyn Shape> {
-    form.shape(true)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    PairProtected::read(section).dimensions(true)
 }

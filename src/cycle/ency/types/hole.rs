@@ -3,8 +3,8 @@
 //! All touches from the centre, which the ball enters from above or goes to straight away.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Circle, Shape, Variant, field, words};
-use crate::form::form;
+use crate::cycle::ency::{self, Circle, Dimensions, Shape, Variant, field, words};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::{MAX_TOUCHES, Subject};
 
@@ -14,21 +14,11 @@ pub static DEF: CycleDef = CycleDef {
     name: "BORE",
     source: "ENCY/SprutCAM type 3",
     probes: Subject::Hole,
-    own_feeds: false,
     number: Some(3),
     most_touches: MAX_TOUCHES,
-    doc: "docs/cycles/hole.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
-    steps: &[
-        "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
-        "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
-        "Touch, and back to the centre, once for each touch point",
-        "With the top clearance checked: up by top clearance and depth",
-        "Up to the feed distance",
-    ],
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: words::FROM_CENTRE,
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
@@ -40,10 +30,8 @@ pub static DEF: CycleDef = CycleDef {
         words::CIRCLE,
         words::UNCHECKED,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "hole probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "hole probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -63,17 +51,15 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    let variant = match form.variant {
-        0 => Variant::Rectangular,
-        _ => Variant::Angular { start: form.start_angle, step: form.angular_step, count: form.step_count.max(1) as usize },
-    };
-    Box::new(Circle {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Circle(Circle {
         internal: true,
         diameter: form.diameter,
-        variant,
+        variant: Variant::of(form.variant, form.start_angle, form.angular_step, form.step_count),
         depth: form.depth,
         top: form.top_clearance,
         clearance: None,
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,7 +3,8 @@
 //! Each touch is entered from above, so that an island in the middle is not met.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, RoundProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, RoundProtected, words};
+use crate::form::Section;
 use crate::path::{MAX_TOUCHES, Subject};
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,41 +13,19 @@ pub static DEF: CycleDef = CycleDef {
     name: "BORE",
     source: "ENCY/SprutCAM type 4",
     probes: Subject::HoleProtected,
-    own_feeds: false,
     number: Some(4),
     most_touches: MAX_TOUCHES,
-    doc: "docs/cycles/hole-protected.md",
     fields: RoundProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(RoundProtected::read(section), shape, picks, plane)),
-    steps: &[
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 once more for each touch point that is left",
-        words::LIFT,
-    ],
-    readings: &[
-        words::HEIGHTS,
-        words::NORMAL,
-        words::FEEDS,
-        words::COMPENSATION,
-        words::AS_MANY,
-        words::RECTANGULAR,
-        words::ANGULAR,
-        words::VARIANT,
-        words::CIRCLE,
-    ],
-    read: |section| {
-        let form = RoundProtected::read(section);
-        ency::read(section, &DEF, "hole probing protected", form, shape)
-    },
+    ),
+    readings: words::ROUND_PROTECTED,
+    read: |def, section| ency::read(def, section, "hole probing protected", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &RoundProtected) -> Box<dyn Shape> {
-    form.shape(true)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    RoundProtected::read(section).dimensions(true)
 }

@@ -3,8 +3,8 @@
 //! Four touches from the centre, one a wall.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
-use crate::form::form;
+use crate::cycle::ency::{self, Dimensions, Pairs, Shape, Side, field, words};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,21 +14,11 @@ pub static DEF: CycleDef = CycleDef {
     name: "POCKET",
     source: "ENCY/SprutCAM type 6",
     probes: Subject::Pocket,
-    own_feeds: false,
     number: Some(6),
     most_touches: 4,
-    doc: "docs/cycles/internal-rectangle.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
-    steps: &[
-        "With the top clearance checked: to the feed distance above it, down to it over the centre, then down to the centre at the depth",
-        "With the top clearance not checked: to the feed distance above the centre at the depth, then down to it",
-        "Touch, and back to the centre, once for each touch point",
-        "With the top clearance checked: up by top clearance and depth",
-        "Up to the feed distance",
-    ],
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: words::FROM_CENTRE,
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
@@ -38,10 +28,8 @@ pub static DEF: CycleDef = CycleDef {
         words::COSINE_INSIDE,
         words::UNCHECKED,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "internal rectangle probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "internal rectangle probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -60,13 +48,14 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    let side = |key: (&'static str, &'static str), width, clearance| Side { width_key: key, width, clearance };
-    Box::new(Pairs {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Pairs(Pairs {
         internal: true,
-        sides: vec![side(("width1", "Width 1"), form.width1, None), side(("width2", "Width 2"), form.width2, None)],
+        sides: [form.width1, form.width2].map(|width| Side { width, clearance: None }).into(),
         depth: form.depth,
         top: form.top_clearance,
         middle: None,
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,7 +3,8 @@
 //! Four touches from inside, one a wall, each entered from above, so that an island in the middle is not met.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, RectangleProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, RectangleProtected, words};
+use crate::form::Section;
 use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,24 +13,14 @@ pub static DEF: CycleDef = CycleDef {
     name: "POCKET",
     source: "ENCY/SprutCAM type 7",
     probes: Subject::PocketProtected,
-    own_feeds: false,
     number: Some(7),
     most_touches: 4,
-    doc: "docs/cycles/internal-rectangle-protected.md",
     fields: RectangleProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(RectangleProtected::read(section), shape, picks, plane)),
-    steps: &[
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: the centre, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 three times more, once for each touch point that is left",
-        words::LIFT,
-    ],
+    ),
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
@@ -39,12 +30,10 @@ pub static DEF: CycleDef = CycleDef {
         words::RECTANGLE,
         words::COSINE_INSIDE,
     ],
-    read: |section| {
-        let form = RectangleProtected::read(section);
-        ency::read(section, &DEF, "internal rectangle probing protected", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "internal rectangle probing protected", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &RectangleProtected) -> Box<dyn Shape> {
-    form.shape(true)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    RectangleProtected::read(section).dimensions(true)
 }

@@ -1,8 +1,8 @@
 //! NC action: ENCY / SprutCAM type 1. Rows of the table, no motion.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Still, field};
-use crate::form::form;
+use crate::cycle::ency::{self, Dimensions, field};
+use crate::form::{Section, form};
 use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
@@ -11,20 +11,12 @@ pub static DEF: CycleDef = CycleDef {
     name: "NC-ACTION",
     source: "ENCY/SprutCAM type 1",
     probes: Subject::Action,
-    own_feeds: false,
     number: Some(1),
     most_touches: 0,
-    doc: "docs/cycles/nc-action.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: None,
-    steps: &[],
     readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "NC action", form, |_| Box::new(Still))
-    },
+    read: |def, section| ency::read(def, section, "NC action", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -32,4 +24,8 @@ form! {
     pub struct Form {
         sub_code: i32 = field::sub_code(),
     }
+}
+
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    Dimensions::still(&Form::read(section))
 }

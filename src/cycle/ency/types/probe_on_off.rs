@@ -1,8 +1,8 @@
 //! Probe on/off: ENCY / SprutCAM type 0. Rows of the table, no motion.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Still};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, Dimensions};
+use crate::form::{Field, Section, form};
 use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
@@ -11,23 +11,16 @@ pub static DEF: CycleDef = CycleDef {
     name: "PROBE-ON-OFF",
     source: "ENCY/SprutCAM type 0",
     probes: Subject::Switch,
-    own_feeds: false,
     number: Some(0),
     most_touches: 0,
-    doc: "docs/cycles/probe-on-off.md",
     fields: Form::FIELDS,
     sections: &[],
-    home: ("linuxcnc", "moves"),
-    place: None,
-    steps: &[],
     readings: &[
         "Nothing moves, so that a program of plain moves states its modes and ends. How a machine's probe is switched on is up \
                  to its builder, and is not guessed.",
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "probe on/off", form, |_| Box::new(Still))
-    },
+    read: |def, section| ency::read(def, section, "probe on/off", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -36,4 +29,8 @@ form! {
         /// Whether the probe is switched on or off.
         on: bool = Field::flag("on", "On", true).code("CmdPrm.Bol[-3]").group("Postprocessor"),
     }
+}
+
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    Dimensions::still(&Form::read(section))
 }

@@ -3,8 +3,8 @@
 //! One touch along the target vector, on a wall, a top side or anything between.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Point, Shape, field, words};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, Dimensions, Point, Shape, field, words};
+use crate::form::{Field, Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "SURFACE",
     source: "ENCY/SprutCAM type 2",
     probes: Subject::Surface,
-    own_feeds: false,
     number: Some(2),
     most_touches: 1,
-    doc: "docs/cycles/surface.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the clearance in front of the touch point along its target vector",
         "Touch",
@@ -35,19 +31,17 @@ pub static DEF: CycleDef = CycleDef {
         "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
         "Rotation and elevation are ours: the source has the target vector only.",
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "surface probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "surface probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
     /// The form of type 2.
     pub struct Form {
         /// The touch point, on the surface.
-        origin: Vec3 = Field::point("origin", "Touch point").group("Place"),
+        origin: Vec3 = field::origin("Touch point"),
         /// Where the target vector points in the plane; counter-clockwise positive.
-        rotation: f64 = Field::angle("rotation", "Rotation", 0.0).group("Place"),
+        rotation: f64 = field::rotation(),
         /// How steeply the target vector points up from the plane: 90 is a top side, 0 a wall.
         elevation: f64 = Field::angle("elevation", "Elevation", 90.0).range(0.0, 90.0).group("Place"),
         /// From the surface to the ball centre where the touch begins.
@@ -58,6 +52,8 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Point { clearance: form.clearance, elevation: form.elevation })
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Point(Point { clearance: form.clearance, elevation: form.elevation });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

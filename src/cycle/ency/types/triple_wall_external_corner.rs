@@ -3,8 +3,8 @@
 //! Two walls and the top side of a block, each touched once.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Outside, Shape, Triple, field, words};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, CornerAngle, Dimensions, Outside, Shape, Triple, field, words};
+use crate::form::{Section, Seen, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "CORNER",
     source: "ENCY/SprutCAM type 16",
     probes: Subject::TripleOutside,
-    own_feeds: false,
     number: Some(16),
     most_touches: 3,
-    doc: "docs/cycles/triple-wall-external-corner.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: outside, clearance 1 from wall 1 and clearance 2 from wall 2, top clearance above the top side",
         "To clearance 1 from the point of wall 1, touch, and back",
@@ -41,17 +37,15 @@ pub static DEF: CycleDef = CycleDef {
         "The distances to the touches are ours: the source has the touch points only.",
         words::PLANES,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "triple wall external corner probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "triple wall external corner probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
     /// The form of type 16.
     pub struct Form {
         /// The corner, on the top side.
-        origin: Vec3 = Field::point("origin", "Corner on the top side").group("Place"),
+        origin: Vec3 = field::origin("Corner on the top side"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, in the material.
@@ -63,7 +57,7 @@ form! {
         /// From wall 2 to the ball centre where its touch begins.
         clearance2: f64 = field::clearance("clearance2", "Clearance 2", 15.0, "CmdPrm.Flt[-57]"),
         /// From the top side to the ball centre where its touch begins, and where the ball crosses.
-        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]"),
+        top_clearance: f64 = field::clearance("topClearance", "Top clearance", 10.0, "CmdPrm.Flt[-58]").seen(Seen::Upright),
         /// From the corner along wall 1 to its touch.
         distance1: f64 = field::distance("distance1", "Distance 1", 15.0),
         /// From the corner along wall 2 to its touch.
@@ -77,15 +71,17 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
     let outside = Outside {
         depth: form.depth,
         distances: [form.distance1, form.distance2],
         inwards: [form.top_distance1, form.top_distance2],
     };
-    Box::new(Triple {
-        angle: form.angle,
+    let shape = Shape::Triple(Triple {
+        angle: CornerAngle::of(form.angle),
         clearances: [form.clearance1, form.clearance2, form.top_clearance],
         outside: Some(outside),
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,8 +3,8 @@
 //! Two walls and the floor of a pocket, each touched once from one start point inside.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Shape, Triple, field, words};
-use crate::form::{Field, form};
+use crate::cycle::ency::{self, CornerAngle, Dimensions, Shape, Triple, field, words};
+use crate::form::{Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "CORNER",
     source: "ENCY/SprutCAM type 15",
     probes: Subject::TripleInside,
-    own_feeds: false,
     number: Some(15),
     most_touches: 3,
-    doc: "docs/cycles/triple-wall-internal-corner.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: each clearance away from its surface",
         "Touch the first wall, and back",
@@ -38,17 +34,15 @@ pub static DEF: CycleDef = CycleDef {
         "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
         words::PLANES,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "triple wall internal corner probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "triple wall internal corner probing", dimensions),
+    ..ency::BASE
 };
 
 form! {
     /// The form of type 15.
     pub struct Form {
         /// The corner, where the walls meet the floor.
-        origin: Vec3 = Field::point("origin", "Corner on the floor").group("Place"),
+        origin: Vec3 = field::origin("Corner on the floor"),
         /// How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive.
         rotation: f64 = field::rotation(),
         /// Between the walls, inside the corner.
@@ -64,6 +58,12 @@ form! {
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Triple { angle: form.angle, clearances: [form.clearance1, form.clearance2, form.clearance3], outside: None })
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Triple(Triple {
+        angle: CornerAngle::of(form.angle),
+        clearances: [form.clearance1, form.clearance2, form.clearance3],
+        outside: None,
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

@@ -3,7 +3,8 @@
 //! A rib, touched on both sides.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, PairProtected, Shape, words};
+use crate::cycle::ency::{self, Dimensions, PairProtected, words};
+use crate::form::Section;
 use crate::path::Subject;
 
 pub static DEF: CycleDef = CycleDef {
@@ -12,24 +13,14 @@ pub static DEF: CycleDef = CycleDef {
     name: "WEB",
     source: "ENCY/SprutCAM type 9",
     probes: Subject::Web,
-    own_feeds: false,
     number: Some(9),
     most_touches: 2,
-    doc: "docs/cycles/web.md",
     fields: PairProtected::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(PairProtected::read(section), shape, picks, plane)),
-    steps: &[
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
+    steps: &words::protected(
         "To the feed distance above the start, then down to the start: over the middle, top clearance above the top side",
-        words::OVER,
-        words::DOWN,
-        words::TOUCH,
-        words::UP,
-        words::BACK,
         "Steps 2 to 6 for the second touch point",
-        words::LIFT,
-    ],
+    ),
     readings: &[
         words::HEIGHTS,
         words::NORMAL,
@@ -39,12 +30,10 @@ pub static DEF: CycleDef = CycleDef {
         words::COSINE_OUTSIDE,
         words::SINGLE,
     ],
-    read: |section| {
-        let form = PairProtected::read(section);
-        ency::read(section, &DEF, "web probing", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "web probing", dimensions),
+    ..ency::BASE
 };
 
-fn shape(form: &PairProtected) -> Box<dyn Shape> {
-    form.shape(false)
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    PairProtected::read(section).dimensions(false)
 }

@@ -3,8 +3,8 @@
 //! A rib, touched on both sides and on top.
 
 use crate::cycle::CycleDef;
-use crate::cycle::ency::{self, Pairs, Shape, Side, field, words};
-use crate::form::form;
+use crate::cycle::ency::{self, Dimensions, Pairs, Shape, Side, field, words};
+use crate::form::{Section, Seen, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
 
@@ -14,14 +14,10 @@ pub static DEF: CycleDef = CycleDef {
     name: "WEB",
     source: "ENCY/SprutCAM type 10",
     probes: Subject::WebTop,
-    own_feeds: false,
     number: Some(10),
     most_touches: 3,
-    doc: "docs/cycles/web-three-points.md",
     fields: Form::FIELDS,
-    sections: &[ency::PROPERTIES],
-    home: ("linuxcnc", "moves"),
-    place: Some(|section, picks, plane| ency::place(Form::read(section), shape, picks, plane)),
+    place: Some(|section, picks, plane| ency::place(section, dimensions, picks, plane)),
     steps: &[
         "To the feed distance above the start, then down to the start: the middle clearance above the middle touch point",
         "At the height of the start, across to the side clearance from the left touch point",
@@ -44,10 +40,8 @@ pub static DEF: CycleDef = CycleDef {
         words::COSINE_OUTSIDE,
         words::SINGLE,
     ],
-    read: |section| {
-        let form = Form::read(section);
-        ency::read(section, &DEF, "web probing (three points)", form, shape)
-    },
+    read: |def, section| ency::read(def, section, "web probing (three points)", dimensions),
+    ..ency::BASE
 };
 
 form! {
@@ -62,23 +56,21 @@ form! {
         /// From the wall to the ball centre where the left and the right touch begin.
         side_clearance: f64 = field::clearance("sideClearance", "Side clearance", 8.0, "CmdPrm.Flt[-56]"),
         /// From the top side to the ball centre where the middle touch begins, and where the ball crosses.
-        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]"),
+        middle_clearance: f64 = field::clearance("middleClearance", "Middle clearance", 10.0, "CmdPrm.Flt[-57]").seen(Seen::Upright),
         feed_distance: f64 = field::feed_distance(),
         compensate_dimensions: bool = field::compensate(),
         sub_code: i32 = field::sub_code(),
     }
 }
 
-fn shape(form: &Form) -> Box<dyn Shape> {
-    Box::new(Pairs {
+fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
+    let form = Form::read(section);
+    let shape = Shape::Pairs(Pairs {
         internal: false,
-        sides: vec![Side {
-            width_key: ("width", "Width"),
-            width: form.width,
-            clearance: Some(("sideClearance", "Side clearance", form.side_clearance)),
-        }],
+        sides: vec![Side { width: form.width, clearance: Some(form.side_clearance) }],
         depth: form.depth,
         top: Some(form.middle_clearance),
         middle: Some(form.middle_clearance),
-    })
+    });
+    Dimensions::of(&form, (form.origin, form.rotation), form.feed_distance, shape)
 }

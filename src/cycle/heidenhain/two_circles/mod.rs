@@ -34,7 +34,6 @@ pub static DEF: CycleDef = CycleDef {
     number: None,
     most_touches: 2 * 8 * 99,
     place: None,
-    doc: "docs/cycles/probing-two-circles.md",
     fields: Form::FIELDS,
     sections: &[PROBE, EXTRUSION],
     home: ("heidenhain", "cycle"),
@@ -85,13 +84,16 @@ pub static DEF: CycleDef = CycleDef {
         "With 1493 each touch is repeated along the extrusion and the mean goes into the fit; Q970, Q971, Q973, Q974 are the \
          largest deviations of the circles fitted at the single places.",
     ],
-    read: |section| {
+    read: |_, section| {
         let form = Form::read(section);
         let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
         let extrusion = section.sub(&EXTRUSION, Extrusion::read);
         Box::new(TwoCircles { form, probe, extrusion }.with_stand_ins())
     },
 };
+
+/// The fields of the two diameters.
+const DIAMETERS: [&str; 2] = ["cycle.diameter1", "cycle.diameter2"];
 
 /// The checked cycle.
 #[derive(Clone, Debug)]
@@ -258,6 +260,7 @@ impl TwoCircles {
         let [extrusion, settings] =
             self.settings().map(|list| list.into_iter().map(|(setting, _)| setting).collect::<Vec<Setting>>());
         path::TwoCircles {
+            diameters: DIAMETERS,
             line: self.line(setup),
             spread: self.spread(setup),
             semi_automatic: self.objects().iter().any(|o| o.state == State::Semi),
@@ -300,6 +303,8 @@ impl Cycle for TwoCircles {
                 rapid: self.probe.rapid,
             }),
             feature: Feature::TwoCircles(Box::new(self.feature(setup))),
+            picked: false,
+            lift: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),
         }

@@ -1,19 +1,48 @@
 //! What must hold in 1411 beyond single fields.
 
-use crate::cycle::heidenhain::two_circles::{Object, State, TwoCircles};
+use crate::cycle::heidenhain::two_circles::{DIAMETERS, Object, State, TwoCircles};
 use crate::form::Checker;
 use crate::geom::Vec2;
 use crate::path::{SHORTEST_TOUCH, Setup};
 use crate::text::{text, words};
 
+const POINTS: [&str; 2] = ["cycle.point1", "cycle.point2"];
+const PLACES_AND_SIZES: &[&str] = &["cycle.point1", "cycle.point2", "cycle.diameter1", "cycle.diameter2"];
+
+/// A rule, and the fields without whose values it says nothing.
+type Rule = (&'static [&'static str], fn(&TwoCircles, &Setup, &mut Checker));
+
+/// Every rule, in the order of their findings.
+const RULES: [Rule; 9] = [
+    (&[], TwoCircles::objects_rule),
+    (&[], TwoCircles::arc_rule),
+    (&["cycle.angularLength", "cycle.probePoints"], TwoCircles::spread_rule),
+    (&[], TwoCircles::alignment_rule),
+    (&POINTS, TwoCircles::direction_rule),
+    (PLACES_AND_SIZES, TwoCircles::containing_rule),
+    (&POINTS, TwoCircles::given_direction_rule),
+    (&[], TwoCircles::extrusion_rule),
+    (&[], TwoCircles::height_rule),
+];
+
+/// How far two places, as (main, minor) and more, are apart in the plane.
+fn apart(p: &[f64], q: &[f64]) -> f64 {
+    (p[0] - q[0]).hypot(p[1] - q[1])
+}
+
 impl TwoCircles {
     /// Reports every rule that does not hold.
     pub(super) fn check(&self, setup: &Setup, checker: &mut Checker) {
-        let form = &self.form;
-        let diameters = ["cycle.diameter1", "cycle.diameter2"];
-        let points = ["cycle.point1", "cycle.point2"];
-        for object in &self.objects() {
-            let (point, diameter) = (points[object.number - 1], diameters[object.number - 1]);
+        for (needs, rule) in RULES {
+            if checker.sound(needs) {
+                rule(self, setup, checker);
+            }
+        }
+    }
+
+    /// What must hold of each object alone.
+    fn objects_rule(&self, setup: &Setup, checker: &mut Checker) {
+        for ((object, point), diameter) in self.objects().iter().zip(POINTS).zip(DIAMETERS) {
             object_rules(object, point, diameter, checker);
             if object.state == State::Probed
                 && checker.sound(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
@@ -24,77 +53,76 @@ impl TwoCircles {
                 }
             }
         }
-        if form.angular_length == 0.0 {
+    }
+
+    fn arc_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        if self.form.angular_length == 0.0 {
             checker.error("no-arc", "cycle.angularLength", text!("An angular length of 0° puts every touch on one spot"));
         }
-        if form.angular_length != 0.0 && checker.sound(&["cycle.angularLength", "cycle.probePoints"]) {
-            self.spread_rules(checker);
-        }
-        if form.align_rotary_axis != 0 && form.confirm_rotation == 0 {
+    }
+
+    fn alignment_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        if self.form.align_rotary_axis != 0 && self.form.confirm_rotation == 0 {
             let message = text!(
                 "Aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121): the control shows an error otherwise"
             );
             checker.error("align-needs-confirm", "cycle.alignRotaryAxis", message);
         }
-        let [one, two] = self.objects();
-        if let (Some(p), Some(q)) = (one.place(), two.place())
-            && checker.sound(&points)
-            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
-        {
+    }
+
+    fn direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        let [one, two] = self.objects().map(|object| object.place());
+        if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
             let message = text!("Both circles are in one place: the line through their centres has no direction");
             checker.error("no-direction", "cycle.point2", message);
         }
-        if let (Some(p), Some(q)) = (one.place(), two.place())
-            && one.state == State::Probed
-            && two.state == State::Probed
-            && checker.sound(&[points[0], points[1], diameters[0], diameters[1]])
-        {
-            let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
-            for (outer, inner, path) in [(&one, &two, diameters[0]), (&two, &one, diameters[1])] {
-                if apart + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
-                    let message = text!(
-                        "Circle {number} (diameter {nominal_diameter}) contains circle {number2} wholly: is a diameter in other units?",
-                        outer.number,
-                        checker.length(outer.nominal_diameter()),
-                        inner.number
-                    );
-                    checker.error("circle-in-circle", path, message);
-                    break;
-                }
-            }
-        }
-        let given = |o: &Object| Some([o.point[0].actual?, o.point[1].actual?]);
-        if let (Some(p), Some(q)) = (given(&one), given(&two))
-            && checker.sound(&points)
-            && (p[0] - q[0]).hypot(p[1] - q[1]) < 1e-6
-        {
+    }
+
+    fn given_direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        let [one, two] = self.objects().map(|object| Some([object.point[0].actual?, object.point[1].actual?]));
+        if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
             let message = text!("Both circles are given in one place: the line through their centres has no direction");
             checker.error("no-direction", "cycle.point2", message);
         }
-        if let Some(extrusion) = &self.extrusion
-            && extrusion.points > 1
-            && extrusion.length != 0.0
-            && extrusion.direction != 3
-        {
+    }
+
+    /// No probed circle lies wholly in the other.
+    fn containing_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        let [one, two] = self.objects();
+        let (Some(p), Some(q), State::Probed, State::Probed) = (one.place(), two.place(), one.state, two.state) else { return };
+        for (outer, inner, path) in [(&one, &two, DIAMETERS[0]), (&two, &one, DIAMETERS[1])] {
+            if apart(&p, &q) + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
+                let message = text!(
+                    "Circle {number} (diameter {nominal_diameter}) contains circle {number2} wholly: is a diameter in other units?",
+                    outer.number,
+                    checker.length(outer.nominal_diameter()),
+                    inner.number
+                );
+                return checker.error("circle-in-circle", path, message);
+            }
+        }
+    }
+
+    fn extrusion_rule(&self, _setup: &Setup, checker: &mut Checker) {
+        let Some(extrusion) = self.extrusion.as_ref().filter(|extrusion| extrusion.points > 1) else { return };
+        if extrusion.length == 0.0 {
+            let message = text!("An extrusion of length 0 repeats every touch on the same spot");
+            checker.warning("no-extrusion", "cycle.extrusion.length", message);
+        } else if extrusion.direction != 3 {
             let message = text!(
                 "Along the main or minor axis repeated touches would run off a round object: only the tool axis (3) is planned"
             );
             checker.error("extrusion-direction", "cycle.extrusion.direction", message);
         }
-        if let Some(extrusion) = &self.extrusion
-            && extrusion.points > 1
-            && extrusion.length == 0.0
-        {
-            let message = text!("An extrusion of length 0 repeats every touch on the same spot");
-            checker.warning("no-extrusion", "cycle.extrusion.length", message);
-        }
-        self.height_rules(setup, checker);
     }
 
     /// Touches must lie apart, and an arc too short makes the circle uncertain.
-    fn spread_rules(&self, checker: &mut Checker) {
+    fn spread_rule(&self, _setup: &Setup, checker: &mut Checker) {
         const NEAREST: f64 = 1.0;
         const DOUBTFUL: f64 = 5.0;
+        if self.form.angular_length == 0.0 {
+            return;
+        }
         let angles = self.angles();
         let apart = |a: f64, b: f64| crate::num::wrap_degrees((a - b).to_degrees()).abs();
         let pairs = angles.iter().enumerate().flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
@@ -223,10 +251,10 @@ impl TwoCircles {
     }
 
     /// The clearance height against the measuring heights, and the notice of the manual.
-    fn height_rules(&self, setup: &Setup, checker: &mut Checker) {
+    fn height_rule(&self, setup: &Setup, checker: &mut Checker) {
         let mode = self.form.clearance_height_mode;
         let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
-        for (object, path) in self.objects().iter().zip(["cycle.point1", "cycle.point2"]) {
+        for (object, path) in self.objects().iter().zip(POINTS) {
             let Some([_, _, height]) = object.place() else { continue };
             if mode >= 0 && object.state == State::Probed && checker.sound(&[path, "cycle.clearanceHeight"]) {
                 let highest = height + extrusion;
