@@ -1,6 +1,6 @@
 // What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -85,6 +85,15 @@ export function ensureTarget() {
   const name = "wasm32-unknown-unknown";
   const sysroot = run("rustc", ["--print", "sysroot"], { quiet: true }).trim();
   if (!existsSync(join(sysroot, "lib", "rustlib", name))) run("rustup", ["target", "add", name]);
+}
+
+/** The oldest Rust that the crate says it takes, by `rust-version` in Cargo.toml; gives its version. */
+export function ensureOldestRust() {
+  const version = /^rust-version = "(.+)"$/m.exec(readFileSync(at("Cargo.toml"), "utf8"))?.[1] ?? "";
+  const known = run("rustup", ["toolchain", "list"], { quiet: true });
+  if (!known.split("\n").some((line) => line.startsWith(`${version}-`) || line.startsWith(`${version}.`)))
+    run("rustup", ["toolchain", "install", version, "--profile", "minimal", "--no-self-update"]);
+  return version;
 }
 
 /** wasm-bindgen and its test runner, of the crate's very version; gives the folder they are in. */

@@ -11,6 +11,7 @@ import {
   ensureChromium,
   ensureFirefox,
   ensureInterpreter,
+  ensureOldestRust,
   ensurePackages,
   ensureTarget,
   ensureWasmPack,
@@ -80,6 +81,7 @@ const tools = await stage("Set-up", () => {
     webkit: ensureWebKit(),
     bindgen: ensureBindgen(),
     wasmPack: ensureWasmPack(),
+    oldest: ensureOldestRust(),
   };
 });
 
@@ -107,6 +109,11 @@ if (tools && !only) {
   console.log(`Random cases of this run: npm test -- --seed ${seed}`);
   await stage("Native tests", () =>
     run("cargo", ["test", "--locked"], { env: { ...random, RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
+  );
+  await stage("Oldest Rust", () =>
+    run("cargo", [`+${tools.oldest}`, "check", "--quiet", "--locked"], {
+      env: { CARGO_TARGET_DIR: at("target", "oldest") },
+    }),
   );
   await stage("Fuzz", () => fuzz(200_000, random));
   await build();
@@ -138,6 +145,7 @@ if (tools && !only) {
     },
   };
   await stage("Project tests", () => run("node", [...patient, ...tests("projects")], browser));
-  await stage("Page tests", () => run("node", [...patient, ...tests("page")], browser));
+  // Two files at a time: a page waits for its module and its workers, and two cores do both.
+  await stage("Page tests", () => run("node", [...patient, "--test-concurrency=2", ...tests("page")], browser));
 }
 summary();

@@ -90,8 +90,8 @@ fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
         let Some(accessor) = accessor.filter(|_| whole) else { continue };
         // No code is longer than a dozen characters.
         let after = &text[at + 1..];
-        let near = &after[..after.floor_char_boundary(16)];
-        let Some((code, _)) = near.split_once(']') else { continue };
+        let Some(end) = after.bytes().take(16).position(|b| b == b']') else { continue };
+        let code = &after[..end];
         if let Ok(number) = code.trim().parse::<i32>() {
             return Some((accessor, number, &after[code.len() + 1..]));
         }
