@@ -224,58 +224,21 @@ impl Painter {
 
     /// Draws everything.
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
-        let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
         self.begin(camera, BOLD);
         c.set_line_cap("round");
         c.set_line_join("round");
-        self.material(scene, camera);
-        let solid = scene.material.is_empty();
-        for faces in scene.faces(deviates).chunk_by(together) {
-            match faces[0] {
-                Face::Wall(wall) => self.wall(wall, faces, camera, solid),
-                Face::Top(top) => self.top(top, camera),
-                Face::Behind(of) => {
-                    // The lines of a long path are drawn together, in one place.
-                    if !is_long(scene) {
-                        self.path(scene, camera, marks, Some(of));
-                    }
-                    self.touches(scene, camera, marks.deviates, Some(of));
-                }
-            }
-        }
+        self.part(scene, camera, marks);
         // Beneath the moves, the touches and the dimensions.
         let layout = if self.small { None } else { Some(camera.layout(scene, marks.field)) };
         for arc in layout.iter().flat_map(|layout| &layout.arcs) {
             self.angle(arc, marks.field == Some(arc.angle.field));
         }
-        if is_long(scene) {
-            self.long(scene, camera);
-            for line in scene.lines.iter().filter(|line| highlight == Some(line.index)) {
-                self.line(line, camera, true, true);
-            }
-        } else {
-            self.path(scene, camera, marks, None);
-        }
-        self.touches(scene, camera, marks.deviates, None);
-        for spot in marks.measured {
-            self.square(camera.pixel(*spot));
-        }
-        if let Some((_, place)) = scene.collision {
-            self.collision(camera.pixel(place), scene.radius * camera.scale);
-        }
-        if let Some(index) = highlight {
-            self.ball(scene, camera, index, marks.part);
-        }
-        if let Some([nominal, real]) = scene.centre_lines {
-            self.segment(camera.pixel(nominal[0]), camera.pixel(nominal[1]), &self.theme.wall, 1.0, &[10.0, 4.0, 2.0, 4.0]);
-            if deviates {
-                self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
-            }
-        }
+        self.moves(scene, camera, marks);
+        self.happens(scene, camera, marks);
         let Some(layout) = layout else { return };
         if !self.still {
-            let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
+            let held = marks.deviates || marks.field.is_some_and(|field| field.starts_with("part."));
             self.handles(scene, camera, held);
         }
         self.axes(scene, camera, marks.origin, &layout);
@@ -290,6 +253,59 @@ impl Painter {
             self.scale_bar(camera, unit, marks.comma);
         }
         self.sizes(&layout, marks);
+    }
+
+    /// The material, the walls and top sides, and what lies behind these.
+    fn part(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        self.material(scene, camera);
+        let solid = scene.material.is_empty();
+        for faces in scene.faces(marks.deviates).chunk_by(together) {
+            match faces[0] {
+                Face::Wall(wall) => self.wall(wall, faces, camera, solid),
+                Face::Top(top) => self.top(top, camera),
+                Face::Behind(of) => {
+                    // The lines of a long path are drawn together, in one place.
+                    if !is_long(scene) {
+                        self.path(scene, camera, marks, Some(of));
+                    }
+                    self.touches(scene, camera, marks.deviates, Some(of));
+                }
+            }
+        }
+    }
+
+    /// The moves and the touches that nothing stands before.
+    fn moves(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        if is_long(scene) {
+            self.long(scene, camera);
+            for line in scene.lines.iter().filter(|line| marks.highlight == Some(line.index)) {
+                self.line(line, camera, true, true);
+            }
+        } else {
+            self.path(scene, camera, marks, None);
+        }
+        self.touches(scene, camera, marks.deviates, None);
+    }
+
+    /// What was measured, what the ball meets, where it is, and the line that the cycle is about.
+    fn happens(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        for spot in marks.measured {
+            self.square(camera.pixel(*spot));
+        }
+        if let Some((_, place)) = scene.collision {
+            self.collision(camera.pixel(place), scene.radius * camera.scale);
+        }
+        if let Some(index) = marks.highlight {
+            self.ball(scene, camera, index, marks.part);
+        }
+        let Some([nominal, real]) = scene.centre_lines else { return };
+        let line = |[from, to]: [Spot; 2], colour| {
+            self.segment(camera.pixel(from), camera.pixel(to), colour, 1.0, &[10.0, 4.0, 2.0, 4.0]);
+        };
+        line(nominal, &self.theme.wall);
+        if marks.deviates {
+            line(real, &self.theme.actual);
+        }
     }
 
     /// The dimensions, and above them what they and the angles say.

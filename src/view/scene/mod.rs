@@ -1,16 +1,19 @@
 //! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
 
+mod build;
 pub mod program;
 pub mod stylus;
 pub mod tops;
+mod walls;
+
+pub use build::{Actual, build};
 
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::part::Run;
-use crate::path::{Feed, Feeds, Path, Purpose, Round, Setup, Surface, Wall};
+use crate::path::Path;
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
-use crate::view::flat::{Spot, cross, distance, length, sub, width};
-use crate::view::material::{Material, WallShape, material};
-use crate::view::scene::tops::{Backs, Top, breaks, topped, tops};
+use crate::view::flat::{Spot, cross, distance, dot, length, sub, width};
+use crate::view::material::{Material, WallShape};
+use crate::view::scene::tops::Top;
 
 /// Where the scene is looked at from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -147,7 +150,7 @@ pub struct DrawnAngle {
 }
 
 /// Everything that is drawn.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// The walls; the actual ones first, so that they lie behind.
     pub walls: Vec<WallShape>,
@@ -188,247 +191,53 @@ pub struct Scene {
     pub handle: Option<(Spot, Spot)>,
 }
 
-/// What the actual part adds.
-#[derive(Debug)]
-pub struct Actual<'a> {
-    /// Its surfaces.
-    pub surfaces: &'a [Surface],
-    /// What happens there.
-    pub run: &'a Run,
-    /// Where the feature's origin really lies.
-    pub origin: Vec3,
-    /// Where its first direction really points.
-    pub direction: Vec3,
-    /// Where the path's line really lies.
-    pub line: Option<[Vec3; 2]>,
-    /// How many times larger than it is it is drawn how the part deviates.
-    pub magnify: f64,
-}
-
 /// A spot so many times as far from where it should be.
 pub fn stretched(nominal: Spot, real: Spot, times: f64) -> Spot {
     [0, 1].map(|i| nominal[i] + (real[i] - nominal[i]) * times)
 }
 
-/// The scene of a path.
-pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
-    let spot = |p: Vec3| view.spot(setup.plane, p);
-    let towards = view.towards(setup.plane);
-    let one = |wall: &Wall, actual: bool, strip: bool| {
-        let shape = wall_shape(wall, path.frame.w, &spot, actual);
-        (wall.point.dot(towards), WallShape { strip, faces: wall.normal.dot(towards) > 0.0, ..shape })
-    };
-    let shape = |surface: &Surface, actual: bool| match surface {
-        Surface::Flat(wall) => vec![one(wall, actual, false)],
-        Surface::Unknown => Vec::new(),
-        // The strips of one stand together, to be drawn in one.
-        Surface::Round(round) => {
-            let far = round.center.dot(towards);
-            strips(round, path.frame.w, path.frame.u).iter().map(|wall| (far, one(wall, actual, true).1)).collect()
-        }
-    };
-    let stretch = |nominal: Spot, real: Spot| stretched(nominal, real, actual.magnify);
-    // A surface of the actual part is that of the nominal one elsewhere: corner for corner.
-    let displaced = |(surface, nominal): (&Surface, &Surface)| {
-        let mut shapes = shape(surface, true);
-        for ((_, real), (_, nominal)) in shapes.iter_mut().zip(shape(nominal, false)) {
-            for (corner, from) in real.corners.iter_mut().zip(nominal.corners) {
-                *corner = stretch(from, *corner);
-            }
-            if let (Some(ends), Some(from)) = (&mut real.edge, nominal.edge) {
-                *ends = [0, 1].map(|i| stretch(from[i], ends[i]));
-            }
-        }
-        shapes
-    };
-    let real = actual.surfaces.iter().zip(&path.surfaces).flat_map(displaced);
-    let nominal = (0..path.surfaces.len()).flat_map(|k| {
-        let top = if view == Projection::Isometric { topped(&path.surfaces, k, path.frame.w) } else { None };
-        // The far side of what has a top is behind it.
-        let seen = move |(_, shape): &(f64, WallShape)| top.is_none() || shape.faces;
-        let mut walls = shape(&path.surfaces[k], false);
-        if top == Some(k) {
-            walls.extend(breaks(&path.surfaces, k, path.frame.w, path.frame.u).iter().map(|wall| one(wall, false, false)));
-        }
-        walls.into_iter().filter(seen).map(move |(far, shape)| (far, WallShape { top, ..shape }))
-    });
-    let all = real.chain(nominal);
-    let mut walls: Vec<(f64, WallShape)> = Vec::new();
-    for wall in all {
-        // What is seen through comes last, so that it veils what lies behind it and hides nothing.
-        let lies_behind =
-            |other: &(f64, WallShape)| if other.1.faces == wall.1.faces { other.0 <= wall.0 } else { other.1.faces };
-        let place = if view == Projection::Isometric { walls.partition_point(lies_behind) } else { walls.len() };
-        walls.insert(place, wall);
-    }
-    let walls = walls.into_iter().map(|(_, shape)| shape);
-    let tops = if view == Projection::Isometric { tops(&path.surfaces, path.frame.w, path.frame.u, spot) } else { Vec::new() };
-    let backs = if view == Projection::Isometric { Backs::of(path, towards) } else { Backs::default() };
-    let mut lines = Vec::new();
-    let mut at = path.start;
-    for (index, step) in path.moves.iter().enumerate() {
-        let from = at.unwrap_or(step.to);
-        let stroke = match (step.purpose, step.feed) {
-            (Purpose::Touch(_), _) => Stroke::Touch,
-            (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid) => {
-                Stroke::Position
-            }
-            (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work) => Stroke::Link,
-        };
-        let mut start = from;
-        for end in step.pieces(from, path.frame.w, 3.0) {
-            let back = matches!(step.purpose, Purpose::Back(_));
-            let behind = backs.before([start, end]);
-            lines.push(Line {
-                from: spot(start),
-                to: spot(end),
-                stroke,
-                rapid: feeds.is_rapid(step.feed),
-                back,
-                behind,
-                index,
-            });
-            start = end;
-        }
-        if let Purpose::Touch(k) = step.purpose {
-            let end = step.to - path.touches[k].vector * path.touches[k].search;
-            let behind = backs.before([step.to; 2]);
-            let (from, to, stroke) = (spot(step.to), spot(end), Stroke::Overtravel);
-            lines.push(Line { from, to, stroke, rapid: false, back: false, behind, index });
-        }
-        at = Some(step.to);
-    }
-    let touches = path.touches.iter().enumerate().map(|(k, touch)| TouchShape {
-        contact: spot(touch.point),
-        ball: spot(touch.contact(setup.radius)),
-        trigger: actual.run.triggers[k].map(|p| stretch(spot(touch.contact(setup.radius)), spot(p))),
-        inward: spot(touch.vector),
-        index: path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
-        behind: backs.before([touch.contact(setup.radius); 2]),
-    });
-    let circles = path.feature.two_circles();
-    let basis = setup.plane.basis();
-    let names = setup.plane.axes().map(|axis| AXIS_NAMES[axis]);
-    // Isometric, walls are seen as faces.
-    let seen = if view == Projection::Isometric { &[][..] } else { &path.surfaces };
-    let material = material(
-        seen,
-        spot,
-        |wall| wall_shape(wall, path.frame.w, &spot, false),
-        |round| strips(round, path.frame.w, path.frame.u),
-        view == Projection::Top,
-    );
-    Scene {
-        walls: walls.collect(),
-        tops,
-        material,
-        lines,
-        touches: touches.collect(),
-        ends: path.moves.iter().map(|m| spot(m.to)).collect(),
-        beyond: Vec::new(),
-        unit: Some(1.0),
-        radius: setup.radius,
-        stylus: Vec::new(),
-        origin: spot(Vec3::ZERO),
-        axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
-        centre_lines: circles.and_then(|c| c.line).zip(actual.line).map(|(nominal, real)| {
-            let nominal = nominal.map(spot);
-            [nominal, [0, 1].map(|i| stretch(nominal[i], spot(real[i])))]
-        }),
-        spread: circles
-            .and_then(|c| c.spread)
-            .filter(|_| view == Projection::Top)
-            .map(|s| (spot(s.center), s.radius, s.start, s.sweep)),
-        collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
-        dimensions: drawn(path, setup.plane, view),
-        angles: drawn_angles(path, setup.plane, view),
-        // What is drawn larger than it is cannot be dragged by it.
-        handle: (view == Projection::Top && actual.magnify == 1.0 && !path.touches.is_empty())
-            .then(|| (spot(actual.origin), spot(actual.direction))),
-    }
-}
-
-/// The dimensions that a projection shows in their true length; one that it shows shorter would mislead.
+/// The dimensions that a view along an axis shows in their true length; one that it shows shorter would mislead.
 pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     let seen = |d: Dimension| {
-        let length = d.from.distance(d.to);
+        let long = d.from.distance(d.to);
         let ends = [d.from, d.to].map(|p| view.spot(plane, p));
         let along = sub(ends[1], ends[0]);
-        if along[0].hypot(along[1]) < length * 0.999 || length < 1e-6 || view == Projection::Isometric {
+        if length(along) < long * 0.999 || long < 1e-6 {
             return None;
         }
         // A side that this projection looks along is replaced by the one square to the dimension.
         let side = view.spot(plane, d.aside);
-        let size = side[0].hypot(side[1]);
-        let square = [-along[1] / length, along[0] / length];
+        let size = length(side);
+        let square = [-along[1] / long, along[0] / long];
         let either = size <= 0.5;
         let aside = if either { square } else { [side[0] / size, side[1] / size] };
-        Some(Drawn { field: d.field, ends, aside, either, length, on_demand: d.on_demand, wide: 0.0 })
+        Some(Drawn { field: d.field, ends, aside, either, length: long, on_demand: d.on_demand, wide: 0.0 })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
 }
 
-/// The angles of a path that a view shows in their true size.
+/// The angles of a path that a view along an axis shows in their true size.
 pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAngle> {
     let seen = |angle: Angle| {
         let [first, second] = angle.sides.map(|side| view.spot(plane, side));
-        if [first, second].iter().any(|side| side[0].hypot(side[1]) < 0.999) || view == Projection::Isometric {
+        if length(first) < 0.999 || length(second) < 0.999 {
             return None;
         }
-        let turn = (first[0] * second[1] - first[1] * second[0]).atan2(first[0] * second[0] + first[1] * second[1]);
-        Some(DrawnAngle {
-            field: angle.field,
-            at: view.spot(plane, angle.at),
-            turns: [first[1].atan2(first[0]), turn],
-            room: angle.room,
-            wide: 0.0,
-        })
+        let turn = cross(first, second).atan2(dot(first, second));
+        let turns = [first[1].atan2(first[0]), turn];
+        Some(DrawnAngle { field: angle.field, at: view.spot(plane, angle.at), turns, room: angle.room, wide: 0.0 })
     };
     angles(path).into_iter().filter_map(seen).collect()
 }
 
-/// A round wall as flat strips.
-#[inline(never)]
-fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
-    const COUNT: usize = 120;
-    let v = up.cross(u);
-    let half = round.radius * (std::f64::consts::PI / COUNT as f64).tan();
-    (0..COUNT)
-        .map(|i| {
-            let (sin, cos) = (i as f64 * std::f64::consts::TAU / COUNT as f64).sin_cos();
-            let out = u * cos + v * sin;
-            Wall {
-                point: round.center + out * round.radius,
-                normal: if round.hole { -out } else { out },
-                along: up.cross(out),
-                extent: (-half, half),
-                drawn_depth: round.drawn_depth,
-                has_top: true,
-                body: 0,
-            }
-        })
-        .collect()
-}
-
-fn wall_shape(wall: &Wall, up: Vec3, spot: &impl Fn(Vec3) -> Spot, actual: bool) -> WallShape {
-    let (start, end) = (wall.point + wall.along * wall.extent.0, wall.point + wall.along * wall.extent.1);
-    // Along the wall and across it; upwards where it goes up at all.
-    let across = wall.normal.cross(wall.along).normalize_or(up);
-    let down = (if across.dot(up) < 0.0 { -across } else { across }) * wall.drawn_depth;
-    let raised = if wall.has_top { Vec3::ZERO } else { down };
-    let corners = [start + raised, end + raised, end - down, start - down].map(spot);
-    let area: f64 = (0..4).map(|i| cross(corners[i], corners[(i + 1) % 4])).sum::<f64>().abs() / 2.0;
-    let edge = (area < 1e-6 * (1.0 + length(sub(corners[0], corners[2])).powi(2))).then(|| {
-        if length(sub(corners[0], corners[1])) > length(sub(corners[1], corners[2])) {
-            [corners[0], corners[1]]
-        } else {
-            [corners[1], corners[2]]
-        }
-    });
-    WallShape { corners, edge, actual, strip: false, faces: true, top: None }
-}
-
 impl Scene {
+    /// The work origin and the axes in a plane, and nothing else.
+    fn about(plane: Plane, view: Projection) -> Self {
+        let spot = |p: Vec3| view.spot(plane, p);
+        let (basis, names) = (plane.basis(), plane.axes().map(|axis| AXIS_NAMES[axis]));
+        Scene { origin: spot(Vec3::ZERO), axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))), ..Scene::default() }
+    }
+
     /// Makes room for what is said of its dimensions and angles, by their fields' paths.
     pub fn name(&mut self, names: &[(&'static str, String)]) {
         let dimensions = self.dimensions.iter_mut().map(|drawn| (drawn.field, &mut drawn.wide));
