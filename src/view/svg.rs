@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
+use crate::geom::Vec2;
 use crate::num::decimal;
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
-use crate::view::flat::Spot;
 use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
 use crate::view::material::WallShape;
@@ -41,8 +41,8 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     // A number that the library writes by itself would bring all of its printing into the module.
     let layout = drawing.layout(scene, legend);
     let [low, high] = drawing.extent(scene, &layout);
-    let [x, y] = low.map(|pixels| decimal(pixels, 0));
-    let [width, height] = [0, 1].map(|i| decimal(high[i] - low[i], 0));
+    let [x, y] = low.to_array().map(|pixels| decimal(pixels, 0));
+    let [width, height] = (high - low).to_array().map(|pixels| decimal(pixels, 0));
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
          font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"#fff\"/>\n",
@@ -95,9 +95,9 @@ impl Drawing {
         let [low, high] = scene.bounds();
         let margin = if legend.names.is_empty() { MARGIN } else { DIMENSION_MARGIN };
         let room = WIDTH - 2.0 * margin;
-        let scale = (room / (high[0] - low[0])).min(HIGHEST / (high[1] - low[1]));
-        let size = [WIDTH, (high[1] - low[1]) * scale + 2.0 * margin];
-        Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
+        let scale = (Vec2::new(room, HIGHEST) / (high - low)).min_element();
+        let size = Vec2::new(WIDTH, (high - low).y * scale + 2.0 * margin);
+        Drawing { camera: Camera { scale, middle: (low + high) / 2.0, size } }
     }
 
     /// What is named, and where it stands.
@@ -110,22 +110,20 @@ impl Drawing {
     }
 
     /// From where to where the picture reaches: whatever is drawn lies within, with some room around.
-    fn extent(&self, scene: &Scene, layout: &Layout<'_>) -> [Spot; 2] {
+    fn extent(&self, scene: &Scene, layout: &Layout<'_>) -> [Vec2; 2] {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
-        let dimensions = layout.dimensions.iter().flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
-        let mut extent = [[0.0; 2], self.camera.size];
+        let dimensions =
+            layout.dimensions.iter().flat_map(|placed| placed.line.map(Vec2::from).into_iter().chain(placed.name.bounds()));
+        let mut extent = [Vec2::ZERO, self.camera.size];
         let angles = layout.arcs.iter().flat_map(|arc| arc.sides.into_iter().chain(arc.name.iter().flat_map(Plate::bounds)));
         for at in lines.chain(dimensions).chain(angles) {
-            for i in [0, 1] {
-                extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
-                extent[1][i] = extent[1][i].max((at[i] + ROOM).ceil());
-            }
+            extent = [extent[0].min((at - ROOM).floor()), extent[1].max((at + ROOM).ceil())];
         }
         extent
     }
 
     /// `x,y` in the picture.
-    fn at(&self, spot: Spot) -> String {
+    fn at(&self, spot: Vec2) -> String {
         pair(self.camera.pixel(spot))
     }
 
@@ -236,8 +234,8 @@ impl Drawing {
 
     /// The ball at its contact, and the contact.
     fn touch(&self, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
-        let circle = |at: Spot, radius: f64, paint: &str, text: &mut String| {
-            let [x, y] = self.camera.pixel(at).map(|v| decimal(v, 1));
+        let circle = |at: Vec2, radius: f64, paint: &str, text: &mut String| {
+            let [x, y] = numbers(self.camera.pixel(at));
             let _ = writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {paint}/>", decimal(radius, 1));
         };
         let radius = radius * self.camera.scale;
@@ -253,17 +251,16 @@ impl Drawing {
         let middle = number.plate.middle;
         if number.led {
             // Up to the text.
-            let part = 1.0 - number.radius() / (number.contact[0] - middle[0]).hypot(number.contact[1] - middle[1]);
-            let end = [0, 1].map(|i| number.contact[i] + (middle[i] - number.contact[i]) * part);
+            let end = number.contact.lerp_monotonic(middle, 1.0 - number.radius() / number.contact.distance(middle));
             let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"#cf2a20\"/>", pair(number.contact), pair(end));
         }
-        let [x, y] = middle.map(|v| decimal(v, 1));
+        let [x, y] = numbers(middle);
         let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
     fn dimension(placed: &Placed<'_>, text: &mut String) {
-        let ([from, to], [start, end]) = (placed.ends, placed.line);
+        let ([from, to], [start, end]) = (placed.ends, placed.line.map(Vec2::from));
         let mut lines = String::new();
         for [a, b] in [[from, start], [to, end], placed.reach] {
             let _ = write!(lines, "M{}L{}", pair(a), pair(b));
@@ -287,17 +284,16 @@ impl Drawing {
 }
 
 /// An arrow head with its tip at a place.
-fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
-    let back = [tip[0] - ux * 8.0, tip[1] - uy * 8.0];
-    let sides = [-3.4, 3.4].map(|half| pair([back[0] - uy * half, back[1] + ux * half]));
+fn head(tip: Vec2, way: Vec2, text: &mut String) {
+    let sides = [-3.4, 3.4].map(|half| pair(tip - way * 8.0 + way.perp() * half));
     let _ = writeln!(text, "<path d=\"M{}L{}L{}Z\" fill=\"#2563eb\"/>", pair(tip), sides[0], sides[1]);
 }
 
 /// What a dimension or an angle says.
 fn said(plate: &Plate, name: &str, text: &mut String) {
-    let [x, y] = plate.middle.map(|v| decimal(v, 1));
+    let [x, y] = numbers(plate.middle);
     let (label, value) = super::halves(name);
-    let turn = decimal(plate.along[1].atan2(plate.along[0]).to_degrees(), 2);
+    let turn = decimal(plate.along.to_angle().to_degrees(), 2);
     let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
     let _ = writeln!(
         text,
@@ -307,8 +303,12 @@ fn said(plate: &Plate, name: &str, text: &mut String) {
     );
 }
 
-fn pair(at: Spot) -> String {
-    format!("{},{}", decimal(at[0], 1), decimal(at[1], 1))
+fn pair(at: Vec2) -> String {
+    numbers(at).join(",")
+}
+
+fn numbers(at: Vec2) -> [String; 2] {
+    at.to_array().map(|pixels| decimal(pixels, 1))
 }
 
 #[cfg(test)]

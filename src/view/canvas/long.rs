@@ -1,8 +1,8 @@
 //! The lines of a long program: in few strokes, and without those that cannot be seen.
 
 use super::{DOT, Painter};
+use crate::geom::Vec2;
 use crate::view::camera::Camera;
-use crate::view::flat::Spot;
 use crate::view::scene::{Line, Scene, Stroke};
 
 /// A picture with more lines than this is drawn so: no job has so many.
@@ -23,27 +23,27 @@ struct Pen<'p> {
     /// What the stroke is; none before the first.
     style: Option<(Stroke, bool)>,
     /// Its last point, and where its last line ends.
-    ends: [Spot; 2],
+    ends: [Vec2; 2],
     points: usize,
 }
 
 impl Pen<'_> {
-    fn line(&mut self, style: (Stroke, bool), [from, to]: [Spot; 2]) {
+    fn line(&mut self, style: (Stroke, bool), [from, to]: [Vec2; 2]) {
         let c = &self.painter.context;
         if self.style != Some(style) || self.ends[1] != from || self.points == MOST {
             self.finish();
             c.begin_path();
-            c.move_to(from[0], from[1]);
+            c.move_to(from.x, from.y);
             (self.style, self.ends, self.points) = (Some(style), [from; 2], 0);
         }
         self.ends[1] = to;
-        if (to[0] - self.ends[0][0]).hypot(to[1] - self.ends[0][1]) >= NEAR {
+        if to.distance(self.ends[0]) >= NEAR {
             self.point(to);
         }
     }
 
-    fn point(&mut self, to: Spot) {
-        self.painter.context.line_to(to[0], to[1]);
+    fn point(&mut self, to: Vec2) {
+        self.painter.context.line_to(to.x, to.y);
         self.ends[0] = to;
         self.points += 1;
     }
@@ -69,8 +69,8 @@ impl Pen<'_> {
 }
 
 /// The part of a line that lies in a window of this size, and a little around it. Far beyond it a browser would still make every dash.
-fn clipped([from, to]: [Spot; 2], size: Spot) -> Option<[Spot; 2]> {
-    let inside = |p: Spot| (0..2).all(|i| p[i] >= -WIDE && p[i] <= size[i] + WIDE);
+fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
+    let inside = |p: Vec2| p.cmpge(Vec2::splat(-WIDE)).all() && p.cmple(size + WIDE).all();
     if inside(from) && inside(to) {
         return Some([from, to]);
     }
@@ -87,14 +87,14 @@ fn clipped([from, to]: [Spot; 2], size: Spot) -> Option<[Spot; 2]> {
         let (enters, leaves) = if way > 0.0 { (low / way, high / way) } else { (high / way, low / way) };
         (first, last) = (first.max(enters), last.min(leaves));
     }
-    let at = |part: f64| [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+    let at = |part: f64| from.lerp_monotonic(to, part);
     // Ends that lie inside stay as they are: lines go on from there.
     (first <= last).then(|| [if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
 }
 
 /// The pixel of a spot, counted from a place outside every window.
-fn pixel(spot: Spot) -> [u64; 2] {
-    spot.map(|x| (x.round() + 2.0 * WIDE) as u64)
+fn pixel(spot: Vec2) -> [u64; 2] {
+    spot.to_array().map(|x| (x.round() + 2.0 * WIDE) as u64)
 }
 
 /// The lines that were drawn last, by their pixels: a place each, which a later one takes.
@@ -125,7 +125,7 @@ impl Painter {
         let mut recent = Recent::default();
         for line in scene.lines.iter().filter(|line| line.stroke == Stroke::Touch) {
             let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
-            let along = (to[0] - from[0]).hypot(to[1] - from[1]) < 1.0;
+            let along = from.distance(to) < 1.0;
             if along && clipped([to; 2], camera.size).is_some() && recent.is_new(line, [pixel(to); 2]) {
                 self.disc(to, DOT, &self.theme.touch);
             }
@@ -137,7 +137,7 @@ impl Painter {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
         let mut recent = Recent::default();
         for touches in [false, true] {
-            let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
+            let mut pen = Pen { painter: self, style: None, ends: [Vec2::ZERO; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
                 let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
                 let Some(ends) = clipped(ends, camera.size) else { continue };

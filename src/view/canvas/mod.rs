@@ -12,8 +12,8 @@ use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, Camera};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
+use crate::view::camera::{AXES_CORNER, Camera, DOWNWARDS};
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
@@ -39,7 +39,7 @@ pub struct Marks<'a> {
     /// The name of the work offset.
     pub origin: &'a str,
     /// Where a machine measured the ball's centre.
-    pub measured: &'a [Spot],
+    pub measured: &'a [Vec2],
     /// Whether the scale has a decimal comma.
     pub comma: bool,
 }
@@ -70,37 +70,36 @@ const AXIS_NAME: f64 = 28.0;
 const AXES: f64 = 36.0;
 
 /// Where the work axes are drawn.
-fn axes_corner(camera: &Camera) -> Spot {
-    [AXES_CORNER, camera.size[1] - AXES_CORNER]
+fn axes_corner(camera: &Camera) -> Vec2 {
+    Vec2::new(AXES_CORNER, camera.size.y - AXES_CORNER)
 }
 
 /// The view that a click on the axes asks for: along the axis whose name is there, or isometric beside them.
-pub fn axis_at(scene: &Scene, camera: &Camera, [x, y]: Spot) -> Option<&'static str> {
+pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str> {
     let corner = axes_corner(camera);
-    if (corner[0] - x).hypot(corner[1] - y) > AXES {
+    if corner.distance(at) > AXES {
         return None;
     }
-    let near = |direction: Spot| {
-        let tip = [corner[0] + direction[0] * AXIS_NAME, corner[1] - direction[1] * AXIS_NAME];
-        direction[0].hypot(direction[1]) > 0.1 && (tip[0] - x).hypot(tip[1] - y) <= 14.0
+    let near = |direction: Vec2| {
+        let tip = corner + direction * DOWNWARDS * AXIS_NAME;
+        direction.length() > 0.1 && tip.distance(at) <= 14.0
     };
     // Along the abscissa one sees the side, along the ordinate the front, along the tool axis the top.
     let found = scene.axes.iter().zip(["side", "front", "top"]).find(|((_, direction), _)| near(*direction));
     Some(found.map_or("isometric", |(_, view)| view))
 }
 
-/// How far the turning handle stands from the shifting one, pixels.
-pub const ARM: f64 = 64.0;
+/// Where the handle that turns the part stands: so many pixels from the one that shifts it.
+pub fn turning(shifting: Vec2, direction: Vec2) -> Vec2 {
+    shifting + direction * DOWNWARDS * 64.0
+}
 
 /// Where the handles of the first touch's angle and of the spread's end stand: outside the circle and the numbers of its touches, one further out
 /// than the other, so that a whole turn shows both.
-pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
+pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
     let center = camera.pixel(center);
-    let at = |angle: f64, out: f64| {
-        let far = radius * camera.scale + out;
-        [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
-    };
+    let at = |angle: f64, out: f64| center + Vec2::from_angle(angle) * DOWNWARDS * (radius * camera.scale + out);
     let first = NUMBER + HANDLE + 3.0;
     Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
@@ -146,10 +145,10 @@ impl Painter {
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
-    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+    pub fn resize(&mut self, size: Vec2, ratio: f64) {
         self.ratio = ratio;
-        self.canvas.set_width((width * ratio).round() as u32);
-        self.canvas.set_height((height * ratio).round() as u32);
+        self.canvas.set_width((size.x * ratio).round() as u32);
+        self.canvas.set_height((size.y * ratio).round() as u32);
         // Another size resets all that was set.
         self.font.set("");
     }
@@ -165,7 +164,7 @@ impl Painter {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
         c.set_fill_style_str(&self.theme.background);
-        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        c.fill_rect(0.0, 0.0, camera.size.x, camera.size.y);
         self.font(font);
         c.set_text_align("center");
         c.set_text_baseline("middle");
@@ -174,7 +173,7 @@ impl Painter {
     /// Empties a canvas that lies over that of a picture.
     pub fn clear(&self, camera: &Camera) {
         let _ = self.context.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        self.context.clear_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        self.context.clear_rect(0.0, 0.0, camera.size.x, camera.size.y);
     }
 
     /// Draws a move of a picture, lit, on the canvas over it.
@@ -205,7 +204,7 @@ impl Painter {
         for outline in &scene.stylus {
             let c = &self.context;
             c.begin_path();
-            self.outline(&outline.map(|[x, y]| camera.pixel([place[0] + x, place[1] + y])));
+            self.outline(&outline.map(|corner| camera.pixel(place + corner)));
             c.set_fill_style_str(&self.theme.highlight);
             c.set_stroke_style_str(&self.theme.highlight);
             c.set_global_alpha(0.12);
@@ -299,7 +298,7 @@ impl Painter {
             self.ball(scene, camera, index, marks.part);
         }
         let Some([nominal, real]) = scene.centre_lines else { return };
-        let line = |[from, to]: [Spot; 2], colour| {
+        let line = |[from, to]: [Vec2; 2], colour| {
             self.segment(camera.pixel(from), camera.pixel(to), colour, 1.0, &[10.0, 4.0, 2.0, 4.0]);
         };
         line(nominal, &self.theme.wall);
@@ -328,9 +327,9 @@ impl Painter {
     }
 
     /// Draws arrows from one origin.
-    pub fn draw_arrows(&self, arrows: &[(Arrow, String, Spot)], camera: &Camera) {
+    pub fn draw_arrows(&self, arrows: &[(Arrow, String, Vec2)], camera: &Camera) {
         self.begin(camera, "600 13px system-ui, sans-serif");
-        let origin = camera.pixel([0.0, 0.0]);
+        let origin = camera.pixel(Vec2::ZERO);
         for (kind, name, tip) in arrows {
             let (colour, width, dash): (&str, f64, &[f64]) = match kind {
                 Arrow::Axis => (&self.theme.text, 1.5, &[]),
@@ -338,18 +337,15 @@ impl Painter {
                 Arrow::Length => (&self.theme.touch, 4.0, &[]),
             };
             let end = camera.pixel(*tip);
-            let (dx, dy) = (end[0] - origin[0], end[1] - origin[1]);
-            let far = dx.hypot(dy).max(1e-9);
-            let (ux, uy) = (dx / far, dy / far);
+            let way = (end - origin) / origin.distance(end).max(1e-9);
             self.segment(origin, end, colour, width, dash);
             for side in [-0.5, 0.5] {
-                let back = [end[0] - 10.0 * (ux + side * uy), end[1] - 10.0 * (uy - side * ux)];
-                self.segment(end, back, colour, width.min(2.5), &[]);
+                self.segment(end, end - (way - way.perp() * side) * 10.0, colour, width.min(2.5), &[]);
             }
             // Names stand beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
-            self.label(name, [end[0] + beyond * ux - aside * uy, end[1] + beyond * uy + aside * ux]);
+            self.label(name, end + way * beyond + way.perp() * aside);
         }
     }
 
@@ -369,9 +365,8 @@ impl Painter {
         c.fill();
         c.clip();
         // The strokes lie still against the part while the picture is moved.
-        let [width, height] = camera.size;
-        let [x, y] = camera.pixel([0.0, 0.0]);
-        let first = (x + y).rem_euclid(HATCH);
+        let Vec2 { x: width, y: height } = camera.size;
+        let first = camera.pixel(Vec2::ZERO).element_sum().rem_euclid(HATCH);
         c.begin_path();
         for k in 0..=((width + height) / HATCH) as usize {
             let at = first + HATCH * k as f64;
@@ -391,10 +386,10 @@ impl Painter {
     }
 
     /// A closed outline, pixels, as a part of the current path.
-    fn outline(&self, outline: &[Spot]) {
+    fn outline(&self, outline: &[Vec2]) {
         let c = &self.context;
-        for (k, [x, y]) in outline.iter().enumerate() {
-            if k == 0 { c.move_to(*x, *y) } else { c.line_to(*x, *y) }
+        for (k, at) in outline.iter().enumerate() {
+            if k == 0 { c.move_to(at.x, at.y) } else { c.line_to(at.x, at.y) }
         }
         c.close_path();
     }
@@ -406,15 +401,15 @@ impl Painter {
         let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
         let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
         c.begin_path();
-        let mut before = [f64::NAN; 2];
+        let mut before = Vec2::NAN;
         for ends in all().filter_map(|wall| wall.edge) {
             let [from, to] = ends.map(|spot| camera.pixel(spot));
             // From strip to strip it continues, and so do its dashes.
-            let continues = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
+            let continues = from.distance(before) < 0.1;
             if !continues {
-                c.move_to(from[0], from[1]);
+                c.move_to(from.x, from.y);
             }
-            c.line_to(to[0], to[1]);
+            c.line_to(to.x, to.y);
             before = to;
         }
         let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
@@ -445,8 +440,8 @@ impl Painter {
             c.begin_path();
             for pair in all().flat_map(|wall| wall.corners.chunks(2)) {
                 let [from, to] = [0, 1].map(|i| camera.pixel(pair[i]));
-                c.move_to(from[0], from[1]);
-                c.line_to(to[0], to[1]);
+                c.move_to(from.x, from.y);
+                c.line_to(to.x, to.y);
             }
         }
         c.stroke();
@@ -522,8 +517,9 @@ impl Painter {
             if let Some(trigger) = touch.trigger.filter(|_| deviates) {
                 let p = camera.pixel(trigger);
                 self.circle(p, radius, &self.theme.actual, 1.0);
-                self.segment([p[0] - 4.0, p[1]], [p[0] + 4.0, p[1]], &self.theme.actual, 1.5, &[]);
-                self.segment([p[0], p[1] - 4.0], [p[0], p[1] + 4.0], &self.theme.actual, 1.5, &[]);
+                for arm in [Vec2::X * 4.0, Vec2::Y * 4.0] {
+                    self.segment(p - arm, p + arm, &self.theme.actual, 1.5, &[]);
+                }
             }
             self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
         }
@@ -531,12 +527,12 @@ impl Painter {
 
     /// The number of a touch, or of several.
     fn number(&self, number: &Number) {
-        let [x, y] = number.plate.middle;
+        let Vec2 { x, y } = number.plate.middle;
         if number.led {
-            self.segment(number.contact, [x, y], &self.theme.touch, 1.0, &[]);
+            self.segment(number.contact, number.plate.middle, &self.theme.touch, 1.0, &[]);
         }
         self.font(if number.radius() < 8.0 { SMALL } else { BOLD });
-        let [wide, high] = number.plate.half;
+        let Vec2 { x: wide, y: high } = number.plate.half;
         let c = &self.context;
         c.begin_path();
         for (side, start) in [(wide - high, -FRAC_PI_2), (high - wide, FRAC_PI_2)] {
@@ -549,10 +545,10 @@ impl Painter {
     }
 
     /// A measured ball centre: a square on its tip, which nothing else is.
-    fn square(&self, at: Spot) {
+    fn square(&self, at: Vec2) {
         let c = &self.context;
         c.begin_path();
-        self.outline(&[[0.0, -7.0], [7.0, 0.0], [0.0, 7.0], [-7.0, 0.0]].map(|[x, y]| [at[0] + x, at[1] + y]));
+        self.outline(&[Vec2::NEG_Y, Vec2::X, Vec2::Y, Vec2::NEG_X].map(|way| at + way * 7.0));
         c.set_stroke_style_str(&self.theme.highlight);
         c.set_line_width(2.0);
         self.dash(&[]);
@@ -560,15 +556,14 @@ impl Painter {
     }
 
     /// The ball where it meets the part, in the colour of touches, crossed out.
-    fn collision(&self, at: Spot, radius: f64) {
+    fn collision(&self, at: Vec2, radius: f64) {
         let (c, radius) = (&self.context, radius.max(6.0));
         c.set_global_alpha(0.35);
         self.disc(at, radius, &self.theme.touch);
         c.set_global_alpha(1.0);
         self.circle(at, radius, &self.theme.touch, 3.0);
-        let far = radius * 1.6;
-        for side in [-1.0, 1.0] {
-            self.segment([at[0] - far, at[1] - side * far], [at[0] + far, at[1] + side * far], &self.theme.touch, 3.0, &[]);
+        for arm in [Vec2::new(1.0, -1.0), Vec2::ONE].map(|way| way * radius * 1.6) {
+            self.segment(at - arm, at + arm, &self.theme.touch, 3.0, &[]);
         }
     }
 

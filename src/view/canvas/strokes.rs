@@ -1,7 +1,7 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
 use super::{BOLD, LABEL, Painter};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
 use crate::view::halves;
 use crate::view::layout::{Arc, Placed};
 use crate::view::plate::Plate;
@@ -19,15 +19,11 @@ pub(super) struct Name<'a> {
 
 impl Painter {
     /// A filled arrow head with its tip at a place.
-    pub(super) fn head(&self, tip: Spot, [ux, uy]: Spot, size: f64, colour: &str) {
+    pub(super) fn head(&self, tip: Vec2, way: Vec2, size: f64, colour: &str) {
         let c = &self.context;
-        let back = [tip[0] - ux * size, tip[1] - uy * size];
-        let half = size * 0.42;
+        let (back, half) = (tip - way * size, way.perp() * size * 0.42);
         c.begin_path();
-        c.move_to(tip[0], tip[1]);
-        c.line_to(back[0] - uy * half, back[1] + ux * half);
-        c.line_to(back[0] + uy * half, back[1] - ux * half);
-        c.close_path();
+        self.outline(&[tip, back + half, back - half]);
         c.set_fill_style_str(colour);
         c.fill();
     }
@@ -35,10 +31,9 @@ impl Painter {
     /// A dimension: extension lines, and its line with arrow heads.
     pub(super) fn dimension(&self, placed: &Placed<'_>, lit: bool) {
         let colour = &self.theme.ball;
-        for (near, line) in placed.ends.into_iter().zip(placed.line) {
-            let (ox, oy) = (line[0] - near[0], line[1] - near[1]);
-            let off = ox.hypot(oy).max(1e-9);
-            self.segment(near, [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0], colour, 0.75, &[]);
+        for (near, line) in placed.ends.into_iter().zip(placed.line.map(Vec2::from)) {
+            let beyond = (line - near) / near.distance(line).max(1e-9) * 5.0;
+            self.segment(near, line + beyond, colour, 0.75, &[]);
         }
         self.segment(placed.reach[0], placed.reach[1], colour, if lit { 2.0 } else { 1.0 }, &[]);
         for (tip, way) in placed.heads() {
@@ -53,7 +48,7 @@ impl Painter {
         let [first, turn] = arc.angle.turns;
         arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, colour, 0.75, &[]));
         c.begin_path();
-        let _ = c.arc_with_anticlockwise(arc.at[0], arc.at[1], arc.radius, -first, -first - turn, turn > 0.0);
+        let _ = c.arc_with_anticlockwise(arc.at.x, arc.at.y, arc.radius, -first, -first - turn, turn > 0.0);
         c.set_stroke_style_str(colour);
         c.set_line_width(if lit { 2.0 } else { 1.0 });
         self.dash(&[]);
@@ -70,8 +65,8 @@ impl Painter {
         let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
         let placed = |name: &Name<'_>, draw: &dyn Fn()| {
             c.save();
-            let Plate { middle: [x, y], along: [ux, uy], .. } = name.plate;
-            let _ = c.transform(ux, uy, -uy, ux, x, y);
+            let Plate { middle, along, .. } = name.plate;
+            let _ = c.transform(along.x, along.y, -along.y, along.x, middle.x, middle.y);
             draw();
             c.restore();
         };
@@ -101,48 +96,46 @@ impl Painter {
         }
     }
 
-    pub(super) fn label(&self, text: &str, at: Spot) {
+    pub(super) fn label(&self, text: &str, at: Vec2) {
         let c = &self.context;
         c.set_line_width(3.0);
         c.set_stroke_style_str(&self.theme.background);
         self.dash(&[]);
-        let _ = c.stroke_text(text, at[0], at[1]);
+        let _ = c.stroke_text(text, at.x, at.y);
         c.set_fill_style_str(&self.theme.text);
-        let _ = c.fill_text(text, at[0], at[1]);
+        let _ = c.fill_text(text, at.x, at.y);
     }
 
     /// A straight line. Dashes lie where they lie on every other line along the same one: there and back they fill no gap.
-    pub(super) fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
+    pub(super) fn segment(&self, from: Vec2, to: Vec2, colour: &str, width: f64, dash: &[f64]) {
         let c = &self.context;
         let (from, to) = crate::view::forwards(from, to);
         if !dash.is_empty() {
-            let (x, y) = (to[0] - from[0], to[1] - from[1]);
-            let length = x.hypot(y);
-            c.set_line_dash_offset(if length > 0.0 { (from[0] * x + from[1] * y) / length } else { 0.0 });
+            c.set_line_dash_offset(from.dot((to - from).normalize_or_zero()));
         }
         c.begin_path();
-        c.move_to(from[0], from[1]);
-        c.line_to(to[0], to[1]);
+        c.move_to(from.x, from.y);
+        c.line_to(to.x, to.y);
         c.set_stroke_style_str(colour);
         c.set_line_width(width);
         self.dash(dash);
         c.stroke();
     }
 
-    pub(super) fn circle(&self, at: Spot, radius: f64, colour: &str, width: f64) {
+    pub(super) fn circle(&self, at: Vec2, radius: f64, colour: &str, width: f64) {
         let c = &self.context;
         c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        let _ = c.arc(at.x, at.y, radius, 0.0, std::f64::consts::TAU);
         c.set_stroke_style_str(colour);
         c.set_line_width(width);
         self.dash(&[]);
         c.stroke();
     }
 
-    pub(super) fn disc(&self, at: Spot, radius: f64, colour: &str) {
+    pub(super) fn disc(&self, at: Vec2, radius: f64, colour: &str) {
         let c = &self.context;
         c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
+        let _ = c.arc(at.x, at.y, radius, 0.0, std::f64::consts::TAU);
         c.set_fill_style_str(colour);
         c.fill();
     }

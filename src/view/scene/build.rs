@@ -1,13 +1,12 @@
 //! The scene of a job's path: a function a layer.
 
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
-use crate::view::flat::Spot;
 use crate::view::material::{Material, WallShape, material};
 use crate::view::scene::tops::{Backs, breaks, topped, tops};
 use crate::view::scene::walls::{shape, strips};
-use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, stretched};
+use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles};
 
 /// What the actual part adds.
 #[derive(Debug)]
@@ -39,12 +38,12 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         ..Scene::about(setup.plane, view)
     };
     let backs = if view == Projection::Isometric {
-        scene.walls = nearest_last(look.walls(|k| topped(path, k)));
+        scene.walls = nearest_last(look.walls(topped));
         scene.tops = tops(path, spot);
         Backs::of(path, look.towards)
     } else {
         // Walls are seen edge-on, and what lies along the picture in its true length.
-        scene.walls = look.walls(|_| None).map(|(_, shape)| shape).collect();
+        scene.walls = look.walls(|_, _| None).into_iter().map(|(_, shape)| shape).collect();
         scene.material = look.material();
         scene.dimensions = drawn(path, setup.plane, view);
         scene.angles = drawn_angles(path, setup.plane, view);
@@ -76,12 +75,12 @@ struct Look<'a> {
 type Standing = (f64, WallShape);
 
 impl Look<'_> {
-    fn spot(&self, p: Vec3) -> Spot {
-        self.view.spot(self.setup.plane, p)
+    fn spot(&self, p: Vec3) -> Vec2 {
+        self.view.place(self.setup.plane, p)
     }
 
-    fn stretch(&self, nominal: Spot, real: Spot) -> Spot {
-        stretched(nominal, real, self.actual.magnify)
+    fn stretch(&self, nominal: Vec2, real: Vec2) -> Vec2 {
+        nominal.lerp_monotonic(real, self.actual.magnify)
     }
 
     fn shape(&self, wall: &Wall) -> WallShape {
@@ -104,9 +103,9 @@ impl Look<'_> {
 
     /// The walls of the actual part, which are the nominal ones elsewhere, corner for corner; then the nominal ones. `topped` is the surface whose top
     /// side is above a surface.
-    fn walls(&self, topped: impl Fn(usize) -> Option<usize>) -> impl Iterator<Item = Standing> {
+    fn walls(&self, topped: fn(&Path, usize) -> Option<usize>) -> Vec<Standing> {
         let nominal = &self.path.surfaces;
-        let displaced = move |(real, nominal): (&Surface, &Surface)| {
+        let displaced = |(real, nominal): (&Surface, &Surface)| {
             let mut walls = self.surface(real);
             for ((_, real), (_, nominal)) in walls.iter_mut().zip(self.surface(nominal)) {
                 real.actual = true;
@@ -119,17 +118,18 @@ impl Look<'_> {
             }
             walls
         };
-        let below = move |k: usize| {
-            let top = topped(k);
+        let below = |k: usize| {
+            let top = topped(self.path, k);
             let mut walls = self.surface(&nominal[k]);
             if top == Some(k) {
                 walls.extend(breaks(self.path, k).iter().map(|wall| (wall.point.dot(self.towards), self.shape(wall))));
             }
             // The far side of what has a top is behind it.
-            let seen = move |(_, shape): &Standing| top.is_none() || shape.faces;
-            walls.into_iter().filter(seen).map(move |(far, shape)| (far, WallShape { top, ..shape }))
+            walls.retain(|(_, shape)| top.is_none() || shape.faces);
+            walls.iter_mut().for_each(|(_, shape)| shape.top = top);
+            walls
         };
-        self.actual.surfaces.iter().zip(nominal).flat_map(displaced).chain((0..nominal.len()).flat_map(below))
+        self.actual.surfaces.iter().zip(nominal).flat_map(displaced).chain((0..nominal.len()).flat_map(below)).collect()
     }
 
     fn material(&self) -> Vec<Material> {
@@ -176,7 +176,7 @@ impl Look<'_> {
         self.path.touches.iter().enumerate().map(shape).collect()
     }
 
-    fn centre_lines(&self) -> Option<[[Spot; 2]; 2]> {
+    fn centre_lines(&self) -> Option<[[Vec2; 2]; 2]> {
         let nominal = self.path.feature.two_circles()?.line?.map(|p| self.spot(p));
         let real = self.actual.line?.map(|p| self.spot(p));
         Some([nominal, [0, 1].map(|i| self.stretch(nominal[i], real[i]))])
@@ -192,7 +192,7 @@ fn stroke(step: &Move) -> Stroke {
 }
 
 /// Walls so that the nearer come later. What is seen through comes last: it veils what lies behind it and hides nothing.
-fn nearest_last(all: impl Iterator<Item = Standing>) -> Vec<WallShape> {
+fn nearest_last(all: Vec<Standing>) -> Vec<WallShape> {
     let mut walls: Vec<Standing> = Vec::new();
     for wall in all {
         let lies_behind = |other: &Standing| if other.1.faces == wall.1.faces { other.0 <= wall.0 } else { other.1.faces };

@@ -8,10 +8,9 @@ mod walls;
 
 pub use build::{Actual, build};
 
-use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::path::Path;
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
-use crate::view::flat::{Spot, cross, distance, dot, length, sub, width};
 use crate::view::material::{Material, WallShape};
 use crate::view::scene::tops::Top;
 
@@ -59,10 +58,16 @@ impl Projection {
     }
 
     /// Where a point of the work coordinate system is seen.
-    pub fn spot(self, plane: Plane, p: Vec3) -> Spot {
+    pub fn place(self, plane: Plane, p: Vec3) -> Vec2 {
         let [a, o, w] = plane.axes();
         let local = Vec3::new(p[a], p[o], p[w]);
-        self.axes().map(|axis| axis.dot(local))
+        self.axes().map(|axis| axis.dot(local)).into()
+    }
+
+    /// The same as a pair of numbers.
+    #[cfg(target_arch = "wasm32")]
+    pub fn spot(self, plane: Plane, p: Vec3) -> [f64; 2] {
+        self.place(plane, p).to_array()
     }
 }
 
@@ -83,9 +88,9 @@ pub enum Stroke {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
     /// From here.
-    pub from: Spot,
+    pub from: Vec2,
     /// To here.
-    pub to: Spot,
+    pub to: Vec2,
     /// What it is.
     pub stroke: Stroke,
     /// Whether it is a rapid.
@@ -102,13 +107,13 @@ pub struct Line {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TouchShape {
     /// The nominal contact on the surface.
-    pub contact: Spot,
+    pub contact: Vec2,
     /// The ball centre there.
-    pub ball: Spot,
+    pub ball: Vec2,
     /// The ball centre at the trigger on the actual part.
-    pub trigger: Option<Spot>,
+    pub trigger: Option<Vec2>,
     /// Where its number stands: a direction away from the material.
-    pub inward: Spot,
+    pub inward: Vec2,
     /// The move that makes it.
     pub index: Option<usize>,
     /// What stands before its ball: that with this top side.
@@ -121,9 +126,9 @@ pub struct Drawn {
     /// The path of the job's field that says it.
     pub field: &'static str,
     /// Its ends on the part.
-    pub ends: [Spot; 2],
+    pub ends: [Vec2; 2],
     /// The side on which its line stands.
-    pub aside: Spot,
+    pub aside: Vec2,
     /// Whether the other side is as good.
     pub either: bool,
     /// Its length, mm.
@@ -140,7 +145,7 @@ pub struct DrawnAngle {
     /// The path of the job's field that says it.
     pub field: &'static str,
     /// Its vertex.
-    pub at: Spot,
+    pub at: Vec2,
     /// From the abscissa of the picture to its first side, and from there to its second, radians, counter-clockwise positive.
     pub turns: [f64; 2],
     /// How far from its vertex the nearest touch is, mm.
@@ -163,54 +168,48 @@ pub struct Scene {
     /// The touches.
     pub touches: Vec<TouchShape>,
     /// Where each move ends.
-    pub ends: Vec<Spot>,
+    pub ends: Vec<Vec2>,
     /// What else must be in sight: arcs beyond their ends.
-    pub beyond: Vec<Spot>,
+    pub beyond: Vec<Vec2>,
     /// Millimetres in a unit of the job or program, whose scale is drawn; none where a program does not say its units.
     pub unit: Option<f64>,
     /// Radius of the ball, mm.
     pub radius: f64,
     /// The stylus above its ball, about the ball centre.
-    pub stylus: Vec<[Spot; 4]>,
+    pub stylus: Vec<[Vec2; 4]>,
     /// The work origin.
-    pub origin: Spot,
+    pub origin: Vec2,
     /// Names of the axes and where they point in the picture.
-    pub axes: [(&'static str, Spot); 3],
+    pub axes: [(&'static str, Vec2); 3],
     /// The line the cycle is about: nominal, and as it really lies.
-    pub centre_lines: Option<[[Spot; 2]; 2]>,
+    pub centre_lines: Option<[[Vec2; 2]; 2]>,
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
-    pub spread: Option<(Spot, f64, f64, f64)>,
+    pub spread: Option<(Vec2, f64, f64, f64)>,
     /// The move that meets the part where it must not, and where the ball is then: what comes after it is not reached.
-    pub collision: Option<(usize, Spot)>,
+    pub collision: Option<(usize, Vec2)>,
     /// The dimensions of the nominal part that are seen in their true length.
     pub dimensions: Vec<Drawn>,
     /// The angles that are seen in their true size.
     pub angles: Vec<DrawnAngle>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
-    pub handle: Option<(Spot, Spot)>,
-}
-
-/// A spot so many times as far from where it should be.
-pub fn stretched(nominal: Spot, real: Spot, times: f64) -> Spot {
-    [0, 1].map(|i| nominal[i] + (real[i] - nominal[i]) * times)
+    pub handle: Option<(Vec2, Vec2)>,
 }
 
 /// The dimensions that a view along an axis shows in their true length; one that it shows shorter would mislead.
 pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     let seen = |d: Dimension| {
         let long = d.from.distance(d.to);
-        let ends = [d.from, d.to].map(|p| view.spot(plane, p));
-        let along = sub(ends[1], ends[0]);
-        if length(along) < long * 0.999 || long < 1e-6 {
+        let ends = [d.from, d.to].map(|p| view.place(plane, p));
+        let along = ends[1] - ends[0];
+        if along.length() < long * 0.999 || long < 1e-6 {
             return None;
         }
         // A side that this projection looks along is replaced by the one square to the dimension.
-        let side = view.spot(plane, d.aside);
-        let size = length(side);
-        let square = [-along[1] / long, along[0] / long];
+        let side = view.place(plane, d.aside);
+        let size = side.length();
         let either = size <= 0.5;
-        let aside = if either { square } else { [side[0] / size, side[1] / size] };
+        let aside = if either { along.perp() / long } else { side / size };
         Some(Drawn { field: d.field, ends, aside, either, length: long, on_demand: d.on_demand, wide: 0.0 })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
@@ -219,21 +218,34 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
 /// The angles of a path that a view along an axis shows in their true size.
 pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAngle> {
     let seen = |angle: Angle| {
-        let [first, second] = angle.sides.map(|side| view.spot(plane, side));
-        if length(first) < 0.999 || length(second) < 0.999 {
+        let [first, second] = angle.sides.map(|side| view.place(plane, side));
+        if first.length() < 0.999 || second.length() < 0.999 {
             return None;
         }
-        let turn = cross(first, second).atan2(dot(first, second));
-        let turns = [first[1].atan2(first[0]), turn];
-        Some(DrawnAngle { field: angle.field, at: view.spot(plane, angle.at), turns, room: angle.room, wide: 0.0 })
+        let turns = [first.to_angle(), first.perp_dot(second).atan2(first.dot(second))];
+        Some(DrawnAngle { field: angle.field, at: view.place(plane, angle.at), turns, room: angle.room, wide: 0.0 })
     };
     angles(path).into_iter().filter_map(seen).collect()
+}
+
+/// Distance of a place from a segment.
+fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
+    let (ab, ap) = (b - a, p - a);
+    let square = ab.length_squared();
+    let t = if square == 0.0 { 0.0 } else { crate::num::within(ap.dot(ab) / square, 0.0, 1.0) };
+    (ap - ab * t).length()
+}
+
+/// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
+fn width(name: &str) -> f64 {
+    // Signs of Chinese are as wide as they are high.
+    name.chars().map(|c| if c > '\u{1100}' { 12.5 } else { 7.6 }).sum::<f64>() + 18.0
 }
 
 impl Scene {
     /// The work origin and the axes in a plane, and nothing else.
     fn about(plane: Plane, view: Projection) -> Self {
-        let spot = |p: Vec3| view.spot(plane, p);
+        let spot = |p: Vec3| view.place(plane, p);
         let (basis, names) = (plane.basis(), plane.axes().map(|axis| AXIS_NAMES[axis]));
         Scene { origin: spot(Vec3::ZERO), axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))), ..Scene::default() }
     }
@@ -247,15 +259,14 @@ impl Scene {
     }
 
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
-    pub fn ball(&self, index: usize, part: f64) -> Option<Spot> {
+    pub fn ball(&self, index: usize, part: f64) -> Option<Vec2> {
         let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();
-        let whole: f64 = pieces.iter().map(|l| length(sub(l.to, l.from))).sum();
+        let whole: f64 = pieces.iter().map(|l| l.from.distance(l.to)).sum();
         let mut rest = whole * part;
         for line in &pieces {
-            let way = length(sub(line.to, line.from));
+            let way = line.from.distance(line.to);
             if rest <= way && way > 0.0 {
-                let t = rest / way;
-                return Some([line.from[0] + (line.to[0] - line.from[0]) * t, line.from[1] + (line.to[1] - line.from[1]) * t]);
+                return Some(line.from.lerp_monotonic(line.to, rest / way));
             }
             rest -= way;
         }
@@ -263,26 +274,24 @@ impl Scene {
     }
 
     /// The smallest and largest spot of everything that must be seen.
-    pub fn bounds(&self) -> [Spot; 2] {
+    pub fn bounds(&self) -> [Vec2; 2] {
         let balls = self.touches.iter().flat_map(|t| [t.contact, t.ball]);
-        let ends = self.ends.iter().flat_map(|e| {
-            let r = self.radius;
-            [[e[0] - r, e[1] - r], [e[0] + r, e[1] + r]]
-        });
+        let ends = self.ends.iter().flat_map(|end| [*end - self.radius, *end + self.radius]);
         let walls = self.walls.iter().flat_map(|w| w.corners);
-        let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let start = [Vec2::INFINITY, Vec2::NEG_INFINITY];
         let bounds = balls
             .chain(ends)
             .chain(walls)
             .chain(self.beyond.iter().copied())
-            .fold(start, |[low, high], p| [[low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]]);
+            // In this order, since a place that is not known is no number.
+            .fold(start, |[low, high], place| [place.min(low), place.max(high)]);
         // A cycle without a path has nothing to show but its origin.
-        if bounds[0][0].is_finite() { bounds } else { [[-50.0, -50.0], [50.0, 50.0]] }
+        if bounds[0].x.is_finite() { bounds } else { [Vec2::splat(-50.0), Vec2::splat(50.0)] }
     }
 
     /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch
     /// wins over the way back.
-    pub fn pick(&self, at: Spot, reach: f64) -> Option<usize> {
+    pub fn pick(&self, at: Vec2, reach: f64) -> Option<usize> {
         let rank = |stroke: Stroke| match stroke {
             Stroke::Touch => 0.0,
             Stroke::Overtravel => 1.0,
@@ -306,25 +315,26 @@ mod tests {
     fn seen_from_the_top_the_abscissa_goes_right_in_every_plane() {
         for plane in [Plane::G17, Plane::G18, Plane::G19] {
             let [a, o, w] = plane.basis();
-            assert_eq!(Projection::Top.spot(plane, a), [1.0, 0.0]);
-            assert_eq!(Projection::Top.spot(plane, o), [0.0, 1.0]);
-            assert_eq!(Projection::Front.spot(plane, w), [0.0, 1.0]);
-            assert_eq!(Projection::Side.spot(plane, o), [1.0, 0.0]);
+            assert_eq!(Projection::Top.place(plane, a), Vec2::X);
+            assert_eq!(Projection::Top.place(plane, o), Vec2::Y);
+            assert_eq!(Projection::Front.place(plane, w), Vec2::Y);
+            assert_eq!(Projection::Side.place(plane, o), Vec2::X);
         }
     }
 
     #[test]
     fn isometric_axes_have_equal_lengths_and_up_is_up() {
-        let lengths: Vec<f64> = Plane::G17.basis().iter().map(|&e| length(Projection::Isometric.spot(Plane::G17, e))).collect();
+        let lengths: Vec<f64> =
+            Plane::G17.basis().iter().map(|&e| Projection::Isometric.place(Plane::G17, e).length()).collect();
         assert!(lengths.iter().all(|l| (l - (2f64 / 3.0).sqrt()).abs() < 1e-12), "{lengths:?}");
-        let up = Projection::Isometric.spot(Plane::G17, Vec3::Z);
-        assert!(up[0].abs() < 1e-12 && up[1] > 0.0);
+        let up = Projection::Isometric.place(Plane::G17, Vec3::Z);
+        assert!(up.x.abs() < 1e-12 && up.y > 0.0);
     }
 
     #[test]
     fn distance_to_a_segment_by_hand() {
-        assert_eq!(distance([5.0, 3.0], [0.0, 0.0], [10.0, 0.0]), 3.0);
-        assert_eq!(distance([13.0, 4.0], [0.0, 0.0], [10.0, 0.0]), 5.0);
-        assert_eq!(distance([3.0, 4.0], [0.0, 0.0], [0.0, 0.0]), 5.0);
+        assert_eq!(distance(Vec2::new(5.0, 3.0), Vec2::ZERO, Vec2::X * 10.0), 3.0);
+        assert_eq!(distance(Vec2::new(13.0, 4.0), Vec2::ZERO, Vec2::X * 10.0), 5.0);
+        assert_eq!(distance(Vec2::new(3.0, 4.0), Vec2::ZERO, Vec2::ZERO), 5.0);
     }
 }

@@ -1,7 +1,7 @@
 //! The scene of a program without a job: its moves, and nothing else.
 
 use super::{Line, Projection, Scene, Stroke};
-use crate::geom::{Plane, Vec3};
+use crate::geom::{Plane, Vec2, Vec3};
 use crate::path::Arc;
 
 /// The moves of a program that nothing else is known of.
@@ -21,7 +21,7 @@ pub struct Moves<'a> {
 
 /// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
 pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
-    let spot = |p: Vec3| view.spot(moves.plane, p);
+    let spot = |p: Vec3| view.place(moves.plane, p);
     let mut scene = Scene { unit: moves.scale, ..Scene::about(moves.plane, view) };
     scene.lines.reserve(moves.kind.len());
     scene.ends.reserve(moves.kind.len());
@@ -52,7 +52,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             }
             scene.beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
         }
-        scene.ends.push(if end.is_finite() { spot(end) } else { [f64::NAN; 2] });
+        scene.ends.push(if end.is_finite() { spot(end) } else { Vec2::NAN });
         from = end;
     }
     scene
@@ -76,7 +76,6 @@ fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::flat::Spot;
 
     /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
     #[test]
@@ -84,7 +83,7 @@ mod tests {
         let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
         let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
-        let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
+        let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
         assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
         let front = scene(&moves, Projection::Front);

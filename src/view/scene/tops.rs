@@ -1,8 +1,7 @@
 //! Top sides: isometric, what stands is seen whole, with its top and without its far walls.
 
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
-use crate::view::flat::Spot;
 use crate::view::material::WallShape;
 use crate::view::scene::Scene;
 use crate::view::scene::walls::strips;
@@ -13,7 +12,7 @@ pub struct Top {
     /// The first of the surfaces below it.
     pub of: usize,
     /// Its corners, in order.
-    pub corners: Vec<Spot>,
+    pub corners: Vec<Vec2>,
 }
 
 /// A wall or a top side.
@@ -76,7 +75,7 @@ fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
 }
 
 /// The top sides of what is seen whole. `spot` is where a place is seen.
-pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Spot) -> Vec<Top> {
+pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
     let whole = |of: usize| {
         let around: Vec<Vec3> = match &path.surfaces[of] {
             Surface::Round(round) => {

@@ -1,9 +1,8 @@
 //! Walls as they are seen.
 
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::path::{Round, Wall};
-use crate::view::flat::{Spot, cross, length, sub};
-use crate::view::material::WallShape;
+use crate::view::material::{WallShape, area};
 
 /// A round wall as flat strips.
 #[inline(never)]
@@ -29,20 +28,15 @@ pub(super) fn strips(round: &Round, up: Vec3, u: Vec3) -> Vec<Wall> {
 }
 
 /// A wall, or a strip of a round one. `spot` is where a place is seen.
-pub(super) fn shape(wall: &Wall, up: Vec3, spot: impl Fn(Vec3) -> Spot) -> WallShape {
+pub(super) fn shape(wall: &Wall, up: Vec3, spot: impl Fn(Vec3) -> Vec2) -> WallShape {
     let (start, end) = (wall.point + wall.along * wall.extent.0, wall.point + wall.along * wall.extent.1);
     // Along the wall and across it; upwards where it goes up at all.
     let across = wall.normal.cross(wall.along).normalize_or(up);
     let down = (if across.dot(up) < 0.0 { -across } else { across }) * wall.drawn_depth;
     let raised = if wall.has_top { Vec3::ZERO } else { down };
     let corners = [start + raised, end + raised, end - down, start - down].map(spot);
-    let area: f64 = (0..4).map(|i| cross(corners[i], corners[(i + 1) % 4])).sum::<f64>().abs() / 2.0;
-    let edge = (area < 1e-6 * (1.0 + length(sub(corners[0], corners[2])).powi(2))).then(|| {
-        if length(sub(corners[0], corners[1])) > length(sub(corners[1], corners[2])) {
-            [corners[0], corners[1]]
-        } else {
-            [corners[1], corners[2]]
-        }
-    });
+    let [a, b, c, _] = corners;
+    let flat = area(&corners).abs() / 2.0 < 1e-6 * (1.0 + a.distance_squared(c));
+    let edge = flat.then(|| if a.distance(b) > b.distance(c) { [a, b] } else { [b, c] });
     WallShape { corners, edge, actual: false, strip: false, faces: true, top: None }
 }

@@ -4,8 +4,8 @@ use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
 use super::View;
-use crate::view::canvas::{ARM, spread_handles};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
+use crate::view::canvas::{spread_handles, turning};
 use crate::wasm::set;
 
 #[wasm_bindgen]
@@ -14,7 +14,7 @@ impl View {
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64, reach: Option<f64>) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= reach.unwrap_or(14.0);
+        let near = |p: Vec2| p.distance(Vec2::new(x, y)) <= reach.unwrap_or(14.0);
         if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
             if near(sweep) {
                 return Some("sweep".to_owned());
@@ -25,11 +25,7 @@ impl View {
         }
         let (origin, direction) = scene.handle?;
         let at = self.camera.pixel(origin);
-        if near(at) {
-            Some("shift".to_owned())
-        } else {
-            near([at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]).then(|| "turn".to_owned())
-        }
+        if near(at) { Some("shift".to_owned()) } else { near(turning(at, direction)).then(|| "turn".to_owned()) }
     }
 
     /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
@@ -37,13 +33,13 @@ impl View {
     pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
         let scene = &self.shown.as_ref()?.scene;
         if let (Some([start, sweep]), "start" | "sweep") = (spread_handles(scene, &self.camera), handle) {
-            return Some(if handle == "start" { start } else { sweep }.to_vec());
+            return Some(if handle == "start" { start } else { sweep }.to_array().to_vec());
         }
         let (origin, direction) = scene.handle?;
         let at = self.camera.pixel(origin);
         match handle {
-            "shift" => Some(at.to_vec()),
-            "turn" => Some(vec![at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]),
+            "shift" => Some(at.to_array().to_vec()),
+            "turn" => Some(turning(at, direction).to_array().to_vec()),
             _ => None,
         }
     }
@@ -64,8 +60,7 @@ impl View {
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
         let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
-        let spot = self.camera.spot([x, y]);
-        let angle = (spot[1] - center[1]).atan2(spot[0] - center[0]).to_degrees();
+        let angle = (self.camera.spot(Vec2::new(x, y)) - center).to_angle().to_degrees();
         if handle == "start" {
             return Some(crate::num::wrap_degrees(angle.round()));
         }
@@ -86,20 +81,20 @@ impl View {
         let Some(held) = self.held() else {
             return Ok(JsValue::NULL);
         };
-        let spot = self.camera.spot([x, y]);
+        let spot = self.camera.spot(Vec2::new(x, y));
         let [a, o, _] = held.plane.axes();
         let (mut offset, mut turn) = (held.offset, held.turn);
         let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(held.origin);
         let now = place(offset, turn);
         if handle == "turn" {
             let handle = self.shown.as_ref().and_then(|shown| shown.scene.handle);
-            let nominal = handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
-            let angle = (spot[1] - now[o]).atan2(spot[0] - now[a]).to_degrees();
+            let nominal = handle.map_or(0.0, |(_, d)| d.to_angle().to_degrees()) - turn;
+            let angle = (spot - Vec2::new(now[a], now[o])).to_angle().to_degrees();
             turn = crate::num::wrap_degrees(((angle - nominal) * 100.0).round() / 100.0);
             offset += now - place(offset, turn);
         } else {
-            offset[a] += spot[0] - now[a];
-            offset[o] += spot[1] - now[o];
+            offset[a] += spot.x - now[a];
+            offset[o] += spot.y - now[o];
         }
         let rounded = |mm: f64| (mm / held.scale * 1000.0).round() / 1000.0;
         let result = Object::new();
