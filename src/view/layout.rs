@@ -84,6 +84,18 @@ fn readable(way: Vec2) -> Vec2 {
 }
 
 impl Layout<'_> {
+    /// What the angles and the dimensions say, with their fields' paths and places.
+    pub fn names<'n>(&self, names: &'n [(&'static str, String)]) -> Vec<(&'static str, &'n str, Plate)> {
+        let mut said = Vec::new();
+        let mut say = |own: &'static str, plate: Plate| {
+            let name = names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
+            said.push((own, name, plate));
+        };
+        self.arcs.iter().for_each(|arc| arc.name.into_iter().for_each(|plate| say(arc.angle.field, plate)));
+        self.dimensions.iter().for_each(|placed| say(placed.drawn.field, placed.name));
+        said
+    }
+
     /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
         let plate = |x: f64, y: f64| Plate { middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0), along: Vec2::X, half };

@@ -1,41 +1,21 @@
 //! The material behind what is seen edge-on, as a section shows it: filled and hatched. Air stays empty.
 
-use crate::geom::{Vec2, Vec3};
-use crate::path::{Round, Surface, Wall};
+use crate::geom::{Frame, Vec2, Vec3};
+use crate::path::{Surface, Wall};
 use crate::view::camera::Camera;
-
-/// One flat wall, or one strip of a round one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WallShape {
-    /// Its four corners, in order.
-    pub corners: [Vec2; 4],
-    /// Seen edge-on: the line. Else none.
-    pub edge: Option<[Vec2; 2]>,
-    /// Whether it is of the actual part; else of the nominal one.
-    pub actual: bool,
-    /// Whether it is one strip of a round wall, whose sides are no edges.
-    pub strip: bool,
-    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
-    pub faces: bool,
-    /// The top side above it: that of this surface.
-    pub top: Option<usize>,
-}
+use crate::view::walls::{area, shape, strips};
 
 /// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Material {
-    /// Behind a line.
+    /// Behind a wall that is seen edge-on.
     Behind {
-        /// The line.
-        ends: [Vec2; 2],
-        /// The way into the material, of length one.
-        into: Vec2,
+        /// The wall.
+        edge: Edge,
         /// Which ends meet another line: there the material continues past the end, so that no corner is left out.
         meets: [bool; 2],
         /// The other lines of the same body, each as a point and the way into the material: it lies behind all of them.
         bounds: Vec<(Vec2, Vec2)>,
-        /// How far behind the line the material reaches.
-        reach: f64,
         /// How far behind it other walls go on: it is filled as far as these.
         least: f64,
     },
@@ -69,25 +49,21 @@ const FAR: f64 = 1e6;
 const CORNERS: usize = 120;
 
 /// A wall that is seen edge-on.
-#[derive(Clone, Copy)]
-struct Edge {
-    ends: [Vec2; 2],
-    into: Vec2,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Its ends.
+    pub ends: [Vec2; 2],
+    /// The way into the material, of length one.
+    pub into: Vec2,
     /// What it bounds: of two surfaces only flat ones can bound the same body.
-    body: (usize, usize),
+    pub body: (usize, usize),
     /// How far behind it the material reaches.
-    reach: f64,
+    pub reach: f64,
 }
 
-/// The material of the surfaces. `shape` gives a wall as it is seen; `strips` the flat strips of a round one; `circles` says whether
-/// round walls are seen as circles.
-pub fn material(
-    surfaces: &[Surface],
-    spot: impl Fn(Vec3) -> Vec2,
-    shape: impl Fn(&Wall) -> WallShape,
-    strips: impl Fn(&Round) -> Vec<Wall>,
-    circles: bool,
-) -> Vec<Material> {
+/// The material of the surfaces. `spot` is where a place is seen; `circles` says whether round walls are seen as circles.
+pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2, circles: bool) -> Vec<Material> {
+    let shape = |wall: &Wall| shape(wall, frame.w, &spot);
     let mut all = Vec::new();
     let mut edges: Vec<Edge> = Vec::new();
     let mut add = |wall: &Wall, body, reach| {
@@ -108,7 +84,7 @@ pub fn material(
             }
             // The two sides of a hole bound nothing together; those of a stud do.
             Surface::Round(round) => {
-                for (side, wall) in strips(round).iter().enumerate() {
+                for (side, wall) in strips(round, frame).iter().enumerate() {
                     let reach = (round.plate.unwrap_or(f64::INFINITY) - round.radius).max(0.0);
                     if round.hole { add(wall, (k + 1, side), reach) } else { add(wall, (k + 1, 0), f64::INFINITY) }
                 }
@@ -130,11 +106,9 @@ pub fn material(
             others().any(|other| own.into.dot(other.into).abs() < 0.999 && ends(other))
         };
         Material::Behind {
-            ends: own.ends,
-            into: own.into,
+            edge: *own,
             meets: own.ends.map(meets),
             bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
-            reach: own.reach,
             least: corners.iter().flatten().map(|at| depth(*at, own.ends[0], own.into)).fold(0.0, f64::max),
         }
     });
@@ -156,7 +130,7 @@ impl Material {
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
             Material::Face { corners } => out.push(corners.to_vec()),
-            Material::Behind { ends, into, meets, bounds, reach, least } => {
+            Material::Behind { edge: Edge { ends, into, reach, .. }, meets, bounds, least } => {
                 let whole = bounds.iter().any(|(_, other)| into.dot(*other) < -0.999);
                 let [a, b] = *ends;
                 let along = (b - a) / a.distance(b).max(1e-9);
@@ -217,9 +191,4 @@ fn behind(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
 fn circle(center: Vec2, radius: f64) -> Vec<Vec2> {
     let corner = |k: usize| center + Vec2::from_angle(k as f64 * std::f64::consts::TAU / CORNERS as f64) * radius;
     (0..CORNERS).map(corner).collect()
-}
-
-/// Twice the area, positive where the outline turns counter-clockwise.
-pub fn area(outline: &[Vec2]) -> f64 {
-    (0..outline.len()).map(|k| outline[k].perp_dot(outline[(k + 1) % outline.len()])).sum()
 }

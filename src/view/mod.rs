@@ -2,13 +2,16 @@
 
 pub mod camera;
 pub mod dimension;
+pub mod display;
 pub mod layout;
 pub mod lengths;
 pub mod material;
 pub mod numbers;
 pub mod plate;
 pub mod scene;
+pub mod style;
 mod svg;
+pub mod walls;
 
 pub use svg::{Legend, svg};
 

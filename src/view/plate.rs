@@ -30,22 +30,9 @@ impl Plate {
 
     /// Whether a straight line comes nearer to it than so many pixels.
     #[inline(never)]
-    pub fn crosses(&self, [from, to]: [Vec2; 2], near: f64) -> bool {
-        let (from, to) = (self.own(from), self.own(to));
-        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-        for i in [0, 1] {
-            let (way, half) = (to[i] - from[i], self.half[i] + near);
-            if way.abs() < 1e-9 {
-                if from[i].abs() > half {
-                    return false;
-                }
-                continue;
-            }
-            let ends = [-half, half].map(|side| (side - from[i]) / way);
-            enters = enters.max(ends[0].min(ends[1]));
-            leaves = leaves.min(ends[0].max(ends[1]));
-        }
-        enters <= leaves
+    pub fn crosses(&self, ends: [Vec2; 2], near: f64) -> bool {
+        let half = self.half + near;
+        within_box(ends.map(|end| self.own(end)), [-half, half]).is_some()
     }
 
     /// Whether two plates share room: the middle line of the other, as thick as that is high.
@@ -60,6 +47,24 @@ impl Plate {
         let reach = along * self.half.x + Vec2::new(along.y, along.x) * self.half.y;
         [self.middle - reach, self.middle + reach]
     }
+}
+
+/// From which part of a line to which it lies in an upright box, 0 to 1.
+pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64; 2]> {
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for i in [0, 1] {
+        let way = to[i] - from[i];
+        if way.abs() < 1e-9 {
+            if from[i] < low[i] || from[i] > high[i] {
+                return None;
+            }
+            continue;
+        }
+        let ends = [low[i], high[i]].map(|side| (side - from[i]) / way);
+        enters = enters.max(ends[0].min(ends[1]));
+        leaves = leaves.min(ends[0].max(ends[1]));
+    }
+    (enters <= leaves).then_some([enters, leaves])
 }
 
 /// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.

@@ -5,10 +5,10 @@ use touchpath::job;
 use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
-use touchpath::view::material::WallShape;
 use touchpath::view::material::outlines;
 use touchpath::view::scene::tops::{Face, together};
 use touchpath::view::scene::{Line, Projection, Scene, Stroke};
+use touchpath::view::walls::WallShape;
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
@@ -428,6 +428,22 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     };
     let apart = left(10.0) - left(1.0);
     assert!((apart - 2.7).abs() < 1e-9, "{apart}");
+}
+
+/// A colour that the page does not name is the default one, in dark too.
+#[test]
+fn the_page_names_the_colours_of_a_picture() {
+    let names = touchpath::view::style::COLOURS.map(|(name, ..)| name);
+    let read = |file: &str| std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).expect("it is there");
+    let listed = names.map(|name| format!("\"{name}\"")).join(", ");
+    assert!(read("www/parts/drawing.ts").contains(&format!("const COLOURS = [{listed}];")), "{listed}");
+    let told = names.map(|name| format!("`{name}`")).join(", ");
+    assert!(read("src/wasm/view/mod.rs").contains(&format!("/// Colours: {told}.\n")), "{told}");
+    let style = read("www/style.css");
+    for name in names {
+        // By day and by night.
+        assert!(style.matches(&format!("--c-{name}: ")).count() >= 2, "{name}");
+    }
 }
 
 /// Whatever is drawn lies in the picture, also where the part is turned and a touch searches far.

@@ -3,7 +3,9 @@
 use super::{DOT, Painter};
 use crate::geom::Vec2;
 use crate::view::camera::Camera;
+use crate::view::plate::within_box;
 use crate::view::scene::{Line, Scene, Stroke};
+use crate::view::style::{self, Colour};
 
 /// A picture with more lines than this is drawn so: no job has so many.
 pub(super) const LONG: usize = 5_000;
@@ -54,42 +56,22 @@ impl Pen<'_> {
         if self.points == 0 || self.ends[0] != self.ends[1] {
             self.point(self.ends[1]);
         }
-        let Painter { context: c, theme, .. } = self.painter;
-        let (colour, width) = match stroke {
-            _ if rapid => (&theme.position, 1.0),
-            Stroke::Touch | Stroke::Overtravel => (&theme.touch, 2.5),
-            Stroke::Position => (&theme.position, 1.5),
-            Stroke::Link => (&theme.link, 1.5),
-        };
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.painter.dash(if rapid { &[12.0, 5.0] } else { &[] });
-        c.stroke();
+        let pen = style::of(stroke, rapid);
+        if rapid { self.painter.dashed(pen) } else { self.painter.stroke(pen.colour, pen.widths[0]) }
     }
 }
 
 /// The part of a line that lies in a window of this size, and a little around it. Far beyond it a browser would still make every dash.
 fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
-    let inside = |p: Vec2| p.cmpge(Vec2::splat(-WIDE)).all() && p.cmple(size + WIDE).all();
+    let [low, high] = [Vec2::splat(-WIDE), size + WIDE];
+    let inside = |p: Vec2| p.cmpge(low).all() && p.cmple(high).all();
     if inside(from) && inside(to) {
         return Some([from, to]);
     }
-    let (mut first, mut last) = (0.0_f64, 1.0_f64);
-    for i in 0..2 {
-        let way = to[i] - from[i];
-        let (low, high) = (-WIDE - from[i], size[i] + WIDE - from[i]);
-        if way == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let (enters, leaves) = if way > 0.0 { (low / way, high / way) } else { (high / way, low / way) };
-        (first, last) = (first.max(enters), last.min(leaves));
-    }
+    let [first, last] = within_box([from, to], [low, high])?;
     let at = |part: f64| from.lerp_monotonic(to, part);
     // Ends that lie inside stay as they are: lines go on from there.
-    (first <= last).then(|| [if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
+    Some([if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
 }
 
 /// The pixel of a spot, counted from a place outside every window.
@@ -127,7 +109,7 @@ impl Painter {
             let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
             let along = from.distance(to) < 1.0;
             if along && clipped([to; 2], camera.size).is_some() && recent.is_new(line, [pixel(to); 2]) {
-                self.disc(to, DOT, &self.theme.touch);
+                self.disc(to, DOT, Colour::Touch);
             }
         }
     }

@@ -3,10 +3,10 @@
 use crate::geom::{Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
-use crate::view::material::{Material, WallShape, material};
+use crate::view::material::material;
 use crate::view::scene::tops::{Backs, breaks, topped, tops};
-use crate::view::scene::walls::{shape, strips};
 use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles};
+use crate::view::walls::{WallShape, shape, strips};
 
 /// What the actual part adds.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     } else {
         // Walls are seen edge-on, and what lies along the picture in its true length.
         scene.walls = look.walls(|_, _| None).into_iter().map(|(_, shape)| shape).collect();
-        scene.material = look.material();
+        scene.material = material(&path.surfaces, &path.frame, spot, view == Projection::Top);
         scene.dimensions = drawn(path, setup.plane, view);
         scene.angles = drawn_angles(path, setup.plane, view);
         Backs::default()
@@ -95,7 +95,7 @@ impl Look<'_> {
             Surface::Unknown => Vec::new(),
             Surface::Round(round) => {
                 let far = round.center.dot(self.towards);
-                let strips = strips(round, self.path.frame.w, self.path.frame.u);
+                let strips = strips(round, &self.path.frame);
                 strips.iter().map(|wall| (far, WallShape { strip: true, ..self.shape(wall) })).collect()
             }
         }
@@ -129,13 +129,9 @@ impl Look<'_> {
             walls.iter_mut().for_each(|(_, shape)| shape.top = top);
             walls
         };
-        self.actual.surfaces.iter().zip(nominal).flat_map(displaced).chain((0..nominal.len()).flat_map(below)).collect()
-    }
-
-    fn material(&self) -> Vec<Material> {
-        let Path { surfaces, frame, .. } = self.path;
-        let round = |round: &_| strips(round, frame.w, frame.u);
-        material(surfaces, |p| self.spot(p), |wall| self.shape(wall), round, self.view == Projection::Top)
+        let mut walls: Vec<Standing> = self.actual.surfaces.iter().zip(nominal).flat_map(displaced).collect();
+        walls.extend((0..nominal.len()).flat_map(below));
+        walls
     }
 
     /// The moves, and past each touch the search.

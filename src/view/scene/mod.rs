@@ -4,15 +4,15 @@ mod build;
 pub mod program;
 pub mod stylus;
 pub mod tops;
-mod walls;
 
 pub use build::{Actual, build};
 
 use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::path::Path;
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
-use crate::view::material::{Material, WallShape};
+use crate::view::material::Material;
 use crate::view::scene::tops::Top;
+use crate::view::walls::WallShape;
 
 /// Where the scene is looked at from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

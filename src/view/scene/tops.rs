@@ -2,9 +2,8 @@
 
 use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
-use crate::view::material::WallShape;
 use crate::view::scene::Scene;
-use crate::view::scene::walls::strips;
+use crate::view::walls::{WallShape, strips};
 
 /// A top side, isometric.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +78,7 @@ pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
     let whole = |of: usize| {
         let around: Vec<Vec3> = match &path.surfaces[of] {
             Surface::Round(round) => {
-                let strips = strips(round, path.frame.w, path.frame.u);
+                let strips = strips(round, &path.frame);
                 strips.iter().map(|strip| strip.point + strip.along * strip.extent.0).collect()
             }
             Surface::Flat(wall) => top_of(path, wall.body),
@@ -144,7 +143,7 @@ impl Backs {
             };
             match surface {
                 Surface::Flat(wall) => add(wall),
-                Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().for_each(add),
+                Surface::Round(round) => strips(round, &path.frame).iter().for_each(add),
                 Surface::Unknown => {}
             }
         }
