@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::import::{Toolpath, read_program};
-use crate::job::{self, Planned};
+use crate::job;
 use crate::view::Legend;
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
@@ -76,16 +76,12 @@ enum What {
     Program(Rc<Toolpath>),
 }
 
-/// The job that is shown, and how its part lies.
+/// The job that is shown.
 #[derive(Debug)]
 struct Held {
     last: Rc<Last>,
     deviates: bool,
-    scale: f64,
     plane: Plane,
-    offset: Vec3,
-    turn: f64,
-    origin: Vec3,
     /// What each dimension is called, by its field's path.
     names: Vec<(&'static str, String)>,
     /// The work origin's name.
@@ -408,19 +404,8 @@ impl View {
             names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));
         }
         scene.name(&names);
-        let Planned { job, path, .. } = &last.planned;
-        let held = Held {
-            deviates,
-            scale: job.scale,
-            plane: job.setup.plane,
-            offset: job.lie.rigid.point(Vec3::ZERO),
-            turn: job.lie.turn,
-            origin: path.frame.origin,
-            names,
-            offset_name: offset,
-            last,
-        };
-        Shown { scene, what: What::Job(Box::new(held)) }
+        let plane = last.planned.job.setup.plane;
+        Shown { scene, what: What::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
     }
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
@@ -465,7 +450,7 @@ impl View {
             let held = self.held();
             // Each from where its touch should have met the part.
             let seen = |held: &Held, (k, p): &(usize, Vec3)| {
-                let real = self.projection.place(held.plane, *p * held.scale);
+                let real = self.projection.place(held.plane, *p * held.last.planned.job.scale);
                 let nominal = shown.scene.touches.get(*k).map_or(real, |touch| touch.ball);
                 nominal.lerp_monotonic(real, self.magnified)
             };
