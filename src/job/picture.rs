@@ -54,10 +54,7 @@ impl Planned {
         // Of a point `cycle.origin[0]` and so on.
         let (whole, axis) = field.strip_suffix(']').and_then(|field| field.split_once('[')).unwrap_or((field, ""));
         let whole = whole.strip_prefix("cycle.").and_then(|key| self.job.def.fields.iter().find(|field| field.key == key));
-        let flat = |along: Vec3| {
-            let [x, y] = view.spot(plane, along);
-            x.hypot(y) > 0.999
-        };
+        let flat = |along: Vec3| view.place(plane, along).length() > 0.999;
         let seen = match whole.and_then(|field| field.seen) {
             Some(Seen::Turning) => view == Projection::Top,
             Some(Seen::Upright) => flat(path.frame.w),

@@ -1,7 +1,7 @@
 //! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
 
-use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, MARGIN};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
+use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, DOWNWARDS, MARGIN};
 use crate::view::numbers::Number;
 use crate::view::plate::{Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
@@ -26,11 +26,11 @@ pub struct Placed<'a> {
     /// The dimension.
     pub drawn: &'a Drawn,
     /// Where its extension lines begin.
-    pub ends: [Spot; 2],
+    pub ends: [Vec2; 2],
     /// The ends of its line.
-    pub line: [Spot; 2],
+    pub line: [Vec2; 2],
     /// From where to where the line is drawn: beyond its ends to arrow heads outside and to its name.
-    pub reach: [Spot; 2],
+    pub reach: [Vec2; 2],
     /// Whether its arrow heads lie between its ends.
     pub within: bool,
     /// What it says.
@@ -43,15 +43,15 @@ pub struct Arc<'a> {
     /// The angle.
     pub angle: &'a DrawnAngle,
     /// Its vertex.
-    pub at: Spot,
+    pub at: Vec2,
     /// The radius of its arc.
     pub radius: f64,
     /// The far ends of its two sides, a little beyond the arc.
-    pub sides: [Spot; 2],
+    pub sides: [Vec2; 2],
     /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
-    pub heads: Option<[(Spot, Spot); 2]>,
+    pub heads: Option<[(Vec2, Vec2); 2]>,
     /// The ends of the arc.
-    pub ends: [Spot; 2],
+    pub ends: [Vec2; 2],
     /// Its name; none where that would cover touches.
     pub name: Option<Plate>,
 }
@@ -71,30 +71,35 @@ pub struct Layout<'a> {
 
 impl Placed<'_> {
     /// The tips of its arrow heads, and where they point.
-    pub fn heads(&self) -> [(Spot, Spot); 2] {
+    pub fn heads(&self) -> [(Vec2, Vec2); 2] {
         let [start, end] = self.line;
-        let long = (end[0] - start[0]).hypot(end[1] - start[1]).max(1e-9);
-        let sense = if self.within { 1.0 } else { -1.0 };
-        let out = [0, 1].map(|i| sense * (end[i] - start[i]) / long);
-        [(start, out.map(|x| -x)), (end, out)]
+        let out = (end - start) / start.distance(end).max(1e-9) * if self.within { 1.0 } else { -1.0 };
+        [(start, -out), (end, out)]
     }
 }
 
-/// Some steps from a place along a way.
-fn from(at: Spot, way: Spot, far: f64) -> Spot {
-    [at[0] + way[0] * far, at[1] + way[1] * far]
-}
-
 /// The way along a line from which a name on it is read: from below, or from the right.
-fn readable([x, y]: Spot) -> Spot {
-    if x < -1e-6 || (x < 1e-6 && y > 0.0) { [-x, -y] } else { [x, y] }
+fn readable(way: Vec2) -> Vec2 {
+    if way.x < -1e-6 || (way.x < 1e-6 && way.y > 0.0) { -way } else { way }
 }
 
 impl Layout<'_> {
+    /// What the angles and the dimensions say, with their fields' paths and places.
+    pub fn names<'n>(&self, names: &'n [(&'static str, String)]) -> Vec<(&'static str, &'n str, Plate)> {
+        let mut said = Vec::new();
+        let mut say = |own: &'static str, plate: Plate| {
+            let name = names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
+            said.push((own, name, plate));
+        };
+        self.arcs.iter().for_each(|arc| arc.name.into_iter().for_each(|plate| say(arc.angle.field, plate)));
+        self.dimensions.iter().for_each(|placed| say(placed.drawn.field, placed.name));
+        said
+    }
+
     /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
-    pub fn origin(&self, at: Spot, half: Spot) -> Plate {
-        let plate = |[x, y]: Spot| Plate { middle: [at[0] + x * (half[0] + 11.0), at[1] + y * 16.0], along: [1.0, 0.0], half };
-        let corners = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(plate);
+    pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
+        let plate = |x: f64, y: f64| Plate { middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0), along: Vec2::X, half };
+        let corners = [plate(1.0, 1.0), plate(1.0, -1.0), plate(-1.0, 1.0), plate(-1.0, -1.0)];
         let costs = corners.map(|corner| self.crowd.cost(&corner));
         corners[(1..4).fold(0, |best, k| if costs[k] < costs[best] { k } else { best })]
     }
@@ -103,37 +108,36 @@ impl Layout<'_> {
 impl Camera {
     /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
     pub fn clear_corners(&mut self, scene: &Scene) {
-        let [width, height] = self.size;
+        let Vec2 { x: width, y: height } = self.size;
         let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
         let unit = scene.unit.unwrap_or(1.0);
         let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
-        let (mut top, mut under) = (self.pixel(scene.bounds()[1])[1], 0.0_f64);
+        let (mut top, mut under) = (self.pixel(scene.bounds()[1]).y, 0.0_f64);
         for placed in self.layout(scene, None).dimensions {
             let [low, high] = placed.name.bounds();
-            top = placed.line.iter().fold(top.min(low[1]), |top, end| top.min(end[1]));
-            if low[0] < axes[0] {
-                under = under.max(high[1] - axes[1]);
+            top = placed.line.iter().fold(top.min(low.y), |top, end| top.min(end.y));
+            if low.x < axes[0] {
+                under = under.max(high.y - axes[1]);
             }
-            if high[0] > bar[0] {
-                under = under.max(high[1] - bar[1]);
+            if high.x > bar[0] {
+                under = under.max(high.y - bar[1]);
             }
         }
-        self.pan([0.0, -under.min((top - MARGIN).max(0.0))]);
+        self.pan(Vec2::NEG_Y * under.min((top - MARGIN).max(0.0)));
     }
 
     /// The arrow head of a line, its tip, its way and its size: of a touch at its contact, of any other move on its way, where it is long enough for
     /// one there and one back. The way back along a touch has none.
-    pub fn head(&self, line: &Line) -> Option<(Spot, Spot, f64)> {
+    pub fn head(&self, line: &Line) -> Option<(Vec2, Vec2, f64)> {
         let (start, end) = (self.pixel(line.from), self.pixel(line.to));
-        let way = [end[0] - start[0], end[1] - start[1]];
-        let far = way[0].hypot(way[1]);
+        let far = start.distance(end);
         let (least, tip) = match line.stroke {
             Stroke::Touch => (1.0, far),
             Stroke::Position | Stroke::Link => (40.0, (0.62 * far).max(far / 2.0 + 14.0)),
             Stroke::Overtravel => return None,
         };
-        let way = way.map(|x| x / far);
-        (far >= least && !line.back).then(|| (from(start, way, tip), way, if far < 12.0 { 7.0 } else { 9.0 }))
+        let way = (end - start) / far;
+        (far >= least && !line.back).then(|| (start + way * tip, way, if far < 12.0 { 7.0 } else { 9.0 }))
     }
 
     /// Lays out what is drawn while a field has the focus, or none. What comes with the focus moves nothing that is there.
@@ -160,37 +164,36 @@ impl Camera {
     /// where there is room between the arrow heads; else beyond one end or the other, or beside it.
     fn dimension<'a>(&self, drawn: &'a Drawn, crowd: &Crowd) -> Placed<'a> {
         let ends = drawn.ends.map(|spot| self.pixel(spot));
-        let way = [0, 1].map(|i| ends[1][i] - ends[0][i]);
-        let long = way[0].hypot(way[1]).max(1e-9);
-        let way = way.map(|x| x / long);
+        let long = ends[0].distance(ends[1]).max(1e-9);
+        let way = (ends[1] - ends[0]) / long;
         let within = long > HEADS;
         let tail = if within { 0.0 } else { 16.0 };
-        let half = [drawn.wide / 2.0, HIGH];
+        let half = Vec2::new(drawn.wide / 2.0, HIGH);
         let along = readable(way);
         // The name from the middle of the line, along it and across, and how far the line goes to it beyond each end.
-        let off = half[0] + f64::max(tail, 10.0);
+        let off = half.x + f64::max(tail, 10.0);
         let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
         let beside_it = [[beyond, 0.0, 0.0, off], [-beyond, 0.0, off, 0.0], [0.0, beside, 0.0, 0.0], [0.0, -beside, 0.0, 0.0]];
         // Between its arrow heads, with a little of the line seen.
         let on_it = [[0.0; 4]];
         let places = if drawn.wide + 24.0 <= long { &on_it[..] } else { &beside_it[..] };
-        let placed = |side: Spot, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
-            let line = ends.map(|end| from(end, side, far));
-            let middle = from(from(line[0], way, long / 2.0 + over), [-way[1], way[0]], across);
+        let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
+            let line = ends.map(|end| end + side * far);
+            let middle = line[0] + way * (long / 2.0 + over) + way.perp() * across;
             Placed {
                 drawn,
-                ends: ends.map(|end| from(end, side, begin)),
+                ends: ends.map(|end| end + side * begin),
                 line,
-                reach: [from(line[0], way, -f64::max(tail, before)), from(line[1], way, f64::max(tail, past))],
+                reach: [line[0] - way * f64::max(tail, before), line[1] + way * f64::max(tail, past)],
                 within,
                 name: Plate { middle, along, half },
             }
         };
-        let own = [drawn.aside[0], -drawn.aside[1]];
+        let own = drawn.aside * DOWNWARDS;
         let mut best = placed(own, 0.0, STANDS_OFF[0], places[0]);
         let mut least = f64::INFINITY;
         for k in 0..=usize::from(drawn.either) {
-            let side = if k == 0 { own } else { own.map(|x| -x) };
+            let side = if k == 0 { own } else { -own };
             let [begins, walls, all] = crowd.beside(ends, side);
             // Extension lines begin where the part ends.
             let (begin, near) =
@@ -200,8 +203,9 @@ impl Camera {
                 let far = near + (step / places.len()) as f64 * (2.0 * HIGH + 4.0);
                 let one = placed(side, begin, far, places[place]);
                 // A name on the line, and a line that is not seen.
-                let struck = crowd.plates.iter().filter(|other| other.crosses(one.line, 2.0)).count()
-                    + 2 * one.line.iter().filter(|end| !crowd.sees(end)).count();
+                let line = one.line;
+                let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
+                    + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
                 let cost =
                     crowd.cost(&one.name) + 300.0 * struck as f64 + (4 * place) as f64 + (far - begin) / 20.0 + 0.1 * k as f64;
                 if cost < least {
@@ -218,17 +222,17 @@ impl Camera {
         let room = angle.room * self.scale;
         let radius = ANGLE_RADIUS.min(room * 0.6);
         let [first, turn] = angle.turns;
-        let way = |radians: f64| [radians.cos(), -radians.sin()];
+        let way = |radians: f64| Vec2::from_angle(radians) * DOWNWARDS;
         let sides = [first, first + turn];
-        let ends = sides.map(|side| from(at, way(side), radius));
+        let ends = sides.map(|side| at + way(side) * radius);
         // Along the arc, away from its middle.
-        let head = |end: usize, sense: f64| (ends[end], [-sense * sides[end].sin(), -sense * sides[end].cos()]);
+        let head = |end: usize, sense: f64| (ends[end], way(sides[end]).perp() * -sense);
         let named = room > ROOM_FOR_NAME || focus == Some(angle.field);
         // Beyond the arc, as near as it covers the least.
         let plate = |far: f64| Plate {
-            middle: from(at, way(first + turn / 2.0), far),
-            along: [1.0, 0.0],
-            half: [angle.wide / 2.0, HIGH],
+            middle: at + way(first + turn / 2.0) * far,
+            along: Vec2::X,
+            half: Vec2::new(angle.wide / 2.0, HIGH),
         };
         let places = (0..24).map(|k| radius + 8.0 * f64::from(k)).filter(|far| !plate(*far).covers(at, radius + 6.0));
         let cost = |far: f64| crowd.cost(&plate(far)) + far / 10.0;
@@ -238,7 +242,7 @@ impl Camera {
             angle,
             at,
             radius,
-            sides: sides.map(|side| from(at, way(side), radius + 8.0)),
+            sides: sides.map(|side| at + way(side) * (radius + 8.0)),
             heads: (turn.abs() * radius > 22.0).then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
             ends,
             name: named.then(|| plate(best)),

@@ -1,8 +1,7 @@
 //! The picture of the tool lengths: arrows from one origin.
 
-use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::tool_length::{self, Query};
-use crate::view::flat::Spot;
 use crate::view::scene::Projection;
 
 /// What an arrow of a tool-length picture is.
@@ -17,9 +16,9 @@ pub enum Arrow {
 }
 
 /// The arrows of a tool-length picture, from the origin: what each is, its name, and its tip in an isometric view.
-pub fn arrows(query: &Query) -> Vec<(Arrow, String, Spot)> {
-    let spot = |v: Vec3| Projection::Isometric.spot(Plane::G17, v);
-    let mut all: Vec<(Arrow, String, Spot)> =
+pub fn arrows(query: &Query) -> Vec<(Arrow, String, Vec2)> {
+    let spot = |v: Vec3| Projection::Isometric.place(Plane::G17, v);
+    let mut all: Vec<(Arrow, String, Vec2)> =
         (0..3).map(|i| (Arrow::Axis, AXIS_NAMES[i].to_owned(), spot(Vec3::AXES[i] * 1.4))).collect();
     let answer = tool_length::lentoax(query);
     if answer.status < 0 {

@@ -1,53 +1,33 @@
 //! The material behind what is seen edge-on, as a section shows it: filled and hatched. Air stays empty.
 
-use crate::path::{Round, Surface, Wall};
+use crate::geom::{Frame, Vec2, Vec3};
+use crate::path::{Surface, Wall};
 use crate::view::camera::Camera;
-use crate::view::flat::{Spot, dot, same};
-
-/// One flat wall, or one strip of a round one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WallShape {
-    /// Its four corners, in order.
-    pub corners: [Spot; 4],
-    /// Seen edge-on: the line. Else none.
-    pub edge: Option<[Spot; 2]>,
-    /// Whether it is of the actual part; else of the nominal one.
-    pub actual: bool,
-    /// Whether it is one strip of a round wall, whose sides are no edges.
-    pub strip: bool,
-    /// Whether its air side is seen. Else the material lies before it, and it is seen through.
-    pub faces: bool,
-    /// The top side above it: that of this surface.
-    pub top: Option<usize>,
-}
+use crate::view::walls::{area, shape, strips};
 
 /// Material behind a wall that is seen edge-on, or around or within one that is seen as a circle. On the picture plane, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Material {
-    /// Behind a line.
+    /// Behind a wall that is seen edge-on.
     Behind {
-        /// The line.
-        ends: [Spot; 2],
-        /// The way into the material, of length one.
-        into: Spot,
+        /// The wall.
+        edge: Edge,
         /// Which ends meet another line: there the material continues past the end, so that no corner is left out.
         meets: [bool; 2],
         /// The other lines of the same body, each as a point and the way into the material: it lies behind all of them.
-        bounds: Vec<(Spot, Spot)>,
-        /// How far behind the line the material reaches.
-        reach: f64,
+        bounds: Vec<(Vec2, Vec2)>,
         /// How far behind it other walls go on: it is filled as far as these.
         least: f64,
     },
     /// A surface that is looked at, with nothing beside it.
     Face {
         /// Its corners.
-        corners: [Spot; 4],
+        corners: [Vec2; 4],
     },
     /// Around a hole, as far as its plate reaches.
     Around {
         /// The middle of the hole.
-        center: Spot,
+        center: Vec2,
         /// Its radius.
         radius: f64,
         /// From the middle to the end of the plate.
@@ -56,7 +36,7 @@ pub enum Material {
     /// A stud.
     Within {
         /// Its middle.
-        center: Spot,
+        center: Vec2,
         /// Its radius.
         radius: f64,
     },
@@ -69,25 +49,21 @@ const FAR: f64 = 1e6;
 const CORNERS: usize = 120;
 
 /// A wall that is seen edge-on.
-#[derive(Clone, Copy)]
-struct Edge {
-    ends: [Spot; 2],
-    into: Spot,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Its ends.
+    pub ends: [Vec2; 2],
+    /// The way into the material, of length one.
+    pub into: Vec2,
     /// What it bounds: of two surfaces only flat ones can bound the same body.
-    body: (usize, usize),
+    pub body: (usize, usize),
     /// How far behind it the material reaches.
-    reach: f64,
+    pub reach: f64,
 }
 
-/// The material of the surfaces. `shape` gives a wall as it is seen; `strips` the flat strips of a round one; `circles` says whether
-/// round walls are seen as circles.
-pub fn material(
-    surfaces: &[Surface],
-    spot: impl Fn(crate::geom::Vec3) -> Spot,
-    shape: impl Fn(&Wall) -> WallShape,
-    strips: impl Fn(&Round) -> Vec<Wall>,
-    circles: bool,
-) -> Vec<Material> {
+/// The material of the surfaces. `spot` is where a place is seen; `circles` says whether round walls are seen as circles.
+pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2, circles: bool) -> Vec<Material> {
+    let shape = |wall: &Wall| shape(wall, frame.w, &spot);
     let mut all = Vec::new();
     let mut edges: Vec<Edge> = Vec::new();
     let mut add = |wall: &Wall, body, reach| {
@@ -108,7 +84,7 @@ pub fn material(
             }
             // The two sides of a hole bound nothing together; those of a stud do.
             Surface::Round(round) => {
-                for (side, wall) in strips(round).iter().enumerate() {
+                for (side, wall) in strips(round, frame).iter().enumerate() {
                     let reach = (round.plate.unwrap_or(f64::INFINITY) - round.radius).max(0.0);
                     if round.hole { add(wall, (k + 1, side), reach) } else { add(wall, (k + 1, 0), f64::INFINITY) }
                 }
@@ -118,21 +94,21 @@ pub fn material(
     }
     let flat =
         surfaces.iter().filter_map(|surface| if let Surface::Flat(wall) = surface { Some(shape(wall).corners) } else { None });
-    let corners: Vec<[Spot; 4]> = flat.collect();
+    let corners: Vec<[Vec2; 4]> = flat.collect();
     if edges.is_empty() && all.is_empty() {
         return corners.into_iter().map(|corners| Material::Face { corners }).collect();
     }
     let behind = edges.iter().enumerate().map(|(k, own)| {
         let others = || edges.iter().enumerate().filter(move |(j, _)| *j != k).map(|(_, other)| other);
         // A line that lies on the same one is no corner.
-        let meets =
-            |end| others().any(|other| dot(own.into, other.into).abs() < 0.999 && other.ends.iter().any(|at| same(*at, end)));
+        let meets = |end| {
+            let ends = |other: &Edge| other.ends.iter().any(|at| at.abs_diff_eq(end, 1e-6));
+            others().any(|other| own.into.dot(other.into).abs() < 0.999 && ends(other))
+        };
         Material::Behind {
-            ends: own.ends,
-            into: own.into,
+            edge: *own,
             meets: own.ends.map(meets),
             bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
-            reach: own.reach,
             least: corners.iter().flatten().map(|at| depth(*at, own.ends[0], own.into)).fold(0.0, f64::max),
         }
     });
@@ -143,7 +119,7 @@ pub fn material(
 impl Material {
     /// Gives what is filled of it, at most so many pixels deep: outlines in pixels, all of one sense, so that what two of them share is filled once.
     /// The air within a hole turns the other way round.
-    fn outlines(&self, camera: &Camera, most: f64, out: &mut Vec<Vec<Spot>>) {
+    fn outlines(&self, camera: &Camera, most: f64, out: &mut Vec<Vec<Vec2>>) {
         let deep = most / camera.scale;
         match self {
             Material::Around { center, radius, reach } => {
@@ -154,12 +130,11 @@ impl Material {
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
             Material::Face { corners } => out.push(corners.to_vec()),
-            Material::Behind { ends, into, meets, bounds, reach, least } => {
-                let whole = bounds.iter().any(|(_, other)| dot(*into, *other) < -0.999);
+            Material::Behind { edge: Edge { ends, into, reach, .. }, meets, bounds, least } => {
+                let whole = bounds.iter().any(|(_, other)| into.dot(*other) < -0.999);
                 let [a, b] = *ends;
-                let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
-                let along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-                let at = |from: Spot, by: f64, depth: f64| [0, 1].map(|i| from[i] + along[i] * by + into[i] * depth);
+                let along = (b - a) / a.distance(b).max(1e-9);
+                let at = |from: Vec2, by: f64, depth: f64| from + along * by + *into * depth;
                 let [before, past] = meets.map(|meets| if meets { deep } else { 0.0 });
                 let deep = if whole { FAR } else { deep.max(*least).min(*reach) };
                 let mut outline = vec![at(a, -before, 0.0), at(b, past, 0.0), at(b, past, deep), at(a, -before, deep)];
@@ -176,7 +151,7 @@ impl Material {
 }
 
 /// The outlines of all material, pixels, and those of the air in holes: whatever reaches into them from elsewhere is taken out again.
-pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Spot>>; 2] {
+pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Vec2>>; 2] {
     let (mut filled, mut air) = (Vec::new(), Vec::new());
     for material in all {
         material.outlines(camera, most, &mut filled);
@@ -191,13 +166,13 @@ pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Spot>>
 }
 
 /// How far a place lies behind a line, which is a point and the way into the material.
-fn depth(at: Spot, point: Spot, way: Spot) -> f64 {
-    dot([at[0] - point[0], at[1] - point[1]], way)
+fn depth(at: Vec2, point: Vec2, way: Vec2) -> f64 {
+    way.dot(at - point)
 }
 
 /// What of an outline lies behind a line, which is a point and the way into the material.
-fn behind(outline: &[Spot], point: Spot, way: Spot) -> Vec<Spot> {
-    let depth = |at: Spot| depth(at, point, way);
+fn behind(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
+    let depth = |at: Vec2| depth(at, point, way);
     let mut kept = Vec::with_capacity(outline.len() + 1);
     for (k, from) in outline.iter().enumerate() {
         let to = outline[(k + 1) % outline.len()];
@@ -206,28 +181,14 @@ fn behind(outline: &[Spot], point: Spot, way: Spot) -> Vec<Spot> {
             kept.push(*from);
         }
         if (here >= 0.0) != (there >= 0.0) {
-            let part = here / (here - there);
-            kept.push([0, 1].map(|i| from[i] + (to[i] - from[i]) * part));
+            kept.push(from.lerp_monotonic(to, here / (here - there)));
         }
     }
     kept
 }
 
 /// Counter-clockwise.
-fn circle(center: Spot, radius: f64) -> Vec<Spot> {
-    let corner = |k: usize| {
-        let (sin, cos) = (k as f64 * std::f64::consts::TAU / CORNERS as f64).sin_cos();
-        [center[0] + radius * cos, center[1] + radius * sin]
-    };
+fn circle(center: Vec2, radius: f64) -> Vec<Vec2> {
+    let corner = |k: usize| center + Vec2::from_angle(k as f64 * std::f64::consts::TAU / CORNERS as f64) * radius;
     (0..CORNERS).map(corner).collect()
-}
-
-/// Twice the area, positive where the outline turns counter-clockwise.
-fn area(outline: &[Spot]) -> f64 {
-    (0..outline.len())
-        .map(|k| {
-            let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
-            a[0] * b[1] - a[1] * b[0]
-        })
-        .sum()
 }

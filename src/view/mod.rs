@@ -2,23 +2,27 @@
 
 pub mod camera;
 pub mod dimension;
-pub mod flat;
+pub mod display;
 pub mod layout;
 pub mod lengths;
 pub mod material;
 pub mod numbers;
 pub mod plate;
 pub mod scene;
+pub mod style;
 mod svg;
+pub mod walls;
 
 pub use svg::{Legend, svg};
+
+use crate::geom::Vec2;
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod canvas;
 
 /// The ends of a line in one order, whichever way it is gone: so its dashes lie in the same places there and back.
-fn forwards(from: flat::Spot, to: flat::Spot) -> (flat::Spot, flat::Spot) {
-    if (from[0], from[1]) <= (to[0], to[1]) { (from, to) } else { (to, from) }
+fn forwards(from: Vec2, to: Vec2) -> (Vec2, Vec2) {
+    if (from.x, from.y) <= (to.x, to.y) { (from, to) } else { (to, from) }
 }
 
 /// What a dimension is called, and its value: drawn apart, so that "Width 2" and 50 are not read as one number.

@@ -1,8 +1,8 @@
 //! Where the numbers of touches stand: each near its contact, and none on another.
 
+use crate::geom::Vec2;
 use crate::num::within;
-use crate::view::camera::Camera;
-use crate::view::flat::Spot;
+use crate::view::camera::{Camera, DOWNWARDS};
 use crate::view::plate::Plate;
 use crate::view::scene::Scene;
 
@@ -21,7 +21,7 @@ pub struct Number {
     /// What it says: `3`, `3·4`, or `3…9` of more than four.
     pub said: String,
     /// The contact, or of a touch behind the part the ball.
-    pub contact: Spot,
+    pub contact: Vec2,
     /// Its disc, which is longer than high where it says more.
     pub plate: Plate,
     /// Whether it stands so far from the contact that a line leads there.
@@ -34,7 +34,7 @@ const MOST_SAID: usize = 4;
 impl Number {
     /// The radius of its disc, pixels.
     pub fn radius(&self) -> f64 {
-        self.plate.half[1]
+        self.plate.half.y
     }
 }
 
@@ -45,7 +45,7 @@ impl Camera {
         for (k, touch) in scene.touches.iter().enumerate() {
             // What is behind the part has its number beside the ball.
             let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
-            if let Some(own) = numbers.iter_mut().find(|own| apart(own.contact, contact) < ONE) {
+            if let Some(own) = numbers.iter_mut().find(|own| own.contact.distance(contact) < ONE) {
                 own.touches.push(k);
                 let number = (k + 1).to_string();
                 if own.touches.len() > MOST_SAID {
@@ -55,42 +55,40 @@ impl Camera {
                     own.said.push_str(&number);
                 }
             } else {
-                let plate = Plate { middle: contact, along: [1.0, 0.0], half: [0.0; 2] };
+                let plate = Plate { middle: contact, along: Vec2::X, half: Vec2::ZERO };
                 numbers.push(Number { touches: vec![k], said: (k + 1).to_string(), contact, plate, led: false });
             }
         }
-        let contacts: Vec<Spot> = numbers.iter().map(|number| number.contact).collect();
+        let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
         let radius = radius(&contacts);
         // Neither contacts nor the origin are hidden.
-        let spots: Vec<Spot> = contacts.into_iter().chain([self.pixel(scene.origin)]).collect();
+        let spots: Vec<Vec2> = contacts.into_iter().chain([self.pixel(scene.origin)]).collect();
         for k in 0..numbers.len() {
             let (placed, rest) = numbers.split_at_mut(k);
             let Some(number) = rest.first_mut() else { break };
             // Behind the surface, where the path is not: beside it where that is looked at from before.
             let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else { continue };
-            let [x, y] = touch.inward;
+            let inward = touch.inward * DOWNWARDS;
             let (way, off) = match touch.behind {
-                Some(_) => ([x, -y], scene.radius * self.scale + 2.0),
-                None if x.hypot(y) < 0.1 => ([0.7, -0.7], OFF),
-                None => ([-x, y], OFF),
+                Some(_) => (inward, scene.radius * self.scale + 2.0),
+                None if inward.length() < 0.1 => (Vec2::new(0.7, -0.7), OFF),
+                None => (-inward, OFF),
             };
             // About half as wide as its text; a dot has two bytes, and is half as wide as a digit.
             let wide = 2.6 * number.said.len() as f64 + 4.6;
-            let half = [(wide * radius / DISC[0]).max(radius), radius];
+            let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
             // Round about the contact, then further out.
             for step in 0..24 {
                 let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
                 let angle = (turn / 2.0).ceil() * std::f64::consts::FRAC_PI_4 * if step % 2 == 0 { 1.0 } else { -1.0 };
-                let (sin, cos) = angle.sin_cos();
-                let [dx, dy] = [way[0] * cos - way[1] * sin, way[0] * sin + way[1] * cos];
                 let far = radius + off + ring * (2.0 * radius + 2.0);
-                let middle = [number.contact[0] + dx * (far + half[0] - radius), number.contact[1] + dy * far];
-                let plate = Plate { middle, along: [1.0, 0.0], half };
+                let middle = number.contact + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
+                let plate = Plate { middle, along: Vec2::X, half };
                 let met = placed.iter().filter(|other| plate.meets(&other.plate)).count();
                 let hidden = spots.iter().filter(|spot| plate.covers(**spot, 3.0)).count();
-                let outside = (0..2).filter(|i| middle[*i] < half[*i] || middle[*i] > self.size[*i] - half[*i]).count();
-                let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * outside as f64 + 0.1 * ring;
+                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half)).bitmask().count_ones();
+                let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * f64::from(outside) + 0.1 * ring;
                 if cost < least {
                     least = cost;
                     (number.plate, number.led) = (plate, ring > 0.0);
@@ -101,17 +99,13 @@ impl Camera {
     }
 }
 
-fn apart(a: Spot, b: Spot) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
-}
-
 /// The radius of the discs: smaller where contacts are near to each other, or all of them in a small place.
-fn radius(contacts: &[Spot]) -> f64 {
+fn radius(contacts: &[Vec2]) -> f64 {
     let (mut nearest, mut widest) = (f64::INFINITY, 0.0_f64);
     for (k, a) in contacts.iter().enumerate() {
         for b in &contacts[..k] {
-            nearest = nearest.min(apart(*a, *b));
-            widest = widest.max(apart(*a, *b));
+            nearest = nearest.min(a.distance(*b));
+            widest = widest.max(a.distance(*b));
         }
     }
     if contacts.len() < 2 { DISC[0] } else { within((0.45 * nearest).min(0.1 * widest), DISC[1], DISC[0]) }

@@ -1,69 +1,70 @@
 //! Room in a picture: what a name takes, and what is there already.
 
+use crate::geom::Vec2;
 use crate::num::within;
 use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera};
-use crate::view::flat::Spot;
 use crate::view::scene::{Scene, Stroke};
 
 /// A box that something is written in, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate {
     /// Its middle.
-    pub middle: Spot,
+    pub middle: Vec2,
     /// The way that is read along, of length one.
-    pub along: Spot,
+    pub along: Vec2,
     /// Half its length along, and half its height.
-    pub half: Spot,
+    pub half: Vec2,
 }
 
 impl Plate {
     /// A place, seen from the middle of the plate along it and across.
-    fn own(&self, at: Spot) -> Spot {
-        let [x, y] = [at[0] - self.middle[0], at[1] - self.middle[1]];
-        let [ux, uy] = self.along;
-        [x * ux + y * uy, y * ux - x * uy]
+    fn own(&self, at: Vec2) -> Vec2 {
+        let off = at - self.middle;
+        Vec2::new(self.along.dot(off), self.along.perp_dot(off))
     }
 
     /// Whether a disc reaches into it; of radius 0, whether a place lies in it.
-    pub fn covers(&self, disc: Spot, radius: f64) -> bool {
-        let [x, y] = self.own(disc);
-        let out = [x.abs() - self.half[0], y.abs() - self.half[1]].map(|out| out.max(0.0));
-        out[0].hypot(out[1]) <= radius
+    pub fn covers(&self, disc: Vec2, radius: f64) -> bool {
+        (self.own(disc).abs() - self.half).max(Vec2::ZERO).length() <= radius
     }
 
     /// Whether a straight line comes nearer to it than so many pixels.
     #[inline(never)]
-    pub fn crosses(&self, [from, to]: [Spot; 2], near: f64) -> bool {
-        let (from, to) = (self.own(from), self.own(to));
-        let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-        for i in [0, 1] {
-            let (way, half) = (to[i] - from[i], self.half[i] + near);
-            if way.abs() < 1e-9 {
-                if from[i].abs() > half {
-                    return false;
-                }
-                continue;
-            }
-            let ends = [-half, half].map(|side| (side - from[i]) / way);
-            enters = enters.max(ends[0].min(ends[1]));
-            leaves = leaves.min(ends[0].max(ends[1]));
-        }
-        enters <= leaves
+    pub fn crosses(&self, ends: [Vec2; 2], near: f64) -> bool {
+        let half = self.half + near;
+        within_box(ends.map(|end| self.own(end)), [-half, half]).is_some()
     }
 
     /// Whether two plates share room: the middle line of the other, as thick as that is high.
     pub fn meets(&self, other: &Plate) -> bool {
-        let far = (other.half[0] - other.half[1]).max(0.0);
-        let end = |far: f64| [0, 1].map(|i| other.middle[i] + other.along[i] * far);
-        self.crosses([end(-far), end(far)], other.half[1])
+        let far = other.along * (other.half.x - other.half.y).max(0.0);
+        self.crosses([other.middle - far, other.middle + far], other.half.y)
     }
 
     /// The smallest and largest pixel of it.
-    pub fn bounds(&self) -> [Spot; 2] {
-        let [ux, uy] = self.along.map(f64::abs);
-        let reach = [self.half[0] * ux + self.half[1] * uy, self.half[0] * uy + self.half[1] * ux];
-        [-1.0, 1.0].map(|sense| [0, 1].map(|i| self.middle[i] + sense * reach[i]))
+    pub fn bounds(&self) -> [Vec2; 2] {
+        let along = self.along.abs();
+        let reach = along * self.half.x + Vec2::new(along.y, along.x) * self.half.y;
+        [self.middle - reach, self.middle + reach]
     }
+}
+
+/// From which part of a line to which it lies in an upright box, 0 to 1.
+pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64; 2]> {
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for i in [0, 1] {
+        let way = to[i] - from[i];
+        if way.abs() < 1e-9 {
+            if from[i] < low[i] || from[i] > high[i] {
+                return None;
+            }
+            continue;
+        }
+        let ends = [low[i], high[i]].map(|side| (side - from[i]) / way);
+        enters = enters.max(ends[0].min(ends[1]));
+        leaves = leaves.min(ends[0].max(ends[1]));
+    }
+    (enters <= leaves).then_some([enters, leaves])
 }
 
 /// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.
@@ -73,27 +74,26 @@ const MOST: usize = 2000;
 #[derive(Clone, Debug, Default)]
 pub struct Crowd {
     /// The moves, but for the search past a contact, and how far the ball reaches to both sides of each.
-    lines: Vec<([Spot; 2], f64)>,
+    lines: Vec<([Vec2; 2], f64)>,
     /// Balls and other round things.
-    discs: Vec<(Spot, f64)>,
+    discs: Vec<(Vec2, f64)>,
     /// The outlines of the nominal walls.
-    walls: Vec<[Spot; 4]>,
+    walls: Vec<[Vec2; 4]>,
     /// The work axes and the scale bar.
     corners: Vec<Plate>,
     /// What is written already.
     pub plates: Vec<Plate>,
-    size: Spot,
+    size: Vec2,
 }
 
 impl Crowd {
     /// The moves, the balls at their contacts, the origin, and in their corners the work axes and the scale bar.
     pub fn of(scene: &Scene, camera: &Camera) -> Self {
-        let [width, height] = camera.size;
+        let Vec2 { x: width, y: height } = camera.size;
         let unit = scene.unit.unwrap_or(1.0);
-        let corner = |x: f64, wide: f64, high: f64| Plate {
-            middle: [x + wide / 2.0, height - high / 2.0],
-            along: [1.0, 0.0],
-            half: [wide / 2.0, high / 2.0],
+        let corner = |x: f64, wide: f64, high: f64| {
+            let half = Vec2::new(wide, high) / 2.0;
+            Plate { middle: Vec2::new(x + half.x, height - half.y), along: Vec2::X, half }
         };
         let axes = AXES_CORNER + AXES_REACH;
         let bar = camera.bar(unit) * unit * camera.scale + 2.0 * BAR_CORNER;
@@ -112,8 +112,8 @@ impl Crowd {
     }
 
     /// Whether a place is in the picture.
-    pub fn sees(&self, at: &Spot) -> bool {
-        (0..2).all(|i| at[i] >= 0.0 && at[i] <= self.size[i])
+    pub fn sees(&self, at: &Vec2) -> bool {
+        at.cmpge(Vec2::ZERO).all() && at.cmple(self.size).all()
     }
 
     /// How much a plate would cover: another one, or the picture's edge, is worst, a move the least.
@@ -128,22 +128,19 @@ impl Crowd {
     }
 
     /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.
-    pub fn beside(&self, [from, to]: [Spot; 2], aside: Spot) -> [f64; 3] {
-        let way = [to[0] - from[0], to[1] - from[1]];
-        let long = way[0].hypot(way[1]).max(1e-9);
+    pub fn beside(&self, [from, to]: [Vec2; 2], aside: Vec2) -> [f64; 3] {
+        let way = to - from;
+        let long = way.length().max(1e-9);
         // Along the line, and away from it.
-        let own = |at: Spot| {
-            let [x, y] = [at[0] - from[0], at[1] - from[1]];
-            [(x * way[0] + y * way[1]) / long, x * aside[0] + y * aside[1]]
-        };
+        let own = |at: Vec2| Vec2::new((at - from).dot(way) / long, (at - from).dot(aside));
         let (mut ends, all) = (0.0_f64, std::cell::Cell::new(0.0_f64));
         // What of a line, so thick, is between the ends.
-        let between = |a: Spot, b: Spot, thick: f64| {
+        let between = |a: Vec2, b: Vec2, thick: f64| {
             for side in [-thick, long + thick] {
-                let part = if (b[0] - a[0]).abs() < 1e-9 { 0.0 } else { within((side - a[0]) / (b[0] - a[0]), 0.0, 1.0) };
-                let [along, away] = [0, 1].map(|i| a[i] + (b[i] - a[i]) * part);
-                if along > -thick - 1e-6 && along < long + thick + 1e-6 {
-                    all.set(all.get().max(away + thick));
+                let part = if (b.x - a.x).abs() < 1e-9 { 0.0 } else { within((side - a.x) / (b.x - a.x), 0.0, 1.0) };
+                let at = a.lerp_monotonic(b, part);
+                if at.x > -thick - 1e-6 && at.x < long + thick + 1e-6 {
+                    all.set(all.get().max(at.y + thick));
                 }
             }
         };
@@ -151,7 +148,7 @@ impl Crowd {
             let corners = wall.map(own);
             for k in 0..4 {
                 between(corners[k], corners[(k + 1) % 4], 0.0);
-                let [along, away] = corners[k];
+                let Vec2 { x: along, y: away } = corners[k];
                 if along.abs() < 1.0 || (along - long).abs() < 1.0 {
                     ends = ends.max(away);
                 }

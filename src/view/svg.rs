@@ -2,16 +2,16 @@
 
 use std::fmt::Write;
 
+use crate::geom::Vec2;
 use crate::num::decimal;
 use crate::view::camera::{Camera, DIMENSION_MARGIN};
-use crate::view::flat::Spot;
+use crate::view::display::{Item, Walls};
 use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
-use crate::view::material::WallShape;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
-use crate::view::scene::tops::{Face, Top, together};
-use crate::view::scene::{Line, Scene, Stroke, TouchShape};
+use crate::view::scene::{Line, Scene, TouchShape};
+use crate::view::style::{self, Colour, EDGES, Pen};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -20,6 +20,11 @@ const MARGIN: f64 = 28.0;
 const HIGHEST: f64 = 360.0;
 /// Around lines and dimensions that reach further than the scene.
 const ROOM: f64 = 14.0;
+/// What is solid on paper: walls that face who looks, walls from behind, top sides, cut material, and what dimensions are called.
+const FACE: &str = "#d9dde2";
+const VEIL: &str = "#334\" fill-opacity=\".05";
+const TOP: &str = "#eef0f3";
+const CUT: &str = "#eef0f2";
 /// How deep material is seen behind an edge.
 const BAND: f64 = 22.0;
 
@@ -37,37 +42,26 @@ pub struct Legend<'a> {
 /// Draws a scene. Once in the module, however many callers it has.
 #[inline(never)]
 pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
-    let drawing = Drawing::of(scene, legend);
-    // A number that the library writes by itself would bring all of its printing into the module.
+    let mut drawing = Drawing::of(scene, legend);
     let layout = drawing.layout(scene, legend);
-    let [low, high] = drawing.extent(scene, &layout);
-    let [x, y] = low.map(|pixels| decimal(pixels, 0));
-    let [width, height] = [0, 1].map(|i| decimal(high[i] - low[i], 0));
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
-         font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"#fff\"/>\n",
-        escaped(legend.title)
-    );
-    drawing.material(scene, &mut text);
+    drawing.begin(scene, legend, &layout);
+    drawing.material(scene);
     let solid = scene.material.is_empty();
-    for faces in scene.faces(legend.deviates).chunk_by(together) {
-        match faces[0] {
-            Face::Wall(wall) => drawing.wall(wall, faces, solid, &mut text),
-            Face::Top(top) => drawing.top(top, &mut text),
-            Face::Behind(of) => drawing.path(scene, legend.deviates, Some(of), &mut text),
+    for item in scene.display(&drawing.camera, legend.deviates) {
+        match item {
+            Item::Walls(walls) => drawing.walls(&walls, solid),
+            Item::Top(corners) => drawing.top(&corners),
+            Item::Behind(of) => drawing.path(scene, legend.deviates, Some(of)),
         }
     }
-    let name = |own: &str| legend.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
-    layout.arcs.iter().for_each(|arc| Drawing::angle(arc, &mut text));
-    drawing.path(scene, legend.deviates, None, &mut text);
-    layout.numbers.iter().for_each(|number| Drawing::number(number, &mut text));
-    layout.dimensions.iter().for_each(|placed| Drawing::dimension(placed, &mut text));
+    layout.arcs.iter().for_each(|arc| drawing.angle(arc));
+    drawing.path(scene, legend.deviates, None);
+    layout.numbers.iter().for_each(|number| drawing.number(number));
+    layout.dimensions.iter().for_each(|placed| drawing.dimension(placed));
     // What they say is above them all.
-    let arcs = layout.arcs.iter().filter_map(|arc| Some((arc.angle.field, arc.name?)));
-    let dimensions = layout.dimensions.iter().map(|placed| (placed.drawn.field, placed.name));
-    arcs.chain(dimensions).for_each(|(field, plate)| said(&plate, name(field), &mut text));
-    text.push_str("</svg>\n");
-    text
+    layout.names(legend.names).iter().for_each(|(_, name, plate)| drawing.said(plate, name));
+    drawing.text.push_str("</svg>\n");
+    drawing.text
 }
 
 fn escaped(text: &str) -> String {
@@ -85,9 +79,10 @@ fn escaped(text: &str) -> String {
     out
 }
 
-/// Where the scene lies in the picture.
+/// Where the scene lies in the picture, and what is written of it.
 struct Drawing {
     camera: Camera,
+    text: String,
 }
 
 impl Drawing {
@@ -95,9 +90,9 @@ impl Drawing {
         let [low, high] = scene.bounds();
         let margin = if legend.names.is_empty() { MARGIN } else { DIMENSION_MARGIN };
         let room = WIDTH - 2.0 * margin;
-        let scale = (room / (high[0] - low[0])).min(HIGHEST / (high[1] - low[1]));
-        let size = [WIDTH, (high[1] - low[1]) * scale + 2.0 * margin];
-        Drawing { camera: Camera { scale, middle: [0, 1].map(|i| (low[i] + high[i]) / 2.0), size } }
+        let scale = (Vec2::new(room, HIGHEST) / (high - low)).min_element();
+        let size = Vec2::new(WIDTH, (high - low).y * scale + 2.0 * margin);
+        Drawing { camera: Camera { scale, middle: (low + high) / 2.0, size }, text: String::new() }
     }
 
     /// What is named, and where it stands.
@@ -109,206 +104,197 @@ impl Drawing {
         layout
     }
 
-    /// From where to where the picture reaches: whatever is drawn lies within, with some room around.
-    fn extent(&self, scene: &Scene, layout: &Layout<'_>) -> [Spot; 2] {
+    /// The frame: whatever is drawn lies within, with some room around.
+    fn begin(&mut self, scene: &Scene, legend: &Legend<'_>, layout: &Layout<'_>) {
         let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
         let dimensions = layout.dimensions.iter().flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
-        let mut extent = [[0.0; 2], self.camera.size];
         let angles = layout.arcs.iter().flat_map(|arc| arc.sides.into_iter().chain(arc.name.iter().flat_map(Plate::bounds)));
+        let (mut low, mut high) = (Vec2::ZERO, self.camera.size);
         for at in lines.chain(dimensions).chain(angles) {
-            for i in [0, 1] {
-                extent[0][i] = extent[0][i].min((at[i] - ROOM).floor());
-                extent[1][i] = extent[1][i].max((at[i] + ROOM).ceil());
-            }
+            (low, high) = (low.min((at - ROOM).floor()), high.max((at + ROOM).ceil()));
         }
-        extent
+        // A number that the library writes by itself would bring all of its printing into the module.
+        let [x, y] = low.to_array().map(|pixels| decimal(pixels, 0));
+        let [width, height] = (high - low).to_array().map(|pixels| decimal(pixels, 0));
+        let _ = write!(
+            self.text,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {width} {height}\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
+             font-size=\"13\" font-weight=\"600\">\n<title>{}</title>\n<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" rx=\"8\" fill=\"#fff\"/>\n",
+            escaped(legend.title)
+        );
     }
 
-    /// `x,y` in the picture.
-    fn at(&self, spot: Spot) -> String {
-        pair(self.camera.pixel(spot))
+    /// A path with its attributes.
+    fn draw(&mut self, path: &str, attributes: &str) {
+        let _ = writeln!(self.text, "<path d=\"{path}\" {attributes}/>");
     }
 
     /// The material behind edges, filled and hatched as in a section, and the air of holes.
-    fn material(&self, scene: &Scene, text: &mut String) {
-        let [filled, air] = material::outlines(&scene.material, &self.camera, BAND).map(|outlines| {
-            let mut path = String::new();
-            for outline in outlines {
-                for (k, at) in outline.iter().enumerate() {
-                    path.push(if k == 0 { 'M' } else { 'L' });
-                    path.push_str(&pair(*at));
-                }
-                path.push('Z');
-            }
-            path
-        });
+    fn material(&mut self, scene: &Scene) {
+        let [filled, air] = material::outlines(&scene.material, &self.camera, BAND).map(|outlines| path(&outlines, "Z"));
         if filled.is_empty() {
             return;
         }
-        text.push_str(
-            "<pattern id=\"touchpath-hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"#8a94a3\" stroke-width=\".75\"/></pattern>\n",
+        let colour = Colour::Wall.on_paper();
+        let _ = writeln!(
+            self.text,
+            "<pattern id=\"touchpath-hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"{colour}\" stroke-width=\".75\"/></pattern>"
         );
-        for paint in ["#eef0f2", "url(#touchpath-hatch)"] {
-            let _ = writeln!(text, "<path d=\"{filled}\" fill=\"{paint}\"/>");
-        }
+        self.draw(&filled, &format!("fill=\"{CUT}\""));
+        self.draw(&filled, "fill=\"url(#touchpath-hatch)\"");
         if !air.is_empty() {
-            let _ = writeln!(text, "<path d=\"{air}\" fill=\"#fff\"/>");
+            self.draw(&air, "fill=\"#fff\"");
         }
     }
 
     /// The moves and the touches behind something, or those behind nothing.
-    fn path(&self, scene: &Scene, deviates: bool, behind: Option<usize>, text: &mut String) {
-        scene.lines.iter().filter(|line| line.behind == behind).for_each(|line| self.line(line, text));
+    fn path(&mut self, scene: &Scene, deviates: bool, behind: Option<usize>) {
+        scene.lines.iter().filter(|line| line.behind == behind).for_each(|line| self.line(line));
         for touch in &scene.touches {
             // What is hidden is seen faintly through what hides it.
             let hidden = behind.is_none() && touch.behind.is_some();
-            text.push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
+            self.text.push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
             if hidden || touch.behind == behind {
-                self.touch(touch, scene.radius, deviates, text);
+                self.touch(touch, scene.radius, deviates);
             }
-            text.push_str(if hidden { "</g>\n" } else { "" });
+            self.text.push_str(if hidden { "</g>\n" } else { "" });
         }
     }
 
-    /// A wall, or the strips of a round one in one, its faces `solid`: else they let a section's hatching through.
-    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], solid: bool, text: &mut String) {
-        let colour = if wall.actual { "#b45309" } else { "#8a94a3" };
-        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
-        let mut line = String::new();
-        for ends in all().filter_map(|wall| wall.edge) {
-            let [a, b] = ends.map(|spot| self.at(spot));
-            // From strip to strip it continues.
-            if !line.ends_with(&format!("L{a}")) {
-                let _ = write!(line, "M{a}");
-            }
-            let _ = write!(line, "L{b}");
-        }
-        if !line.is_empty() {
-            let width = if wall.actual { "1.5\" stroke-dasharray=\"7 4" } else { "2" };
-            let _ = writeln!(text, "<path d=\"{line}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>");
-        }
-        let (mut outlines, mut edges) = (String::new(), String::new());
-        for wall in all().filter(|wall| wall.edge.is_none()) {
-            let [a, b, c, d] = wall.corners.map(|corner| self.at(corner));
-            let _ = write!(outlines, "M{a}L{b}L{c}L{d}Z");
-            let _ = write!(edges, "M{a}L{b}M{c}L{d}");
+    /// Walls in one, their faces `solid`: else they let a section's hatching through.
+    fn walls(&mut self, Walls { wall, lines, outlines }: &Walls<'_>, solid: bool) {
+        if !lines.is_empty() {
+            let [stroke, dash] = attributes(&EDGES[usize::from(wall.actual)]);
+            self.draw(&path(lines, ""), &format!("fill=\"none\" {stroke}{dash}"));
         }
         if outlines.is_empty() {
             return;
         }
+        let colour = if wall.actual { Colour::Actual } else { Colour::Wall }.on_paper();
         let stroke = if wall.strip { "none" } else { colour };
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
         let fill = match (wall.faces && solid, wall.actual) {
-            (true, false) => "#d9dde2",
-            (true, true) => "#b45309\" fill-opacity=\".2",
-            (false, _) => "#334\" fill-opacity=\".05",
+            (true, false) => FACE,
+            (true, true) => &format!("{colour}\" fill-opacity=\".2"),
+            (false, _) => VEIL,
         };
-        let _ = writeln!(text, "<path d=\"{outlines}\" fill=\"{fill}\" stroke=\"{stroke}\"/>");
+        self.draw(&path(outlines, "Z"), &format!("fill=\"{fill}\" stroke=\"{stroke}\""));
         if wall.strip {
-            let _ = writeln!(text, "<path d=\"{edges}\" stroke=\"{colour}\"/>");
+            let edges: Vec<&[Vec2]> = outlines.as_flattened().chunks(2).collect();
+            self.draw(&path(&edges, ""), &format!("stroke=\"{colour}\""));
         }
     }
 
-    fn top(&self, top: &Top, text: &mut String) {
-        let points: Vec<String> = top.corners.iter().map(|corner| self.at(*corner)).collect();
-        let _ = writeln!(text, "<polygon points=\"{}\" fill=\"#eef0f3\" stroke=\"#8a94a3\"/>", points.join(" "));
+    fn top(&mut self, corners: &[Vec2]) {
+        let (points, colour) =
+            (corners.iter().map(|corner| pair(*corner)).collect::<Vec<_>>().join(" "), Colour::Wall.on_paper());
+        let _ = writeln!(self.text, "<polygon points=\"{points}\" fill=\"{TOP}\" stroke=\"{colour}\"/>");
     }
 
-    fn line(&self, line: &Line, text: &mut String) {
-        let (colour, width, dash) = match line.stroke {
-            _ if line.rapid => ("#15803d", "1.5", "12 5"),
-            Stroke::Position => ("#15803d", "2", "9 4 2 4"),
-            Stroke::Link => ("#6b7280", "1.6", "6 4"),
-            Stroke::Touch => ("#cf2a20", "2", ""),
-            Stroke::Overtravel => ("#cf2a20", ".9", "1.5 3.5"),
-        };
+    fn line(&mut self, line: &Line) {
         let (from, to) = super::forwards(line.from, line.to);
-        let (from, to) = (self.at(from), self.at(to));
-        if from == to {
-            return;
+        let [from, to] = [from, to].map(|spot| pair(self.camera.pixel(spot)));
+        if from != to {
+            let [stroke, dash] = attributes(style::of(line.stroke, line.rapid));
+            let _ = writeln!(self.text, "<polyline points=\"{from} {to}\" {stroke} stroke-linecap=\"round\"{dash}/>");
         }
-        let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
-        let _ = writeln!(
-            text,
-            "<polyline points=\"{from} {to}\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linecap=\"round\"{dash}/>"
-        );
     }
 
     /// The ball at its contact, and the contact.
-    fn touch(&self, touch: &TouchShape, radius: f64, deviates: bool, text: &mut String) {
-        let circle = |at: Spot, radius: f64, paint: &str, text: &mut String| {
-            let [x, y] = self.camera.pixel(at).map(|v| decimal(v, 1));
-            let _ = writeln!(text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" {paint}/>", decimal(radius, 1));
+    fn touch(&mut self, touch: &TouchShape, radius: f64, deviates: bool) {
+        let mut circle = |at: Vec2, radius: f64, kind: &str, colour: Colour| {
+            let [x, y] = numbers(self.camera.pixel(at));
+            let (radius, colour) = (decimal(radius, 1), colour.on_paper());
+            let _ = writeln!(self.text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {kind}=\"{colour}\"/>");
         };
         let radius = radius * self.camera.scale;
-        circle(touch.ball, radius, "fill=\"none\" stroke=\"#2563eb\"", text);
+        circle(touch.ball, radius, "fill=\"none\" stroke", Colour::Ball);
         if let Some(trigger) = touch.trigger.filter(|_| deviates) {
-            circle(trigger, radius, "fill=\"none\" stroke=\"#b45309\"", text);
+            circle(trigger, radius, "fill=\"none\" stroke", Colour::Actual);
         }
-        circle(touch.contact, 3.0, "fill=\"#cf2a20\"", text);
+        circle(touch.contact, 3.0, "fill", Colour::Touch);
     }
 
     /// The number of a touch, or of several.
-    fn number(number: &Number, text: &mut String) {
+    fn number(&mut self, number: &Number) {
         let middle = number.plate.middle;
         if number.led {
             // Up to the text.
-            let part = 1.0 - number.radius() / (number.contact[0] - middle[0]).hypot(number.contact[1] - middle[1]);
-            let end = [0, 1].map(|i| number.contact[i] + (middle[i] - number.contact[i]) * part);
-            let _ = writeln!(text, "<path d=\"M{}L{}\" stroke=\"#cf2a20\"/>", pair(number.contact), pair(end));
+            let end = number.contact.lerp_monotonic(middle, 1.0 - number.radius() / number.contact.distance(middle));
+            self.draw(&path(&[[number.contact, end]], ""), &format!("stroke=\"{}\"", Colour::Touch.on_paper()));
         }
-        let [x, y] = middle.map(|v| decimal(v, 1));
-        let _ = writeln!(text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
+        let [x, y] = numbers(middle);
+        let _ = writeln!(self.text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
+    }
+
+    /// The lines of a dimension or an angle, and its arrow heads.
+    fn measure(&mut self, lines: &str, heads: Option<[(Vec2, Vec2); 2]>) {
+        let colour = Colour::Ball.on_paper();
+        self.draw(lines, &format!("stroke=\"{colour}\" fill=\"none\""));
+        for (tip, way) in heads.into_iter().flatten() {
+            let sides = [-3.4, 3.4].map(|half| tip - way * 8.0 + way.perp() * half);
+            self.draw(&path(&[[tip, sides[0], sides[1]]], "Z"), &format!("fill=\"{colour}\""));
+        }
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
-    fn dimension(placed: &Placed<'_>, text: &mut String) {
+    fn dimension(&mut self, placed: &Placed<'_>) {
         let ([from, to], [start, end]) = (placed.ends, placed.line);
-        let mut lines = String::new();
-        for [a, b] in [[from, start], [to, end], placed.reach] {
-            let _ = write!(lines, "M{}L{}", pair(a), pair(b));
-        }
-        let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
-        placed.heads().into_iter().for_each(|(tip, way)| head(tip, way, text));
+        self.measure(&path(&[[from, start], [to, end], placed.reach], ""), Some(placed.heads()));
     }
 
     /// An angle: its sides, and its arc with arrow heads.
-    fn angle(arc: &Arc<'_>, text: &mut String) {
-        let mut lines = String::new();
-        for side in arc.sides {
-            let _ = write!(lines, "M{}L{}", pair(arc.at), pair(side));
-        }
+    fn angle(&mut self, arc: &Arc<'_>) {
         let [from, to] = arc.ends.map(pair);
         let (radius, sweep) = (decimal(arc.radius, 1), u8::from(arc.angle.turns[1] <= 0.0));
-        let _ = write!(lines, "M{from}A{radius} {radius} 0 0 {sweep} {to}");
-        let _ = writeln!(text, "<path d=\"{lines}\" stroke=\"#2563eb\" fill=\"none\"/>");
-        arc.heads.into_iter().flatten().for_each(|(tip, direction)| head(tip, direction, text));
+        let sides = path(&arc.sides.map(|side| [arc.at, side]), "");
+        self.measure(&format!("{sides}M{from}A{radius} {radius} 0 0 {sweep} {to}"), arc.heads);
+    }
+
+    /// What a dimension or an angle says.
+    fn said(&mut self, plate: &Plate, name: &str) {
+        let [x, y] = numbers(plate.middle);
+        let [label, value] = <[&str; 2]>::from(super::halves(name)).map(escaped);
+        let turn = decimal(plate.along.to_angle().to_degrees(), 2);
+        let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
+        let colour = Colour::Text.on_paper();
+        let _ = writeln!(
+            self.text,
+            "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}><tspan font-weight=\"400\" fill=\"{colour}\">{label} </tspan><tspan dx=\"3\">{value}</tspan></text>"
+        );
     }
 }
 
-/// An arrow head with its tip at a place.
-fn head(tip: Spot, [ux, uy]: Spot, text: &mut String) {
-    let back = [tip[0] - ux * 8.0, tip[1] - uy * 8.0];
-    let sides = [-3.4, 3.4].map(|half| pair([back[0] - uy * half, back[1] + ux * half]));
-    let _ = writeln!(text, "<path d=\"M{}L{}L{}Z\" fill=\"#2563eb\"/>", pair(tip), sides[0], sides[1]);
+/// A pen as attributes: colour and width, and the dashes, if there are any.
+fn attributes(pen: &Pen) -> [String; 2] {
+    let width = decimal(pen.widths[1], 1);
+    let stroke = format!("stroke=\"{}\" stroke-width=\"{}\"", pen.colour.on_paper(), width.trim_start_matches('0'));
+    let dash: Vec<String> = pen.dash.iter().map(|length| decimal(*length, 1)).collect();
+    let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{}\"", dash.join(" ")) };
+    [stroke, dash]
 }
 
-/// What a dimension or an angle says.
-fn said(plate: &Plate, name: &str, text: &mut String) {
-    let [x, y] = plate.middle.map(|v| decimal(v, 1));
-    let (label, value) = super::halves(name);
-    let turn = decimal(plate.along[1].atan2(plate.along[0]).to_degrees(), 2);
-    let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
-    let _ = writeln!(
-        text,
-        "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\" font-size=\"12\" stroke=\"#fff\" stroke-width=\"5\" paint-order=\"stroke\"{turned}><tspan font-weight=\"400\" fill=\"#46535f\">{} </tspan><tspan dx=\"3\">{}</tspan></text>",
-        escaped(label),
-        escaped(value)
-    );
+/// Lines as one path, each with this end.
+fn path(lines: &[impl AsRef<[Vec2]>], end: &str) -> String {
+    let mut path = String::new();
+    lines.iter().for_each(|line| points(line.as_ref(), end, &mut path));
+    path
 }
 
-fn pair(at: Spot) -> String {
-    format!("{},{}", decimal(at[0], 1), decimal(at[1], 1))
+fn points(line: &[Vec2], end: &str, path: &mut String) {
+    for (k, at) in line.iter().enumerate() {
+        path.push(if k == 0 { 'M' } else { 'L' });
+        path.push_str(&pair(*at));
+    }
+    path.push_str(end);
+}
+
+fn pair(at: Vec2) -> String {
+    numbers(at).join(",")
+}
+
+fn numbers(at: Vec2) -> [String; 2] {
+    at.to_array().map(|pixels| decimal(pixels, 1))
 }
 
 #[cfg(test)]

@@ -1,13 +1,14 @@
 //! The picture: what its dimensions say, which walls are seen, how long its moves take.
 
+use touchpath::geom::Vec2;
 use touchpath::job;
 use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
-use touchpath::view::material::WallShape;
 use touchpath::view::material::outlines;
 use touchpath::view::scene::tops::{Face, together};
 use touchpath::view::scene::{Line, Projection, Scene, Stroke};
+use touchpath::view::walls::WallShape;
 
 use crate::common::{jobs, number_at, planned, with};
 use touchpath::form::Value;
@@ -235,9 +236,9 @@ fn a_round_wall_is_drawn_in_few_strokes() {
 fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_on_its_floor() {
     let filled = |cycle: &str, view, at: [f64; 2]| {
         let (scene, _) = built(&of(cycle), view);
-        let camera = Camera { scale: 10.0, middle: [0.0; 2], size: [800.0, 600.0] };
+        let camera = Camera { scale: 10.0, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
         let [filled, _] = outlines(&scene.material, &camera, 36.0);
-        turns(&filled, camera.pixel(at)) != 0
+        turns(&filled, camera.pixel(at.into())) != 0
     };
     for cycle in ["double-wall-external-corner", "triple-wall-external-corner"] {
         assert!(filled(cycle, Projection::Top, [15.0, 15.0]), "{cycle}");
@@ -249,7 +250,7 @@ fn a_corner_from_outside_is_solid_between_its_walls_and_one_from_inside_stands_o
     // The walls of a corner of three went on below its floor, which looked like a shelf.
     let (scene, path) = built(&of("triple-wall-internal-corner"), Projection::Front);
     let floor = path.frame.origin.z;
-    assert!(scene.walls.iter().flat_map(|wall| wall.corners).all(|[_, y]| y > floor - 1e-6), "{:?}", scene.walls);
+    assert!(scene.walls.iter().flat_map(|wall| wall.corners).all(|corner| corner.y > floor - 1e-6), "{:?}", scene.walls);
 }
 
 /// The nominal walls in the order in which they are drawn.
@@ -259,7 +260,7 @@ fn walls(scene: &Scene) -> Vec<&WallShape> {
 }
 
 /// Twice the sum of its triangles, halved.
-fn area(corners: &[[f64; 2]]) -> f64 {
+fn area(corners: &[Vec2]) -> f64 {
     let edge = |k: usize| (corners[k], corners[(k + 1) % corners.len()]);
     (0..corners.len()).map(edge).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs() / 2.0
 }
@@ -342,8 +343,8 @@ fn a_ball_on_its_way_is_on_its_line() {
         let (from, to) = (scene.ends[index - 1], scene.ends[index]);
         for part in [0.0, 0.25, 1.0] {
             let ball = scene.ball(index, part).expect("the move is there");
-            let wanted = [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
-            assert!((0..2).all(|i| (ball[i] - wanted[i]).abs() < 1e-9), "move {index} at {part}: {ball:?}, {wanted:?}");
+            let wanted = from + (to - from) * part;
+            assert!(ball.distance(wanted) < 1e-9, "move {index} at {part}: {ball:?}, {wanted:?}");
         }
     }
 }
@@ -436,12 +437,11 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
             assert_eq!(plain.lines, large.lines, "{name}");
             let nominal = |scene: &Scene| scene.walls.iter().filter(|w| !w.actual).map(|w| w.corners).collect::<Vec<_>>();
             assert_eq!(nominal(&plain), nominal(&large), "{name}");
-            let apart = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
             for (one, ten) in plain.touches.iter().zip(&large.touches) {
                 let (Some(real), Some(far)) = (one.trigger, ten.trigger) else { continue };
-                let (real, far) = (apart(real, one.ball), apart(far, ten.ball));
-                assert!((0..2).all(|i| (far[i] - 10.0 * real[i]).abs() < 1e-9), "{name}: {real:?}, {far:?}");
-                seen += usize::from(real[0].hypot(real[1]) > 1e-6);
+                let (real, far) = (real - one.ball, far - ten.ball);
+                assert!(far.distance(10.0 * real) < 1e-9, "{name}: {real:?}, {far:?}");
+                seen += usize::from(real.length() > 1e-6);
             }
         }
     }
@@ -456,6 +456,22 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     };
     let apart = left(10.0) - left(1.0);
     assert!((apart - 2.7).abs() < 1e-9, "{apart}");
+}
+
+/// A colour that the page does not name is the default one, in dark too.
+#[test]
+fn the_page_names_the_colours_of_a_picture() {
+    let names = touchpath::view::style::COLOURS.map(|(name, ..)| name);
+    let read = |file: &str| std::fs::read_to_string(format!("{}/{file}", env!("CARGO_MANIFEST_DIR"))).expect("it is there");
+    let listed = names.map(|name| format!("\"{name}\"")).join(", ");
+    assert!(read("www/parts/drawing.ts").contains(&format!("const COLOURS = [{listed}];")), "{listed}");
+    let told = names.map(|name| format!("`{name}`")).join(", ");
+    assert!(read("src/wasm/view/mod.rs").contains(&format!("/// Colours: {told}.\n")), "{told}");
+    let style = read("www/style.css");
+    for name in names {
+        // By day and by night.
+        assert!(style.matches(&format!("--c-{name}: ")).count() >= 2, "{name}");
+    }
 }
 
 /// Whatever is drawn lies in the picture, also where the part is turned and a touch searches far.
@@ -499,7 +515,7 @@ fn the_scale_has_the_units_of_the_job() {
     assert!(seen > 0);
     for (scale, unit, length) in [(1.0, 1.0, 100.0), (1.0, 25.4, 2.0), (0.5, 1.0, 200.0), (110.0, 25.4, 0.02), (2.0, 1.0, 50.0)]
     {
-        let camera = Camera { scale, middle: [0.0; 2], size: [300.0, 150.0] };
+        let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(300.0, 150.0) };
         assert!((camera.bar(unit) - length).abs() < 1e-12, "{scale} {unit}: {}", camera.bar(unit));
     }
 }
@@ -512,19 +528,19 @@ fn the_line_of_a_dimension_stood_outside_a_small_picture() {
     let (scene, _) = built(&job, Projection::Top);
     for size in [[440.0, 268.0], [390.0, 240.0], [700.0, 700.0]] {
         // As a small canvas is fitted.
-        let mut camera = Camera::fit(size, scene.bounds(), 0.7 * touchpath::view::camera::DIMENSION_MARGIN);
+        let mut camera = Camera::fit(size.into(), scene.bounds(), 0.7 * touchpath::view::camera::DIMENSION_MARGIN);
         camera.clear_corners(&scene);
         let drawn = camera.layout(&scene, None).dimensions;
         assert!(["cycle.step1", "cycle.step2"].iter().all(|field| drawn.iter().any(|p| p.drawn.field == *field)), "{size:?}");
         for placed in drawn {
-            let inside = |at: &[f64; 2]| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
+            let inside = |at: &Vec2| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
             assert!(placed.line.iter().all(inside), "{} in {size:?}: {:?}", placed.drawn.field, placed.line);
         }
     }
 }
 
 /// How often closed outlines run around a spot, counter-clockwise in pixels.
-fn turns(outlines: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> i32 {
+fn turns(outlines: &[Vec<Vec2>], Vec2 { x, y }: Vec2) -> i32 {
     let mut sum = 0;
     for outline in outlines {
         for (k, a) in outline.iter().enumerate() {
@@ -549,11 +565,11 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
             let planned = job::planned(&job).expect("the job is sound");
             let scene = planned.picture(view, 1.0).scene;
             for scale in [0.7, 4.0, 30.0] {
-                let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
+                let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
                 let [filled, air] = outlines(&scene.material, &camera, 36.0);
                 for touch in &scene.touches {
                     // Where the wall is looked at from before, it is no edge.
-                    if (touch.inward[0].hypot(touch.inward[1]) - 1.0).abs() > 1e-9 {
+                    if (touch.inward.length() - 1.0).abs() > 1e-9 {
                         continue;
                     }
                     // A round wall is an edge only where it goes furthest to a side.
@@ -562,8 +578,7 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
                     }
                     // A wall may be drawn down to the touch itself, where a ball is a point: looked at a little higher.
                     let up = if view == Projection::Top { 0.0 } else { 1e-3 };
-                    let at =
-                        |by: f64| camera.pixel([0, 1].map(|i| touch.contact[i] + by * touch.inward[i] / scale + up * i as f64));
+                    let at = |by: f64| camera.pixel(touch.contact + touch.inward * by / scale + Vec2::Y * up);
                     let solid = |spot| turns(&filled, spot) != 0 && turns(&air, spot) == 0;
                     assert!(solid(at(-2.0)), "{name}, {view:?}: no material behind {:?}", touch.contact);
                     assert!(!solid(at(2.0)), "{name}, {view:?}: material before {:?}", touch.contact);
@@ -578,7 +593,7 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
 /// A scene as the page fits it into a canvas.
 fn fitted(scene: &Scene, size: [f64; 2]) -> Camera {
     let margin = (0.2 * size[0].min(size[1])).clamp(0.7, 1.0) * touchpath::view::camera::DIMENSION_MARGIN;
-    let mut camera = Camera::fit(size, scene.bounds(), margin);
+    let mut camera = Camera::fit(size.into(), scene.bounds(), margin);
     camera.clear_corners(scene);
     camera
 }
@@ -609,7 +624,7 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
                     for placed in &layout.dimensions {
                         let [start, end] = placed.line;
                         let long = (end[0] - start[0]).hypot(end[1] - start[1]);
-                        let on = placed.name.crosses(placed.line, 0.0);
+                        let on = placed.name.crosses(placed.line.map(Vec2::from), 0.0);
                         assert!(!on || 2.0 * placed.name.half[0] + 16.0 < long, "{}: {}", said(), placed.drawn.field);
                         seen[usize::from(on) + 1] += 1;
                     }
@@ -673,7 +688,7 @@ fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
     seen_everywhere(|said, scene, camera| {
         let long = |line: &Line| {
             let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
-            (to[0] - from[0]).hypot(to[1] - from[1])
+            from.distance(to)
         };
         for line in &scene.lines {
             let head = camera.head(line);
@@ -701,7 +716,7 @@ fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
     let mut seen = 0;
     seen_everywhere(|said, scene, camera| {
         let layout = camera.layout(scene, None);
-        let name = layout.origin(camera.pixel(scene.origin), [25.0, 8.0]);
+        let name = layout.origin(camera.pixel(scene.origin), Vec2::new(25.0, 8.0));
         // On a phone everything may be crowded.
         if camera.size[0] > 400.0 {
             assert!(layout.crowd.cost(&name) < 200.0, "{said}");
@@ -723,7 +738,8 @@ fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
         let layout = fitted(&scene, [758.0, 710.0]).layout(&scene, None).dimensions;
         assert_eq!(layout.len(), 2);
         for placed in layout {
-            let ([[ax, ay], [bx, by]], [x, y], [ux, uy]) = (placed.line, placed.name.middle, placed.name.along);
+            let ([[ax, ay], [bx, by]], [x, y]) = (placed.line.map(|end| end.to_array()), placed.name.middle.to_array());
+            let [ux, uy] = placed.name.along.to_array();
             let (dx, dy) = (bx - ax, by - ay);
             assert!((dx * uy - dy * ux).abs() < 1e-6 * dx.hypot(dy), "{turn}: along the line");
             assert!(((x - ax) * dy - (y - ay) * dx).abs() < 1e-6 * dx.hypot(dy), "{turn}: on it");
@@ -750,15 +766,18 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
                 continue;
             }
             let scale = 4.0;
-            let camera = Camera { scale, middle: [0.0, 0.0], size: [800.0, 600.0] };
+            let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
             let [filled, air] = outlines(&scene.material, &camera, 36.0);
-            let solid = |spot: [f64; 2]| turns(&filled, camera.pixel(spot)) != 0 && turns(&air, camera.pixel(spot)) == 0;
+            let solid = |spot: [f64; 2]| {
+                let at = camera.pixel(spot.into());
+                turns(&filled, at) != 0 && turns(&air, at) == 0
+            };
             for hole in &holes {
-                let [across, top] = view.spot(planned.job.setup.plane, hole.center);
+                let Vec2 { x: across, y: top } = view.place(planned.job.setup.plane, hole.center);
                 let floor = top - hole.drawn_depth;
                 let edge = hole.radius + 1.0 / scale;
                 let within =
-                    |x: f64| holes.iter().any(|r| (view.spot(planned.job.setup.plane, r.center)[0] - x).abs() < r.radius);
+                    |x: f64| holes.iter().any(|r| (view.place(planned.job.setup.plane, r.center).x - x).abs() < r.radius);
                 for x in [across - edge, across + edge].into_iter().filter(|x| !within(*x)) {
                     assert!(solid([x, (top + floor) / 2.0]), "{name}, {view:?}: material beside the hole at {across}");
                     assert!(!solid([x, top + 0.5]), "{name}, {view:?}: above the mouth of the hole at {across}");

@@ -1,9 +1,11 @@
 //! The lines of a long program: in few strokes, and without those that cannot be seen.
 
 use super::{DOT, Painter};
+use crate::geom::Vec2;
 use crate::view::camera::Camera;
-use crate::view::flat::Spot;
+use crate::view::plate::within_box;
 use crate::view::scene::{Line, Scene, Stroke};
+use crate::view::style::{self, Colour};
 
 /// A picture with more lines than this is drawn so: no job has so many.
 pub(super) const LONG: usize = 5_000;
@@ -23,27 +25,27 @@ struct Pen<'p> {
     /// What the stroke is; none before the first.
     style: Option<(Stroke, bool)>,
     /// Its last point, and where its last line ends.
-    ends: [Spot; 2],
+    ends: [Vec2; 2],
     points: usize,
 }
 
 impl Pen<'_> {
-    fn line(&mut self, style: (Stroke, bool), [from, to]: [Spot; 2]) {
+    fn line(&mut self, style: (Stroke, bool), [from, to]: [Vec2; 2]) {
         let c = &self.painter.context;
         if self.style != Some(style) || self.ends[1] != from || self.points == MOST {
             self.finish();
             c.begin_path();
-            c.move_to(from[0], from[1]);
+            c.move_to(from.x, from.y);
             (self.style, self.ends, self.points) = (Some(style), [from; 2], 0);
         }
         self.ends[1] = to;
-        if (to[0] - self.ends[0][0]).hypot(to[1] - self.ends[0][1]) >= NEAR {
+        if to.distance(self.ends[0]) >= NEAR {
             self.point(to);
         }
     }
 
-    fn point(&mut self, to: Spot) {
-        self.painter.context.line_to(to[0], to[1]);
+    fn point(&mut self, to: Vec2) {
+        self.painter.context.line_to(to.x, to.y);
         self.ends[0] = to;
         self.points += 1;
     }
@@ -54,47 +56,27 @@ impl Pen<'_> {
         if self.points == 0 || self.ends[0] != self.ends[1] {
             self.point(self.ends[1]);
         }
-        let Painter { context: c, theme, .. } = self.painter;
-        let (colour, width) = match stroke {
-            _ if rapid => (&theme.position, 1.0),
-            Stroke::Touch | Stroke::Overtravel => (&theme.touch, 2.5),
-            Stroke::Position => (&theme.position, 1.5),
-            Stroke::Link => (&theme.link, 1.5),
-        };
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.painter.dash(if rapid { &[12.0, 5.0] } else { &[] });
-        c.stroke();
+        let pen = style::of(stroke, rapid);
+        if rapid { self.painter.dashed(pen) } else { self.painter.stroke(pen.colour, pen.widths[0]) }
     }
 }
 
 /// The part of a line that lies in a window of this size, and a little around it. Far beyond it a browser would still make every dash.
-fn clipped([from, to]: [Spot; 2], size: Spot) -> Option<[Spot; 2]> {
-    let inside = |p: Spot| (0..2).all(|i| p[i] >= -WIDE && p[i] <= size[i] + WIDE);
+fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
+    let [low, high] = [Vec2::splat(-WIDE), size + WIDE];
+    let inside = |p: Vec2| p.cmpge(low).all() && p.cmple(high).all();
     if inside(from) && inside(to) {
         return Some([from, to]);
     }
-    let (mut first, mut last) = (0.0_f64, 1.0_f64);
-    for i in 0..2 {
-        let way = to[i] - from[i];
-        let (low, high) = (-WIDE - from[i], size[i] + WIDE - from[i]);
-        if way == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let (enters, leaves) = if way > 0.0 { (low / way, high / way) } else { (high / way, low / way) };
-        (first, last) = (first.max(enters), last.min(leaves));
-    }
-    let at = |part: f64| [0, 1].map(|i| from[i] + (to[i] - from[i]) * part);
+    let [first, last] = within_box([from, to], [low, high])?;
+    let at = |part: f64| from.lerp_monotonic(to, part);
     // Ends that lie inside stay as they are: lines go on from there.
-    (first <= last).then(|| [if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
+    Some([if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
 }
 
 /// The pixel of a spot, counted from a place outside every window.
-fn pixel(spot: Spot) -> [u64; 2] {
-    spot.map(|x| (x.round() + 2.0 * WIDE) as u64)
+fn pixel(spot: Vec2) -> [u64; 2] {
+    spot.to_array().map(|x| (x.round() + 2.0 * WIDE) as u64)
 }
 
 /// The lines that were drawn last, by their pixels: a place each, which a later one takes.
@@ -125,9 +107,9 @@ impl Painter {
         let mut recent = Recent::default();
         for line in scene.lines.iter().filter(|line| line.stroke == Stroke::Touch) {
             let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
-            let along = (to[0] - from[0]).hypot(to[1] - from[1]) < 1.0;
+            let along = from.distance(to) < 1.0;
             if along && clipped([to; 2], camera.size).is_some() && recent.is_new(line, [pixel(to); 2]) {
-                self.disc(to, DOT, &self.theme.touch);
+                self.disc(to, DOT, Colour::Touch);
             }
         }
     }
@@ -137,7 +119,7 @@ impl Painter {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
         let mut recent = Recent::default();
         for touches in [false, true] {
-            let mut pen = Pen { painter: self, style: None, ends: [[0.0; 2]; 2], points: 0 };
+            let mut pen = Pen { painter: self, style: None, ends: [Vec2::ZERO; 2], points: 0 };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
                 let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
                 let Some(ends) = clipped(ends, camera.size) else { continue };

@@ -12,16 +12,16 @@ use strokes::Name;
 pub use theme::Theme;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::view::camera::{AXES_CORNER, Camera};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
+use crate::view::camera::{AXES_CORNER, Camera, DOWNWARDS};
+use crate::view::display::{Item, Walls};
 use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
-use crate::view::material::WallShape;
 use crate::view::numbers::Number;
-use crate::view::plate::Plate;
-use crate::view::scene::tops::{Face, Top, together};
 use crate::view::scene::{Line, Scene, Stroke};
+use crate::view::style::screen::{ARROWS, CENTRE_LINES};
+use crate::view::style::{self, Colour, EDGES};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ pub struct Marks<'a> {
     /// The name of the work offset.
     pub origin: &'a str,
     /// Where a machine measured the ball's centre.
-    pub measured: &'a [Spot],
+    pub measured: &'a [Vec2],
     /// Whether the scale has a decimal comma.
     pub comma: bool,
 }
@@ -70,37 +70,36 @@ const AXIS_NAME: f64 = 28.0;
 const AXES: f64 = 36.0;
 
 /// Where the work axes are drawn.
-fn axes_corner(camera: &Camera) -> Spot {
-    [AXES_CORNER, camera.size[1] - AXES_CORNER]
+fn axes_corner(camera: &Camera) -> Vec2 {
+    Vec2::new(AXES_CORNER, camera.size.y - AXES_CORNER)
 }
 
 /// The view that a click on the axes asks for: along the axis whose name is there, or isometric beside them.
-pub fn axis_at(scene: &Scene, camera: &Camera, [x, y]: Spot) -> Option<&'static str> {
+pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str> {
     let corner = axes_corner(camera);
-    if (corner[0] - x).hypot(corner[1] - y) > AXES {
+    if corner.distance(at) > AXES {
         return None;
     }
-    let near = |direction: Spot| {
-        let tip = [corner[0] + direction[0] * AXIS_NAME, corner[1] - direction[1] * AXIS_NAME];
-        direction[0].hypot(direction[1]) > 0.1 && (tip[0] - x).hypot(tip[1] - y) <= 14.0
+    let near = |direction: Vec2| {
+        let tip = corner + direction * DOWNWARDS * AXIS_NAME;
+        direction.length() > 0.1 && tip.distance(at) <= 14.0
     };
     // Along the abscissa one sees the side, along the ordinate the front, along the tool axis the top.
     let found = scene.axes.iter().zip(["side", "front", "top"]).find(|((_, direction), _)| near(*direction));
     Some(found.map_or("isometric", |(_, view)| view))
 }
 
-/// How far the turning handle stands from the shifting one, pixels.
-pub const ARM: f64 = 64.0;
+/// Where the handle that turns the part stands: so many pixels from the one that shifts it.
+pub fn turning(shifting: Vec2, direction: Vec2) -> Vec2 {
+    shifting + direction * DOWNWARDS * 64.0
+}
 
 /// Where the handles of the first touch's angle and of the spread's end stand: outside the circle and the numbers of its touches, one further out
 /// than the other, so that a whole turn shows both.
-pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Spot; 2]> {
+pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
     let center = camera.pixel(center);
-    let at = |angle: f64, out: f64| {
-        let far = radius * camera.scale + out;
-        [center[0] + angle.cos() * far, center[1] - angle.sin() * far]
-    };
+    let at = |angle: f64, out: f64| center + Vec2::from_angle(angle) * DOWNWARDS * (radius * camera.scale + out);
     let first = NUMBER + HANDLE + 3.0;
     Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
 }
@@ -135,6 +134,8 @@ pub struct Painter {
     pub ratio: f64,
     /// The font that is set: each time one is set, the browser works out the page's styles first.
     font: Cell<&'static str>,
+    /// The dashes that are set: each time some are set, they are copied into a list of the browser's.
+    dashes: Cell<&'static [f64]>,
 }
 
 impl Painter {
@@ -142,16 +143,18 @@ impl Painter {
     pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
         use wasm_bindgen::JsCast;
         let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
-        Some(Painter { canvas, context, theme: Theme::default(), small: false, still: false, ratio: 1.0, font: Cell::new("") })
+        let (theme, font, dashes) = (Theme::of(|_| None), Cell::new(""), Cell::new(&[][..]));
+        Some(Painter { canvas, context, theme, small: false, still: false, ratio: 1.0, font, dashes })
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
-    pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
+    pub fn resize(&mut self, size: Vec2, ratio: f64) {
         self.ratio = ratio;
-        self.canvas.set_width((width * ratio).round() as u32);
-        self.canvas.set_height((height * ratio).round() as u32);
+        self.canvas.set_width((size.x * ratio).round() as u32);
+        self.canvas.set_height((size.y * ratio).round() as u32);
         // Another size resets all that was set.
         self.font.set("");
+        self.dashes.set(&[]);
     }
 
     fn font(&self, font: &'static str) {
@@ -164,8 +167,9 @@ impl Painter {
     fn begin(&self, camera: &Camera, font: &'static str) {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        c.set_fill_style_str(&self.theme.background);
-        c.fill_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        self.plate(camera.size / 2.0, camera.size / 2.0, Colour::Background, None);
+        // Nothing that is restored to what was set before has dashes.
+        self.dash(&[]);
         self.font(font);
         c.set_text_align("center");
         c.set_text_baseline("middle");
@@ -174,7 +178,7 @@ impl Painter {
     /// Empties a canvas that lies over that of a picture.
     pub fn clear(&self, camera: &Camera) {
         let _ = self.context.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        self.context.clear_rect(0.0, 0.0, camera.size[0], camera.size[1]);
+        self.context.clear_rect(0.0, 0.0, camera.size.x, camera.size.y);
     }
 
     /// Draws a move of a picture, lit, on the canvas over it.
@@ -203,79 +207,32 @@ impl Painter {
     fn ball(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
         let Some(place) = scene.ball(index, part) else { return };
         for outline in &scene.stylus {
-            let c = &self.context;
-            c.begin_path();
-            self.outline(&outline.map(|[x, y]| camera.pixel([place[0] + x, place[1] + y])));
-            c.set_fill_style_str(&self.theme.highlight);
-            c.set_stroke_style_str(&self.theme.highlight);
-            c.set_global_alpha(0.12);
-            c.fill();
-            c.set_global_alpha(0.7);
-            c.set_line_width(1.0);
-            self.dash(&[]);
-            c.stroke();
+            self.outlines(&[outline.map(|corner| camera.pixel(place + corner))]);
+            self.alpha(0.12).fill(Colour::Highlight);
+            self.alpha(0.7).stroke(Colour::Highlight, 1.0);
         }
         let (ball, radius) = (camera.pixel(place), (scene.radius * camera.scale).max(3.0));
-        self.context.set_global_alpha(0.25);
-        self.disc(ball, radius, &self.theme.highlight);
-        self.context.set_global_alpha(1.0);
-        self.circle(ball, radius, &self.theme.highlight, 2.0);
+        self.alpha(0.25).disc(ball, radius, Colour::Highlight);
+        self.alpha(1.0).circle(ball, radius, Colour::Highlight, 2.0);
     }
 
     /// Draws everything.
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
-        let &Marks { highlight, deviates, .. } = marks;
         let c = &self.context;
         self.begin(camera, BOLD);
         c.set_line_cap("round");
         c.set_line_join("round");
-        self.material(scene, camera);
-        let solid = scene.material.is_empty();
-        for faces in scene.faces(deviates).chunk_by(together) {
-            match faces[0] {
-                Face::Wall(wall) => self.wall(wall, faces, camera, solid),
-                Face::Top(top) => self.top(top, camera),
-                Face::Behind(of) => {
-                    // The lines of a long path are drawn together, in one place.
-                    if !is_long(scene) {
-                        self.path(scene, camera, marks, Some(of));
-                    }
-                    self.touches(scene, camera, marks.deviates, Some(of));
-                }
-            }
-        }
+        self.part(scene, camera, marks);
         // Beneath the moves, the touches and the dimensions.
         let layout = if self.small { None } else { Some(camera.layout(scene, marks.field)) };
         for arc in layout.iter().flat_map(|layout| &layout.arcs) {
             self.angle(arc, marks.field == Some(arc.angle.field));
         }
-        if is_long(scene) {
-            self.long(scene, camera);
-            for line in scene.lines.iter().filter(|line| highlight == Some(line.index)) {
-                self.line(line, camera, true, true);
-            }
-        } else {
-            self.path(scene, camera, marks, None);
-        }
-        self.touches(scene, camera, marks.deviates, None);
-        for spot in marks.measured {
-            self.square(camera.pixel(*spot));
-        }
-        if let Some((_, place)) = scene.collision {
-            self.collision(camera.pixel(place), scene.radius * camera.scale);
-        }
-        if let Some(index) = highlight {
-            self.ball(scene, camera, index, marks.part);
-        }
-        if let Some([nominal, real]) = scene.centre_lines {
-            self.segment(camera.pixel(nominal[0]), camera.pixel(nominal[1]), &self.theme.wall, 1.0, &[10.0, 4.0, 2.0, 4.0]);
-            if deviates {
-                self.segment(camera.pixel(real[0]), camera.pixel(real[1]), &self.theme.actual, 1.0, &[10.0, 4.0, 2.0, 4.0]);
-            }
-        }
+        self.moves(scene, camera, marks);
+        self.happens(scene, camera, marks);
         let Some(layout) = layout else { return };
         if !self.still {
-            let held = deviates || marks.field.is_some_and(|field| field.starts_with("part."));
+            let held = marks.deviates || marks.field.is_some_and(|field| field.starts_with("part."));
             self.handles(scene, camera, held);
         }
         self.axes(scene, camera, marks.origin, &layout);
@@ -292,48 +249,82 @@ impl Painter {
         self.sizes(&layout, marks);
     }
 
+    /// The material, the walls and top sides, and what lies behind these.
+    fn part(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        self.material(scene, camera);
+        let solid = scene.material.is_empty();
+        for item in scene.display(camera, marks.deviates) {
+            match item {
+                Item::Walls(walls) => self.walls(&walls, solid),
+                Item::Top(corners) => self.top(corners),
+                Item::Behind(of) => {
+                    // The lines of a long path are drawn together, in one place.
+                    if !is_long(scene) {
+                        self.path(scene, camera, marks, Some(of));
+                    }
+                    self.touches(scene, camera, marks.deviates, Some(of));
+                }
+            }
+        }
+    }
+
+    /// The moves and the touches that nothing stands before.
+    fn moves(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        if is_long(scene) {
+            self.long(scene, camera);
+            for line in scene.lines.iter().filter(|line| marks.highlight == Some(line.index)) {
+                self.line(line, camera, true, true);
+            }
+        } else {
+            self.path(scene, camera, marks, None);
+        }
+        self.touches(scene, camera, marks.deviates, None);
+    }
+
+    /// What was measured, what the ball meets, where it is, and the line that the cycle is about.
+    fn happens(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
+        for spot in marks.measured {
+            self.square(camera.pixel(*spot));
+        }
+        if let Some((_, place)) = scene.collision {
+            self.collision(camera.pixel(place), scene.radius * camera.scale);
+        }
+        if let Some(index) = marks.highlight {
+            self.ball(scene, camera, index, marks.part);
+        }
+        let lines = scene.centre_lines.into_iter().flatten().zip(&CENTRE_LINES);
+        for ([from, to], pen) in lines.take(if marks.deviates { 2 } else { 1 }) {
+            self.dashes(camera.pixel(from), camera.pixel(to), pen);
+        }
+    }
+
     /// The dimensions, and above them what they and the angles say.
     fn sizes(&self, layout: &Layout<'_>, marks: &Marks<'_>) {
-        let mut names = Vec::new();
-        let mut name = |own: &str, plate: Plate| {
-            let said = marks.names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name);
-            names.push(Name { said, plate, lit: marks.field == Some(own) });
-        };
-        for arc in &layout.arcs {
-            arc.name.into_iter().for_each(|plate| name(arc.angle.field, plate));
-        }
-        for placed in &layout.dimensions {
-            self.dimension(placed, marks.field == Some(placed.drawn.field));
-            name(placed.drawn.field, placed.name);
-        }
+        let lit = |field: &str| marks.field == Some(field);
+        layout.dimensions.iter().for_each(|placed| self.dimension(placed, lit(placed.drawn.field)));
+        let names: Vec<_> =
+            layout.names(marks.names).into_iter().map(|(field, said, plate)| Name { said, plate, lit: lit(field) }).collect();
         if !names.is_empty() {
             self.names(&names);
         }
     }
 
     /// Draws arrows from one origin.
-    pub fn draw_arrows(&self, arrows: &[(Arrow, String, Spot)], camera: &Camera) {
+    pub fn draw_arrows(&self, arrows: &[(Arrow, String, Vec2)], camera: &Camera) {
         self.begin(camera, "600 13px system-ui, sans-serif");
-        let origin = camera.pixel([0.0, 0.0]);
+        let origin = camera.pixel(Vec2::ZERO);
         for (kind, name, tip) in arrows {
-            let (colour, width, dash): (&str, f64, &[f64]) = match kind {
-                Arrow::Axis => (&self.theme.text, 1.5, &[]),
-                Arrow::Base => (&self.theme.link, 1.0, &[5.0, 4.0]),
-                Arrow::Length => (&self.theme.touch, 4.0, &[]),
-            };
+            let pen = &ARROWS[*kind as usize];
             let end = camera.pixel(*tip);
-            let (dx, dy) = (end[0] - origin[0], end[1] - origin[1]);
-            let far = dx.hypot(dy).max(1e-9);
-            let (ux, uy) = (dx / far, dy / far);
-            self.segment(origin, end, colour, width, dash);
+            let way = (end - origin) / origin.distance(end).max(1e-9);
+            self.dashes(origin, end, pen);
             for side in [-0.5, 0.5] {
-                let back = [end[0] - 10.0 * (ux + side * uy), end[1] - 10.0 * (uy - side * ux)];
-                self.segment(end, back, colour, width.min(2.5), &[]);
+                self.segment(end, end - (way - way.perp() * side) * 10.0, pen.colour, pen.widths[0].min(2.5));
             }
             // Names stand beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
-            self.label(name, [end[0] + beyond * ux - aside * uy, end[1] + beyond * uy + aside * ux]);
+            self.label(name, end + way * beyond + way.perp() * aside);
         }
     }
 
@@ -344,133 +335,73 @@ impl Painter {
         }
         let c = &self.context;
         let most = if self.small { SMALL_BAND } else { BAND };
-        c.save();
-        c.begin_path();
         let [filled, air] = material::outlines(&scene.material, camera, most);
-        filled.iter().for_each(|outline| self.outline(outline));
-        c.set_fill_style_str(&self.theme.wall);
-        c.set_global_alpha(0.12);
-        c.fill();
+        c.save();
+        self.outlines(&filled);
+        self.alpha(0.12).fill(Colour::Wall);
         c.clip();
         // The strokes lie still against the part while the picture is moved.
-        let [width, height] = camera.size;
-        let [x, y] = camera.pixel([0.0, 0.0]);
-        let first = (x + y).rem_euclid(HATCH);
+        let Vec2 { x: width, y: height } = camera.size;
+        let first = camera.pixel(Vec2::ZERO).element_sum().rem_euclid(HATCH);
         c.begin_path();
         for k in 0..=((width + height) / HATCH) as usize {
             let at = first + HATCH * k as f64;
-            c.move_to(at, 0.0);
-            c.line_to(at - height, height);
+            self.points(&[Vec2::new(at, 0.0), Vec2::new(at - height, height)]);
         }
-        c.set_global_alpha(0.4);
-        c.set_stroke_style_str(&self.theme.wall);
-        c.set_line_width(0.75);
-        self.dash(&[]);
-        c.stroke();
+        self.alpha(0.4).stroke(Colour::Wall, 0.75);
         c.restore();
-        c.begin_path();
-        air.iter().for_each(|outline| self.outline(outline));
-        c.set_fill_style_str(&self.theme.background);
-        c.fill();
+        self.outlines(&air);
+        self.fill(Colour::Background);
     }
 
-    /// A closed outline, pixels, as a part of the current path.
-    fn outline(&self, outline: &[Spot]) {
+    /// Walls in one, their faces `solid`: else they let a section's hatching through, and are no darker than it.
+    fn walls(&self, Walls { wall, lines, outlines }: &Walls<'_>, solid: bool) {
         let c = &self.context;
-        for (k, [x, y]) in outline.iter().enumerate() {
-            if k == 0 { c.move_to(*x, *y) } else { c.line_to(*x, *y) }
+        let colour = if wall.actual { Colour::Actual } else { Colour::Wall };
+        if !lines.is_empty() {
+            c.begin_path();
+            lines.iter().for_each(|line| self.points(line));
+            self.dashed(&EDGES[usize::from(wall.actual)]);
         }
-        c.close_path();
-    }
-
-    /// A wall, or the strips of a round one, its faces `solid`: else they let a section's hatching through, and are no darker than it. What is drawn in
-    /// one has no seams.
-    fn wall(&self, wall: &WallShape, strips: &[Face<'_>], camera: &Camera, solid: bool) {
-        let c = &self.context;
-        let colour = if wall.actual { &self.theme.actual } else { &self.theme.wall };
-        let all = || strips.iter().filter_map(|face| if let Face::Wall(wall) = face { Some(*wall) } else { None });
-        c.begin_path();
-        let mut before = [f64::NAN; 2];
-        for ends in all().filter_map(|wall| wall.edge) {
-            let [from, to] = ends.map(|spot| camera.pixel(spot));
-            // From strip to strip it continues, and so do its dashes.
-            let continues = (from[0] - before[0]).hypot(from[1] - before[1]) < 0.1;
-            if !continues {
-                c.move_to(from[0], from[1]);
-            }
-            c.line_to(to[0], to[1]);
-            before = to;
-        }
-        let (width, dash): (_, &[f64]) = if wall.actual { (1.5, &[7.0, 4.0]) } else { (2.0, &[]) };
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.dash(dash);
-        c.stroke();
-        let all = || all().filter(|wall| wall.edge.is_none());
-        if all().next().is_none() {
+        if outlines.is_empty() {
             return;
         }
-        c.begin_path();
-        all().for_each(|wall| self.outline(&wall.corners.map(|corner| camera.pixel(corner))));
+        self.outlines(outlines);
         // A surface that is seen is solid; one that is looked at from behind is only a veil: so a hole is not a boss.
         if wall.faces && !wall.actual && solid {
-            c.set_fill_style_str(&self.theme.background);
-            c.set_global_alpha(0.8);
-            c.fill();
+            self.alpha(0.8).fill(Colour::Background);
         }
-        c.set_fill_style_str(colour);
-        c.set_global_alpha(if wall.faces && solid { 0.2 } else { 0.05 });
-        c.fill();
-        c.set_global_alpha(if wall.faces { 0.8 } else { 0.35 });
-        c.set_stroke_style_str(colour);
-        c.set_line_width(1.0);
-        self.dash(&[]);
+        self.alpha(if wall.faces && solid { 0.2 } else { 0.05 }).fill(colour);
         if wall.strip {
             c.begin_path();
-            for pair in all().flat_map(|wall| wall.corners.chunks(2)) {
-                let [from, to] = [0, 1].map(|i| camera.pixel(pair[i]));
-                c.move_to(from[0], from[1]);
-                c.line_to(to[0], to[1]);
-            }
+            outlines.as_flattened().chunks(2).for_each(|side| self.points(side));
         }
-        c.stroke();
-        c.set_global_alpha(1.0);
+        self.alpha(if wall.faces { 0.8 } else { 0.35 }).stroke(colour, 1.0);
+        self.alpha(1.0);
     }
 
     /// A top side: lighter than the walls below it.
-    fn top(&self, top: &Top, camera: &Camera) {
-        let c = &self.context;
-        c.begin_path();
-        self.outline(&top.corners.iter().map(|corner| camera.pixel(*corner)).collect::<Vec<_>>());
-        c.set_fill_style_str(&self.theme.background);
-        c.fill();
-        c.set_fill_style_str(&self.theme.wall);
-        c.set_global_alpha(0.09);
-        c.fill();
-        c.set_global_alpha(0.8);
-        c.set_stroke_style_str(&self.theme.wall);
-        c.set_line_width(1.0);
-        self.dash(&[]);
-        c.stroke();
-        c.set_global_alpha(1.0);
+    fn top(&self, corners: Vec<Vec2>) {
+        self.outlines(&[corners]);
+        self.fill(Colour::Background);
+        self.alpha(0.09).fill(Colour::Wall);
+        self.alpha(0.8).stroke(Colour::Wall, 1.0);
+        self.alpha(1.0);
     }
 
     fn line(&self, line: &Line, camera: &Camera, highlit: bool, reached: bool) {
-        // Line style distinguishes the kinds of moves; colour only repeats it.
-        let (colour, width, alpha, dash): (_, _, _, &[f64]) = match line.stroke {
-            _ if line.rapid => (&self.theme.position, 1.0, 1.0, &[12.0, 5.0]),
-            Stroke::Position => (&self.theme.position, 1.5, 1.0, &[9.0, 4.0, 2.0, 4.0]),
-            Stroke::Link => (&self.theme.link, 1.5, 1.0, &[6.0, 4.0]),
-            Stroke::Touch => (&self.theme.touch, 2.5, 1.0, &[]),
-            Stroke::Overtravel => (&self.theme.touch, 1.5, 0.9, &[1.5, 3.5]),
-        };
+        let pen = style::of(line.stroke, line.rapid);
         let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
-        self.context.set_global_alpha(if reached { alpha } else { 0.2 });
+        self.alpha(match line.stroke {
+            _ if !reached => 0.2,
+            Stroke::Overtravel => 0.9,
+            Stroke::Position | Stroke::Link | Stroke::Touch => 1.0,
+        });
         if highlit {
-            self.segment(from, to, &self.theme.highlight, width + 3.0, &[]);
+            self.segment(from, to, Colour::Highlight, pen.widths[0] + 3.0);
         }
-        self.segment(from, to, colour, width, dash);
-        self.context.set_global_alpha(1.0);
+        self.dashes(from, to, pen);
+        self.alpha(1.0);
     }
 
     /// The moves behind something, or those behind nothing.
@@ -492,79 +423,63 @@ impl Painter {
         let radius = scene.radius * camera.scale;
         // What is hidden is seen faintly through what hides it.
         for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
-            self.context.set_global_alpha(0.35);
-            self.circle(camera.pixel(touch.ball), radius, &self.theme.ball, 1.0);
-            self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
-            self.context.set_global_alpha(1.0);
+            self.alpha(0.35).circle(camera.pixel(touch.ball), radius, Colour::Ball, 1.0);
+            self.disc(camera.pixel(touch.contact), DOT, Colour::Touch);
         }
         for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {
             let ball = camera.pixel(touch.ball);
-            self.context.set_global_alpha(0.1);
-            self.disc(ball, radius, &self.theme.ball);
-            self.context.set_global_alpha(1.0);
-            self.circle(ball, radius, &self.theme.ball, 1.0);
+            self.alpha(0.1).disc(ball, radius, Colour::Ball);
+            self.alpha(1.0).circle(ball, radius, Colour::Ball, 1.0);
             if let Some(trigger) = touch.trigger.filter(|_| deviates) {
-                let p = camera.pixel(trigger);
-                self.circle(p, radius, &self.theme.actual, 1.0);
-                self.segment([p[0] - 4.0, p[1]], [p[0] + 4.0, p[1]], &self.theme.actual, 1.5, &[]);
-                self.segment([p[0], p[1] - 4.0], [p[0], p[1] + 4.0], &self.theme.actual, 1.5, &[]);
+                let at = camera.pixel(trigger);
+                self.circle(at, radius, Colour::Actual, 1.0);
+                for arm in [Vec2::X * 4.0, Vec2::Y * 4.0] {
+                    self.segment(at - arm, at + arm, Colour::Actual, 1.5);
+                }
             }
-            self.disc(camera.pixel(touch.contact), 3.5, &self.theme.touch);
+            self.disc(camera.pixel(touch.contact), DOT, Colour::Touch);
         }
+        self.alpha(1.0);
     }
 
     /// The number of a touch, or of several.
     fn number(&self, number: &Number) {
-        let [x, y] = number.plate.middle;
+        let Vec2 { x, y } = number.plate.middle;
         if number.led {
-            self.segment(number.contact, [x, y], &self.theme.touch, 1.0, &[]);
+            self.segment(number.contact, number.plate.middle, Colour::Touch, 1.0);
         }
         self.font(if number.radius() < 8.0 { SMALL } else { BOLD });
-        let [wide, high] = number.plate.half;
+        let Vec2 { x: wide, y: high } = number.plate.half;
         let c = &self.context;
         c.begin_path();
         for (side, start) in [(wide - high, -FRAC_PI_2), (high - wide, FRAC_PI_2)] {
             let _ = c.arc(x + side, y, high, start, start + PI);
         }
-        c.set_fill_style_str(&self.theme.touch);
-        c.fill();
-        c.set_fill_style_str(&self.theme.background);
+        self.fill(Colour::Touch);
+        c.set_fill_style_str(self.theme.colour(Colour::Background));
         let _ = c.fill_text(&number.said, x, y);
     }
 
     /// A measured ball centre: a square on its tip, which nothing else is.
-    fn square(&self, at: Spot) {
-        let c = &self.context;
-        c.begin_path();
-        self.outline(&[[0.0, -7.0], [7.0, 0.0], [0.0, 7.0], [-7.0, 0.0]].map(|[x, y]| [at[0] + x, at[1] + y]));
-        c.set_stroke_style_str(&self.theme.highlight);
-        c.set_line_width(2.0);
-        self.dash(&[]);
-        c.stroke();
+    fn square(&self, at: Vec2) {
+        self.outlines(&[[Vec2::NEG_Y, Vec2::X, Vec2::Y, Vec2::NEG_X].map(|way| at + way * 7.0)]);
+        self.stroke(Colour::Highlight, 2.0);
     }
 
     /// The ball where it meets the part, in the colour of touches, crossed out.
-    fn collision(&self, at: Spot, radius: f64) {
-        let (c, radius) = (&self.context, radius.max(6.0));
-        c.set_global_alpha(0.35);
-        self.disc(at, radius, &self.theme.touch);
-        c.set_global_alpha(1.0);
-        self.circle(at, radius, &self.theme.touch, 3.0);
-        let far = radius * 1.6;
-        for side in [-1.0, 1.0] {
-            self.segment([at[0] - far, at[1] - side * far], [at[0] + far, at[1] + side * far], &self.theme.touch, 3.0, &[]);
+    fn collision(&self, at: Vec2, radius: f64) {
+        let radius = radius.max(6.0);
+        self.alpha(0.35).disc(at, radius, Colour::Touch);
+        self.alpha(1.0).circle(at, radius, Colour::Touch, 3.0);
+        for arm in [Vec2::new(1.0, -1.0), Vec2::ONE].map(|way| way * radius * 1.6) {
+            self.segment(at - arm, at + arm, Colour::Touch, 3.0);
         }
     }
 
     /// The arrow head of a move.
     fn arrow(&self, line: &Line, camera: &Camera) {
-        let colour = match line.stroke {
-            Stroke::Position => &self.theme.position,
-            Stroke::Link => &self.theme.link,
-            Stroke::Touch | Stroke::Overtravel => &self.theme.touch,
-        };
         if let Some((tip, way, size)) = camera.head(line) {
-            self.head(tip, way, size, colour);
+            self.head(tip, way, size, style::of(line.stroke, false).colour);
         }
     }
 }

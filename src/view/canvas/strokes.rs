@@ -1,13 +1,21 @@
 //! The strokes of a picture: lines, circles, arrow heads, dimensions with their names.
 
+use std::f64::consts::TAU;
+
 use super::{BOLD, LABEL, Painter};
-use crate::view::flat::Spot;
+use crate::geom::Vec2;
 use crate::view::halves;
 use crate::view::layout::{Arc, Placed};
 use crate::view::plate::Plate;
+use crate::view::style::{Colour, Pen};
 
 /// Pixels between what a dimension is called and its value.
 const NAME_GAP: f64 = 7.0;
+
+/// Pixels across the line of a dimension or an angle.
+fn wide(lit: bool) -> f64 {
+    if lit { 2.0 } else { 1.0 }
+}
 
 /// What a dimension or an angle says, and where.
 #[derive(Clone, Copy)]
@@ -18,137 +26,180 @@ pub(super) struct Name<'a> {
 }
 
 impl Painter {
-    /// A filled arrow head with its tip at a place.
-    pub(super) fn head(&self, tip: Spot, [ux, uy]: Spot, size: f64, colour: &str) {
+    /// How much what follows covers, 0 to 1.
+    pub(super) fn alpha(&self, alpha: f64) -> &Self {
+        self.context.set_global_alpha(alpha);
+        self
+    }
+
+    /// Fills the path.
+    pub(super) fn fill(&self, colour: Colour) {
+        self.context.set_fill_style_str(self.theme.colour(colour));
+        self.context.fill();
+    }
+
+    /// Strokes the path in a line without gaps.
+    pub(super) fn stroke(&self, colour: Colour, width: f64) {
+        self.take(colour, width, &[]);
+        self.context.stroke();
+    }
+
+    /// Strokes the path.
+    pub(super) fn dashed(&self, pen: &Pen) {
+        self.take(pen.colour, pen.widths[0], pen.dash);
+        self.context.stroke();
+    }
+
+    fn take(&self, colour: Colour, width: f64, dash: &'static [f64]) {
+        self.context.set_stroke_style_str(self.theme.colour(colour));
+        self.context.set_line_width(width);
+        self.dash(dash);
+    }
+
+    pub(super) fn dash(&self, lengths: &'static [f64]) {
+        if self.dashes.replace(lengths) != lengths {
+            let list: js_sys::Array = lengths.iter().map(|length| wasm_bindgen::JsValue::from_f64(*length)).collect();
+            let _ = self.context.set_line_dash(&list);
+        }
+    }
+
+    /// A path of closed outlines, pixels.
+    pub(super) fn outlines(&self, outlines: &[impl AsRef<[Vec2]>]) {
+        self.context.begin_path();
+        outlines.iter().for_each(|outline| self.closed(outline.as_ref()));
+    }
+
+    fn closed(&self, outline: &[Vec2]) {
+        self.points(outline);
+        self.context.close_path();
+    }
+
+    /// Points in a row, as a part of the path.
+    pub(super) fn points(&self, points: &[Vec2]) {
         let c = &self.context;
-        let back = [tip[0] - ux * size, tip[1] - uy * size];
-        let half = size * 0.42;
-        c.begin_path();
-        c.move_to(tip[0], tip[1]);
-        c.line_to(back[0] - uy * half, back[1] + ux * half);
-        c.line_to(back[0] + uy * half, back[1] - ux * half);
-        c.close_path();
-        c.set_fill_style_str(colour);
-        c.fill();
+        for (k, at) in points.iter().enumerate() {
+            if k == 0 { c.move_to(at.x, at.y) } else { c.line_to(at.x, at.y) }
+        }
+    }
+
+    /// A filled arrow head with its tip at a place.
+    pub(super) fn head(&self, tip: Vec2, way: Vec2, size: f64, colour: Colour) {
+        let (back, half) = (tip - way * size, way.perp() * size * 0.42);
+        self.outlines(&[[tip, back + half, back - half]]);
+        self.fill(colour);
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
     pub(super) fn dimension(&self, placed: &Placed<'_>, lit: bool) {
-        let colour = &self.theme.ball;
         for (near, line) in placed.ends.into_iter().zip(placed.line) {
-            let (ox, oy) = (line[0] - near[0], line[1] - near[1]);
-            let off = ox.hypot(oy).max(1e-9);
-            self.segment(near, [line[0] + ox / off * 5.0, line[1] + oy / off * 5.0], colour, 0.75, &[]);
+            let beyond = (line - near) / near.distance(line).max(1e-9) * 5.0;
+            self.segment(near, line + beyond, Colour::Ball, 0.75);
         }
-        self.segment(placed.reach[0], placed.reach[1], colour, if lit { 2.0 } else { 1.0 }, &[]);
-        for (tip, way) in placed.heads() {
-            self.head(tip, way, 8.0, colour);
-        }
+        self.segment(placed.reach[0], placed.reach[1], Colour::Ball, wide(lit));
+        placed.heads().into_iter().for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
     }
 
     /// An angle: its sides, and its arc with arrow heads.
     pub(super) fn angle(&self, arc: &Arc<'_>, lit: bool) {
         let c = &self.context;
-        let colour = &self.theme.ball;
         let [first, turn] = arc.angle.turns;
-        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, colour, 0.75, &[]));
+        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, Colour::Ball, 0.75));
         c.begin_path();
-        let _ = c.arc_with_anticlockwise(arc.at[0], arc.at[1], arc.radius, -first, -first - turn, turn > 0.0);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(if lit { 2.0 } else { 1.0 });
-        self.dash(&[]);
-        c.stroke();
-        for (tip, direction) in arc.heads.into_iter().flatten() {
-            self.head(tip, direction, 8.0, colour);
-        }
+        let _ = c.arc_with_anticlockwise(arc.at.x, arc.at.y, arc.radius, -first, -first - turn, turn > 0.0);
+        self.stroke(Colour::Ball, wide(lit));
+        arc.heads.into_iter().flatten().for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
     }
 
     /// What dimensions and angles say, each in its box. All values, then all labels: the font is set three times, however many there are.
     pub(super) fn names(&self, names: &[Name<'_>]) {
         let c = &self.context;
-        let colour = &self.theme.ball;
         let wide = |text: &str| c.measure_text(text).map_or(60.0, |m| m.width());
         let placed = |name: &Name<'_>, draw: &dyn Fn()| {
             c.save();
-            let Plate { middle: [x, y], along: [ux, uy], .. } = name.plate;
-            let _ = c.transform(ux, uy, -uy, ux, x, y);
+            let Plate { middle, along, .. } = name.plate;
+            let _ = c.transform(along.x, along.y, -along.y, along.x, middle.x, middle.y);
             draw();
             c.restore();
+        };
+        let text = |text: &str, x: f64, colour: Colour| {
+            c.set_fill_style_str(self.theme.colour(colour));
+            let _ = c.fill_text(text, x, 0.0);
         };
         self.font(LABEL);
         let labels: Vec<f64> = names.iter().map(|name| wide(halves(name.said).0) + NAME_GAP).collect();
         self.font(BOLD);
         let values: Vec<f64> = names.iter().map(|name| wide(halves(name.said).1)).collect();
+        // Before what is restored, as at the beginning of a picture.
+        self.dash(&[]);
         for ((name, label), value) in names.iter().zip(&labels).zip(&values) {
+            let [ground, ink] = if name.lit { [Colour::Ball, Colour::Background] } else { [Colour::Background, Colour::Text] };
             placed(name, &|| {
-                let width = label + value + 12.0;
-                c.set_fill_style_str(if name.lit { colour } else { &self.theme.background });
-                c.fill_rect(-width / 2.0, -10.0, width, 20.0);
-                c.set_stroke_style_str(colour);
-                c.set_line_width(1.0);
-                self.dash(&[]);
-                c.stroke_rect(-width / 2.0, -10.0, width, 20.0);
-                c.set_fill_style_str(if name.lit { &self.theme.background } else { &self.theme.text });
-                let _ = c.fill_text(halves(name.said).1, label / 2.0, 0.0);
+                self.plate(Vec2::ZERO, Vec2::new((label + value) / 2.0 + 6.0, 10.0), ground, Some((Colour::Ball, 1.0)));
+                text(halves(name.said).1, label / 2.0, ink);
             });
         }
         self.font(LABEL);
         for (name, value) in names.iter().zip(&values) {
-            placed(name, &|| {
-                c.set_fill_style_str(if name.lit { &self.theme.background } else { &self.theme.wall });
-                let _ = c.fill_text(halves(name.said).0, -(value + NAME_GAP) / 2.0, 0.0);
-            });
+            let ink = if name.lit { Colour::Background } else { Colour::Wall };
+            placed(name, &|| text(halves(name.said).0, -(value + NAME_GAP) / 2.0, ink));
         }
     }
 
-    pub(super) fn label(&self, text: &str, at: Spot) {
+    /// An upright rectangle about a place, with or without an edge.
+    pub(super) fn plate(&self, middle: Vec2, half: Vec2, ground: Colour, edge: Option<(Colour, f64)>) {
+        let (c, low, size) = (&self.context, middle - half, half * 2.0);
+        c.set_fill_style_str(self.theme.colour(ground));
+        c.fill_rect(low.x, low.y, size.x, size.y);
+        if let Some((colour, width)) = edge {
+            self.take(colour, width, &[]);
+            c.stroke_rect(low.x, low.y, size.x, size.y);
+        }
+    }
+
+    pub(super) fn label(&self, text: &str, at: Vec2) {
         let c = &self.context;
-        c.set_line_width(3.0);
-        c.set_stroke_style_str(&self.theme.background);
-        self.dash(&[]);
-        let _ = c.stroke_text(text, at[0], at[1]);
-        c.set_fill_style_str(&self.theme.text);
-        let _ = c.fill_text(text, at[0], at[1]);
+        self.take(Colour::Background, 3.0, &[]);
+        let _ = c.stroke_text(text, at.x, at.y);
+        c.set_fill_style_str(self.theme.colour(Colour::Text));
+        let _ = c.fill_text(text, at.x, at.y);
+    }
+
+    /// A straight line without gaps.
+    pub(super) fn segment(&self, from: Vec2, to: Vec2, colour: Colour, width: f64) {
+        let (from, to) = crate::view::forwards(from, to);
+        self.straight(from, to);
+        self.stroke(colour, width);
     }
 
     /// A straight line. Dashes lie where they lie on every other line along the same one: there and back they fill no gap.
-    pub(super) fn segment(&self, from: Spot, to: Spot, colour: &str, width: f64, dash: &[f64]) {
-        let c = &self.context;
+    pub(super) fn dashes(&self, from: Vec2, to: Vec2, pen: &Pen) {
         let (from, to) = crate::view::forwards(from, to);
-        if !dash.is_empty() {
-            let (x, y) = (to[0] - from[0], to[1] - from[1]);
-            let length = x.hypot(y);
-            c.set_line_dash_offset(if length > 0.0 { (from[0] * x + from[1] * y) / length } else { 0.0 });
+        if !pen.dash.is_empty() {
+            self.context.set_line_dash_offset(from.dot((to - from).normalize_or_zero()));
         }
-        c.begin_path();
-        c.move_to(from[0], from[1]);
-        c.line_to(to[0], to[1]);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.dash(dash);
-        c.stroke();
+        self.straight(from, to);
+        self.dashed(pen);
     }
 
-    pub(super) fn circle(&self, at: Spot, radius: f64, colour: &str, width: f64) {
-        let c = &self.context;
-        c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
-        c.set_stroke_style_str(colour);
-        c.set_line_width(width);
-        self.dash(&[]);
-        c.stroke();
+    fn straight(&self, from: Vec2, to: Vec2) {
+        self.context.begin_path();
+        self.context.move_to(from.x, from.y);
+        self.context.line_to(to.x, to.y);
     }
 
-    pub(super) fn disc(&self, at: Spot, radius: f64, colour: &str) {
-        let c = &self.context;
-        c.begin_path();
-        let _ = c.arc(at[0], at[1], radius, 0.0, std::f64::consts::TAU);
-        c.set_fill_style_str(colour);
-        c.fill();
+    /// A path that is a circle.
+    fn round(&self, at: Vec2, radius: f64) {
+        self.context.begin_path();
+        let _ = self.context.arc(at.x, at.y, radius, 0.0, TAU);
     }
 
-    pub(super) fn dash(&self, lengths: &[f64]) {
-        let list: js_sys::Array = lengths.iter().map(|l| wasm_bindgen::JsValue::from_f64(*l)).collect();
-        let _ = self.context.set_line_dash(&list);
+    pub(super) fn circle(&self, at: Vec2, radius: f64, colour: Colour, width: f64) {
+        self.round(at, radius);
+        self.stroke(colour, width);
+    }
+
+    pub(super) fn disc(&self, at: Vec2, radius: f64, colour: Colour) {
+        self.round(at, radius);
+        self.fill(colour);
     }
 }

@@ -1,7 +1,7 @@
 //! The scene of a program without a job: its moves, and nothing else.
 
 use super::{Line, Projection, Scene, Stroke};
-use crate::geom::{AXIS_NAMES, Plane, Vec3};
+use crate::geom::{Plane, Vec2, Vec3};
 use crate::path::Arc;
 
 /// The moves of a program that nothing else is known of.
@@ -21,17 +21,16 @@ pub struct Moves<'a> {
 
 /// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
 pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
-    let spot = |p: Vec3| view.spot(moves.plane, p);
-    let basis = moves.plane.basis();
-    let mut lines = Vec::with_capacity(moves.kind.len());
-    let mut ends = Vec::with_capacity(moves.kind.len());
-    let mut beyond = Vec::new();
+    let spot = |p: Vec3| view.place(moves.plane, p);
+    let mut scene = Scene { unit: moves.scale, ..Scene::about(moves.plane, view) };
+    scene.lines.reserve(moves.kind.len());
+    scene.ends.reserve(moves.kind.len());
     // Sixty to a circle; fewer where there are very many.
     let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
+    let scale = moves.scale.unwrap_or(1.0);
     let mut arcs = moves.arcs.iter().peekable();
     let mut from = Vec3::NAN;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
-        let scale = moves.scale.unwrap_or(1.0);
         let end = Vec3::from_slice(to) * scale;
         let arc = arcs.next_if(|arc| arc[0] == index as f64).map(|[_, a, b, c, sweep, plane]| {
             let plane = [Plane::G17, Plane::G18, Plane::G19][(*plane as usize).saturating_sub(17).min(2)];
@@ -44,46 +43,19 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
                 2 => Stroke::Touch,
                 _ => Stroke::Link,
             };
-            let mut start = from;
             let pieces = helix(from, end, arc, most);
-            beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
-            for piece in pieces {
-                lines.push(Line {
-                    from: spot(start),
-                    to: spot(piece),
-                    stroke,
-                    rapid: *kind == 0,
-                    back: false,
-                    behind: None,
-                    index,
-                });
-                start = piece;
+            let mut from = spot(from);
+            for piece in &pieces {
+                let to = spot(*piece);
+                scene.lines.push(Line { from, to, stroke, rapid: *kind == 0, back: false, behind: None, index });
+                from = to;
             }
+            scene.beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
         }
-        ends.push(if end.is_finite() { spot(end) } else { [f64::NAN; 2] });
+        scene.ends.push(if end.is_finite() { spot(end) } else { Vec2::NAN });
         from = end;
     }
-    let names = moves.plane.axes().map(|axis| AXIS_NAMES[axis]);
-    Scene {
-        walls: Vec::new(),
-        tops: Vec::new(),
-        material: Vec::new(),
-        lines,
-        touches: Vec::new(),
-        ends,
-        beyond,
-        unit: moves.scale,
-        radius: 0.0,
-        stylus: Vec::new(),
-        origin: spot(Vec3::ZERO),
-        axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
-        centre_lines: None,
-        spread: None,
-        collision: None,
-        dimensions: Vec::new(),
-        angles: Vec::new(),
-        handle: None,
-    }
+    scene
 }
 
 /// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
@@ -104,7 +76,6 @@ fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::flat::Spot;
 
     /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
     #[test]
@@ -112,7 +83,7 @@ mod tests {
         let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
         let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
-        let near = |a: Spot, b: Spot| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9;
+        let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
         assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
         let front = scene(&moves, Projection::Front);

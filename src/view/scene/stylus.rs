@@ -1,18 +1,17 @@
 //! The stylus above its ball, as it is seen from the side.
 
-use crate::geom::Plane;
+use crate::geom::{Plane, Vec2};
 use crate::part::Shape;
-use crate::view::flat::Spot;
 use crate::view::scene::Projection;
 
 /// The outlines of stylus and probe body about the ball centre, mm: as far as they are known, and nothing from the top, where they would hide the
 /// ball. The body, which has no end here, is drawn as high as it is wide.
-pub fn outlines(shape: &Shape, ball: f64, plane: Plane, view: Projection) -> Vec<[Spot; 4]> {
-    let up = view.spot(plane, plane.basis()[2])[1];
+pub fn outlines(shape: &Shape, ball: f64, plane: Plane, view: Projection) -> Vec<[Vec2; 4]> {
+    let up = view.place(plane, plane.basis()[2]).y;
     let Some(length) = shape.length.filter(|_| view != Projection::Top) else { return Vec::new() };
     let outline = |diameter: f64, [from, to]: [f64; 2]| {
         let half = diameter / 2.0;
-        [[-half, from], [half, from], [half, to], [-half, to]].map(|[x, height]| [x, height * up])
+        [[-half, from], [half, from], [half, to], [-half, to]].map(|[x, height]| Vec2::new(x, height * up))
     };
     let shank = shape.shank.map(|shank| {
         // From where it comes out of the ball.

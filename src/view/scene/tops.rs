@@ -1,10 +1,9 @@
 //! Top sides: isometric, what stands is seen whole, with its top and without its far walls.
 
-use crate::geom::Vec3;
+use crate::geom::{Vec2, Vec3};
 use crate::path::{Path, Surface, Wall};
-use crate::view::flat::Spot;
-use crate::view::material::WallShape;
-use crate::view::scene::{Scene, strips};
+use crate::view::scene::Scene;
+use crate::view::walls::{WallShape, strips};
 
 /// A top side, isometric.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +11,7 @@ pub struct Top {
     /// The first of the surfaces below it.
     pub of: usize,
     /// Its corners, in order.
-    pub corners: Vec<Spot>,
+    pub corners: Vec<Vec2>,
 }
 
 /// A wall or a top side.
@@ -28,12 +27,12 @@ pub enum Face<'a> {
 
 /// Of what is seen whole, and so has a top side, the first surface: of a stud itself, of flat walls the first of a body that has two or more, and
 /// a top side between them.
-pub(super) fn topped(surfaces: &[Surface], k: usize, up: Vec3) -> Option<usize> {
-    match &surfaces[k] {
+pub(super) fn topped(path: &Path, k: usize) -> Option<usize> {
+    match &path.surfaces[k] {
         Surface::Round(round) => (!round.hole).then_some(k),
         Surface::Flat(wall) => {
-            let mut walls = upright(surfaces, wall.body, up).map(|(k, _)| k);
-            walls.next().filter(|_| walls.next().is_some() && is_upright(wall, up))
+            let mut walls = upright(path, wall.body).map(|(k, _)| k);
+            walls.next().filter(|_| walls.next().is_some() && is_upright(wall, path.frame.w))
         }
         Surface::Unknown => None,
     }
@@ -44,18 +43,19 @@ fn is_upright(wall: &Wall, up: Vec3) -> bool {
 }
 
 /// The upright walls of a body.
-fn upright(surfaces: &[Surface], body: usize, up: Vec3) -> impl Iterator<Item = (usize, &Wall)> {
-    surfaces.iter().enumerate().filter_map(move |(k, surface)| match surface {
-        Surface::Flat(wall) if wall.body == body && is_upright(wall, up) => Some((k, wall)),
+fn upright(path: &Path, body: usize) -> impl Iterator<Item = (usize, &Wall)> {
+    path.surfaces.iter().enumerate().filter_map(move |(k, surface)| match surface {
+        Surface::Flat(wall) if wall.body == body && is_upright(wall, path.frame.w) => Some((k, wall)),
         _ => None,
     })
 }
 
 /// The corners of the top side between the walls of a body, in order: of two walls that meet, the parallelogram that they span.
 #[inline(never)]
-fn top_of(surfaces: &[Surface], body: usize, up: Vec3, u: Vec3) -> Vec<Vec3> {
+fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
+    let (up, u) = (path.frame.w, path.frame.u);
     let mut corners: Vec<Vec3> = Vec::new();
-    for (_, wall) in upright(surfaces, body, up) {
+    for (_, wall) in upright(path, body) {
         // One without a top reaches as far above its point as below.
         let raised = if wall.has_top { Vec3::ZERO } else { up * wall.drawn_depth };
         for at in [wall.extent.0, wall.extent.1] {
@@ -74,32 +74,34 @@ fn top_of(surfaces: &[Surface], body: usize, up: Vec3, u: Vec3) -> Vec<Vec3> {
 }
 
 /// The top sides of what is seen whole. `spot` is where a place is seen.
-pub(super) fn tops(surfaces: &[Surface], up: Vec3, u: Vec3, spot: impl Fn(Vec3) -> Spot) -> Vec<Top> {
+pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
     let whole = |of: usize| {
-        let around: Vec<Vec3> = match &surfaces[of] {
+        let around: Vec<Vec3> = match &path.surfaces[of] {
             Surface::Round(round) => {
-                strips(round, up, u).iter().map(|strip| strip.point + strip.along * strip.extent.0).collect()
+                let strips = strips(round, &path.frame);
+                strips.iter().map(|strip| strip.point + strip.along * strip.extent.0).collect()
             }
-            Surface::Flat(wall) => top_of(surfaces, wall.body, up, u),
+            Surface::Flat(wall) => top_of(path, wall.body),
             Surface::Unknown => Vec::new(),
         };
         Top { of, corners: around.into_iter().map(&spot).collect() }
     };
-    (0..surfaces.len()).filter(|k| topped(surfaces, *k, up) == Some(*k)).map(whole).collect()
+    (0..path.surfaces.len()).filter(|k| topped(path, *k) == Some(*k)).map(whole).collect()
 }
 
 /// Where a body is broken off: from the end of one of its walls to the end of another, as walls of it.
 #[inline(never)]
-pub(super) fn breaks(surfaces: &[Surface], of: usize, up: Vec3, u: Vec3) -> Vec<Wall> {
-    let Surface::Flat(first) = &surfaces[of] else { return Vec::new() };
-    let corners = top_of(surfaces, first.body, up, u);
+pub(super) fn breaks(path: &Path, of: usize) -> Vec<Wall> {
+    let Surface::Flat(first) = &path.surfaces[of] else { return Vec::new() };
+    let (up, u) = (path.frame.w, path.frame.u);
+    let corners = top_of(path, first.body);
     let depth = if first.has_top { first.drawn_depth } else { 2.0 * first.drawn_depth };
     let side = |k: usize| {
         let (from, way) = (corners[k], corners[(k + 1) % corners.len()] - corners[k]);
         let (along, long) = (way.normalize_or(u), way.length());
         let normal = along.cross(up);
         let own = |wall: &Wall| wall.normal.dot(normal) > 0.999 && (wall.point - from).dot(normal).abs() < 1e-6;
-        let broken = !upright(surfaces, first.body, up).any(|(_, wall)| own(wall));
+        let broken = !upright(path, first.body).any(|(_, wall)| own(wall));
         broken.then_some(Wall {
             point: from,
             normal,
@@ -133,7 +135,7 @@ impl Backs {
     pub(super) fn of(path: &Path, towards: Vec3) -> Self {
         let mut backs = Vec::new();
         for (k, surface) in path.surfaces.iter().enumerate() {
-            let Some(of) = topped(&path.surfaces, k, path.frame.w) else { continue };
+            let Some(of) = topped(path, k) else { continue };
             let mut add = |wall: &Wall| {
                 if wall.normal.dot(towards) < -1e-6 {
                     backs.push((wall.point, wall.normal, of));
@@ -141,7 +143,7 @@ impl Backs {
             };
             match surface {
                 Surface::Flat(wall) => add(wall),
-                Surface::Round(round) => strips(round, path.frame.w, path.frame.u).iter().for_each(add),
+                Surface::Round(round) => strips(round, &path.frame).iter().for_each(add),
                 Surface::Unknown => {}
             }
         }

@@ -4,6 +4,7 @@ use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 use super::View;
+use crate::geom::Vec2;
 use crate::view::layout::Placed;
 use crate::view::plate::Plate;
 use crate::view::scene::{Projection, Scene};
@@ -27,7 +28,7 @@ impl View {
     pub fn dimension_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
         let layout = self.camera.layout(scene, self.field.as_deref());
-        let near = |plate: &Plate| plate.covers([x, y], 2.0);
+        let near = |plate: &Plate| plate.covers(Vec2::new(x, y), 2.0);
         let dimension = layout.dimensions.iter().find(|placed| near(&placed.name)).map(|placed| placed.drawn.field);
         let angle = || layout.arcs.iter().find(|arc| arc.name.as_ref().is_some_and(near)).map(|arc| arc.angle.field);
         dimension.or_else(angle).map(str::to_owned)
@@ -51,8 +52,8 @@ impl View {
     fn lines_of(&self, scene: &Scene) -> Array {
         let list = |placed: Placed<'_>| {
             let list = Array::of1(&JsValue::from_str(placed.drawn.field));
-            for x in placed.line.as_flattened() {
-                list.push(&JsValue::from_f64(*x));
+            for x in placed.line.iter().flat_map(|end| end.to_array()) {
+                list.push(&JsValue::from_f64(x));
             }
             list
         };

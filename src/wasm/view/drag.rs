@@ -3,9 +3,10 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::View;
-use crate::view::canvas::{ARM, spread_handles};
-use crate::view::flat::Spot;
+use super::{Shown, View};
+use crate::geom::{Rigid, Vec2, Vec3};
+use crate::job::Planned;
+use crate::view::canvas::{spread_handles, turning};
 use crate::wasm::set;
 
 #[wasm_bindgen]
@@ -13,39 +14,14 @@ impl View {
     /// The handle within `reach` pixels of a place, 14 unless it is given: `shift` or `turn` of the virtual part, `start` or `sweep` of the touches' angles, or nothing.
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64, reach: Option<f64>) -> Option<String> {
-        let scene = &self.shown.as_ref()?.scene;
-        let near = |p: Spot| (p[0] - x).hypot(p[1] - y) <= reach.unwrap_or(14.0);
-        if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
-            if near(sweep) {
-                return Some("sweep".to_owned());
-            }
-            if near(start) {
-                return Some("start".to_owned());
-            }
-        }
-        let (origin, direction) = scene.handle?;
-        let at = self.camera.pixel(origin);
-        if near(at) {
-            Some("shift".to_owned())
-        } else {
-            near([at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]).then(|| "turn".to_owned())
-        }
+        let near = |at: Vec2| at.distance(Vec2::new(x, y)) <= reach.unwrap_or(14.0);
+        self.handles().into_iter().find(|(_, at)| near(*at)).map(|(handle, _)| handle.to_owned())
     }
 
     /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
     #[wasm_bindgen(js_name = handleSpot)]
     pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
-        let scene = &self.shown.as_ref()?.scene;
-        if let (Some([start, sweep]), "start" | "sweep") = (spread_handles(scene, &self.camera), handle) {
-            return Some(if handle == "start" { start } else { sweep }.to_vec());
-        }
-        let (origin, direction) = scene.handle?;
-        let at = self.camera.pixel(origin);
-        match handle {
-            "shift" => Some(at.to_vec()),
-            "turn" => Some(vec![at[0] + direction[0] * ARM, at[1] - direction[1] * ARM]),
-            _ => None,
-        }
+        self.handles().into_iter().find(|(name, _)| *name == handle).map(|(_, at)| at.to_array().to_vec())
     }
 
     /// The path of the job's field that a `start` or `sweep` handle sets.
@@ -64,8 +40,7 @@ impl View {
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
         let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
-        let spot = self.camera.spot([x, y]);
-        let angle = (spot[1] - center[1]).atan2(spot[0] - center[0]).to_degrees();
+        let angle = (self.camera.spot(Vec2::new(x, y)) - center).to_angle().to_degrees();
         if handle == "start" {
             return Some(crate::num::wrap_degrees(angle.round()));
         }
@@ -82,30 +57,46 @@ impl View {
     /// keeps the feature's own origin where it is.
     #[wasm_bindgen(js_name = dragPart)]
     pub fn drag_part(&self, handle: &str, x: f64, y: f64) -> Result<JsValue, JsValue> {
-        use crate::geom::{Rigid, Vec3};
         let Some(held) = self.held() else {
             return Ok(JsValue::NULL);
         };
-        let spot = self.camera.spot([x, y]);
+        let spot = self.camera.spot(Vec2::new(x, y));
         let [a, o, _] = held.plane.axes();
-        let (mut offset, mut turn) = (held.offset, held.turn);
-        let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(held.origin);
+        let Planned { job, path, .. } = &held.last.planned;
+        let (mut offset, mut turn) = (job.lie.rigid.point(Vec3::ZERO), job.lie.turn);
+        let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin);
         let now = place(offset, turn);
         if handle == "turn" {
             let handle = self.shown.as_ref().and_then(|shown| shown.scene.handle);
-            let nominal = handle.map_or(0.0, |(_, d)| d[1].atan2(d[0]).to_degrees()) - turn;
-            let angle = (spot[1] - now[o]).atan2(spot[0] - now[a]).to_degrees();
+            let nominal = handle.map_or(0.0, |(_, d)| d.to_angle().to_degrees()) - turn;
+            let angle = (spot - Vec2::new(now[a], now[o])).to_angle().to_degrees();
             turn = crate::num::wrap_degrees(((angle - nominal) * 100.0).round() / 100.0);
             offset += now - place(offset, turn);
         } else {
-            offset[a] += spot[0] - now[a];
-            offset[o] += spot[1] - now[o];
+            offset[a] += spot.x - now[a];
+            offset[o] += spot.y - now[o];
         }
-        let rounded = |mm: f64| (mm / held.scale * 1000.0).round() / 1000.0;
+        let rounded = |mm: f64| (mm / job.scale * 1000.0).round() / 1000.0;
         let result = Object::new();
         let list: Array = offset.to_array().iter().map(|mm| JsValue::from_f64(rounded(*mm))).collect();
         set(&result, "offset", &list);
         set(&result, "rotation", &JsValue::from_f64(turn));
         Ok(result.into())
+    }
+}
+
+impl View {
+    /// The handles and their pixels, those above others first.
+    fn handles(&self) -> Vec<(&'static str, Vec2)> {
+        let mut handles = Vec::new();
+        let Some(Shown { scene, .. }) = &self.shown else { return handles };
+        if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
+            handles.extend([("sweep", sweep), ("start", start)]);
+        }
+        if let Some((origin, direction)) = scene.handle {
+            let shift = self.camera.pixel(origin);
+            handles.extend([("shift", shift), ("turn", turning(shift, direction))]);
+        }
+        handles
     }
 }

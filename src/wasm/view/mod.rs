@@ -9,15 +9,15 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 use crate::border::coded::decoded;
+use crate::geom::{Plane, Vec2, Vec3};
 use crate::import::{Toolpath, read_program};
-use crate::job::{self, Planned};
+use crate::job;
 use crate::view::Legend;
 use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
-use crate::view::flat::Spot;
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
-use crate::view::scene::{self, Projection, Scene};
+use crate::view::scene::{Projection, Scene};
 use crate::wasm::Last;
 
 /// A picture of a job on a canvas. Pixels are CSS pixels from the canvas' upper left corner.
@@ -40,7 +40,7 @@ pub struct View {
     /// What a machine measured, as text.
     measured_text: String,
     /// The ball centres of it that this job has, each with its touch, in the job's units.
-    measured: Vec<(usize, crate::geom::Vec3)>,
+    measured: Vec<(usize, Vec3)>,
     /// Labels of dimensions in another language, by the paths of their fields.
     labels: Vec<(String, String)>,
     comma: bool,
@@ -76,16 +76,12 @@ enum What {
     Program(Rc<Toolpath>),
 }
 
-/// The job that is shown, and how its part lies.
+/// The job that is shown.
 #[derive(Debug)]
 struct Held {
     last: Rc<Last>,
     deviates: bool,
-    scale: f64,
-    plane: crate::geom::Plane,
-    offset: crate::geom::Vec3,
-    turn: f64,
-    origin: crate::geom::Vec3,
+    plane: Plane,
     /// What each dimension is called, by its field's path.
     names: Vec<(&'static str, String)>,
     /// The work origin's name.
@@ -98,7 +94,7 @@ impl View {
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: web_sys::HtmlCanvasElement) -> Result<View, JsValue> {
         let painter = Painter::new(canvas).ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
-        let camera = Camera { scale: 1.0, middle: [0.0; 2], size: [300.0, 150.0] };
+        let camera = Camera { scale: 1.0, middle: Vec2::ZERO, size: Vec2::new(300.0, 150.0) };
         Ok(View {
             painter,
             over: None,
@@ -124,10 +120,9 @@ impl View {
     #[wasm_bindgen(js_name = setOverlay)]
     pub fn set_overlay(&mut self, canvas: web_sys::HtmlCanvasElement) {
         self.over = Painter::new(canvas);
-        let [width, height] = self.camera.size;
         if let Some(over) = &mut self.over {
             over.theme = self.painter.theme.clone();
-            over.resize(width, height, self.painter.ratio);
+            over.resize(self.camera.size, self.painter.ratio);
         }
         self.draw();
     }
@@ -154,8 +149,9 @@ impl View {
 
     /// The canvas covers so many CSS pixels; `ratio` is the device's pixels in one.
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
-        self.painters().for_each(|painter| painter.resize(width, height, ratio));
-        self.camera.size = [width, height];
+        self.camera.size = Vec2::new(width, height);
+        let size = self.camera.size;
+        self.painters().for_each(|painter| painter.resize(size, ratio));
         self.refit();
         self.draw();
     }
@@ -226,7 +222,7 @@ impl View {
         let arrows = lengths::arrows(&query);
         self.shown = None;
         // The longest arrows end at 1.15; their names need a little room beyond.
-        let camera = Camera::fit(self.camera.size, [[-1.25, -1.25], [1.25, 1.25]], 22.0);
+        let camera = Camera::fit(self.camera.size, [Vec2::splat(-1.25), Vec2::splat(1.25)], 22.0);
         self.painter.draw_arrows(&arrows, &camera);
         self.paint_lit();
         true
@@ -277,7 +273,7 @@ impl View {
     /// Closer by `factor` about a pixel.
     pub fn zoom(&mut self, factor: f64, x: f64, y: f64) {
         if factor.is_finite() && factor > 0.0 {
-            self.camera.zoom(factor, [x, y]);
+            self.camera.zoom(factor, Vec2::new(x, y));
             self.moved = true;
             self.draw();
         }
@@ -285,7 +281,7 @@ impl View {
 
     /// Drags the picture.
     pub fn pan(&mut self, dx: f64, dy: f64) {
-        self.camera.pan([dx, dy]);
+        self.camera.pan(Vec2::new(dx, dy));
         self.moved = true;
         self.draw();
     }
@@ -293,7 +289,7 @@ impl View {
     /// The move at a pixel.
     pub fn pick(&self, x: f64, y: f64) -> Option<usize> {
         let shown = self.shown.as_ref()?;
-        shown.scene.pick(self.camera.spot([x, y]), 8.0 / self.camera.scale)
+        shown.scene.pick(self.camera.spot(Vec2::new(x, y)), 8.0 / self.camera.scale)
     }
 
     /// Lights up a move, or none.
@@ -345,7 +341,7 @@ impl View {
     #[wasm_bindgen(js_name = axisAt)]
     pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        axis_at(scene, &self.camera, [x, y]).filter(|_| !self.painter.small).map(str::to_owned)
+        axis_at(scene, &self.camera, Vec2::new(x, y)).filter(|_| !self.painter.small).map(str::to_owned)
     }
 
     /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
@@ -373,8 +369,7 @@ impl View {
             MARGIN
         } else {
             // Room for the lines of the dimensions.
-            let least = self.camera.size[0].min(self.camera.size[1]);
-            crate::num::within(least * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
+            crate::num::within(self.camera.size.min_element() * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
         }
     }
 
@@ -385,11 +380,10 @@ impl View {
         let margin = self.margin(&shown.scene);
         let [low, high] = shown.scene.bounds();
         let fitted = Camera::fit(self.camera.size, [low, high], margin);
-        let ([left, bottom], [right, top]) = (self.camera.pixel(low), self.camera.pixel(high));
-        let [width, height] = self.camera.size;
-        let room = left.min(top).min(width - right).min(height - bottom);
-        let off = [0, 1].map(|i| (fitted.middle[i] - self.camera.middle[i]) * self.camera.scale);
-        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off[0].hypot(off[1]) < width.min(height) * 0.2
+        let (low, high, size) = (self.camera.pixel(low), self.camera.pixel(high), self.camera.size);
+        let room = low.x.min(high.y).min(size.x - high.x).min(size.y - low.y);
+        let off = fitted.middle.distance(self.camera.middle) * self.camera.scale;
+        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off < size.min_element() * 0.2
     }
 
     /// The scene again, of what is shown.
@@ -410,19 +404,8 @@ impl View {
             names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));
         }
         scene.name(&names);
-        let Planned { job, path, .. } = &last.planned;
-        let held = Held {
-            deviates,
-            scale: job.scale,
-            plane: job.setup.plane,
-            offset: job.lie.rigid.point(crate::geom::Vec3::ZERO),
-            turn: job.lie.turn,
-            origin: path.frame.origin,
-            names,
-            offset_name: offset,
-            last,
-        };
-        Shown { scene, what: What::Job(Box::new(held)) }
+        let plane = last.planned.job.setup.plane;
+        Shown { scene, what: What::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
     }
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
@@ -466,13 +449,13 @@ impl View {
         if let Some(shown) = &self.shown {
             let held = self.held();
             // Each from where its touch should have met the part.
-            let seen = |held: &Held, (k, p): &(usize, crate::geom::Vec3)| {
-                let real = self.projection.spot(held.plane, *p * held.scale);
+            let seen = |held: &Held, (k, p): &(usize, Vec3)| {
+                let real = self.projection.place(held.plane, *p * held.last.planned.job.scale);
                 let nominal = shown.scene.touches.get(*k).map_or(real, |touch| touch.ball);
-                scene::stretched(nominal, real, self.magnified)
+                nominal.lerp_monotonic(real, self.magnified)
             };
             let points = self.measured.iter();
-            let measured: Vec<Spot> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
+            let measured: Vec<Vec2> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,
                 highlight: self.highlight.filter(|_| self.over.is_none()),

@@ -1,0 +1,198 @@
+//! The scene of a job's path: a function a layer.
+
+use crate::geom::{Vec2, Vec3};
+use crate::part::Run;
+use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
+use crate::view::material::material;
+use crate::view::scene::tops::{Backs, breaks, topped, tops};
+use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles};
+use crate::view::walls::{WallShape, shape, strips};
+
+/// What the actual part adds.
+#[derive(Debug)]
+pub struct Actual<'a> {
+    /// Its surfaces.
+    pub surfaces: &'a [Surface],
+    /// What happens there.
+    pub run: &'a Run,
+    /// Where the feature's origin really lies.
+    pub origin: Vec3,
+    /// Where its first direction really points.
+    pub direction: Vec3,
+    /// Where the path's line really lies.
+    pub line: Option<[Vec3; 2]>,
+    /// How many times larger than it is it is drawn how the part deviates.
+    pub magnify: f64,
+}
+
+/// The scene of a path.
+pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
+    let look = Look { path, setup, actual, view, towards: view.towards(setup.plane) };
+    let spot = |p: Vec3| look.spot(p);
+    let mut scene = Scene {
+        ends: path.moves.iter().map(|step| spot(step.to)).collect(),
+        unit: Some(1.0),
+        radius: setup.radius,
+        centre_lines: look.centre_lines(),
+        collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
+        ..Scene::about(setup.plane, view)
+    };
+    let backs = if view == Projection::Isometric {
+        scene.walls = nearest_last(look.walls(topped));
+        scene.tops = tops(path, spot);
+        Backs::of(path, look.towards)
+    } else {
+        // Walls are seen edge-on, and what lies along the picture in its true length.
+        scene.walls = look.walls(|_, _| None).into_iter().map(|(_, shape)| shape).collect();
+        scene.material = material(&path.surfaces, &path.frame, spot, view == Projection::Top);
+        scene.dimensions = drawn(path, setup.plane, view);
+        scene.angles = drawn_angles(path, setup.plane, view);
+        Backs::default()
+    };
+    scene.lines = look.lines(feeds, &backs);
+    scene.touches = look.touches(&backs);
+    if view == Projection::Top {
+        let spread = path.feature.two_circles().and_then(|circles| circles.spread);
+        scene.spread = spread.map(|s| (spot(s.center), s.radius, s.start, s.sweep));
+        // What is drawn larger than it is cannot be dragged by it.
+        let dragged = actual.magnify == 1.0 && !path.touches.is_empty();
+        scene.handle = dragged.then(|| (spot(actual.origin), spot(actual.direction)));
+    }
+    scene
+}
+
+/// What is looked at, and from where.
+struct Look<'a> {
+    path: &'a Path,
+    setup: &'a Setup,
+    actual: &'a Actual<'a>,
+    view: Projection,
+    /// The direction towards who looks.
+    towards: Vec3,
+}
+
+/// A wall, and how far towards who looks it stands.
+type Standing = (f64, WallShape);
+
+impl Look<'_> {
+    fn spot(&self, p: Vec3) -> Vec2 {
+        self.view.place(self.setup.plane, p)
+    }
+
+    fn stretch(&self, nominal: Vec2, real: Vec2) -> Vec2 {
+        nominal.lerp_monotonic(real, self.actual.magnify)
+    }
+
+    fn shape(&self, wall: &Wall) -> WallShape {
+        let faces = wall.normal.dot(self.towards) > 0.0;
+        WallShape { faces, ..shape(wall, self.path.frame.w, |p| self.spot(p)) }
+    }
+
+    /// A surface as it is seen. The strips of a round one stand together, to be drawn in one.
+    fn surface(&self, surface: &Surface) -> Vec<Standing> {
+        match surface {
+            Surface::Flat(wall) => vec![(wall.point.dot(self.towards), self.shape(wall))],
+            Surface::Unknown => Vec::new(),
+            Surface::Round(round) => {
+                let far = round.center.dot(self.towards);
+                let strips = strips(round, &self.path.frame);
+                strips.iter().map(|wall| (far, WallShape { strip: true, ..self.shape(wall) })).collect()
+            }
+        }
+    }
+
+    /// The walls of the actual part, which are the nominal ones elsewhere, corner for corner; then the nominal ones. `topped` is the surface whose top
+    /// side is above a surface.
+    fn walls(&self, topped: fn(&Path, usize) -> Option<usize>) -> Vec<Standing> {
+        let nominal = &self.path.surfaces;
+        let displaced = |(real, nominal): (&Surface, &Surface)| {
+            let mut walls = self.surface(real);
+            for ((_, real), (_, nominal)) in walls.iter_mut().zip(self.surface(nominal)) {
+                real.actual = true;
+                for (corner, from) in real.corners.iter_mut().zip(nominal.corners) {
+                    *corner = self.stretch(from, *corner);
+                }
+                if let (Some(ends), Some(from)) = (&mut real.edge, nominal.edge) {
+                    *ends = [0, 1].map(|i| self.stretch(from[i], ends[i]));
+                }
+            }
+            walls
+        };
+        let below = |k: usize| {
+            let top = topped(self.path, k);
+            let mut walls = self.surface(&nominal[k]);
+            if top == Some(k) {
+                walls.extend(breaks(self.path, k).iter().map(|wall| (wall.point.dot(self.towards), self.shape(wall))));
+            }
+            // The far side of what has a top is behind it.
+            walls.retain(|(_, shape)| top.is_none() || shape.faces);
+            walls.iter_mut().for_each(|(_, shape)| shape.top = top);
+            walls
+        };
+        let mut walls: Vec<Standing> = self.actual.surfaces.iter().zip(nominal).flat_map(displaced).collect();
+        walls.extend((0..nominal.len()).flat_map(below));
+        walls
+    }
+
+    /// The moves, and past each touch the search.
+    fn lines(&self, feeds: &Feeds, backs: &Backs) -> Vec<Line> {
+        let mut lines = Vec::new();
+        let mut at = self.path.start;
+        for (index, step) in self.path.moves.iter().enumerate() {
+            let (rapid, back) = (feeds.is_rapid(step.feed), matches!(step.purpose, Purpose::Back(_)));
+            let mut start = at.unwrap_or(step.to);
+            for end in step.pieces(start, self.path.frame.w, 3.0) {
+                let (from, to, behind) = (self.spot(start), self.spot(end), backs.before([start, end]));
+                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, index });
+                start = end;
+            }
+            if let Purpose::Touch(k) = step.purpose {
+                let end = step.to - self.path.touches[k].vector * self.path.touches[k].search;
+                let (from, to, behind) = (self.spot(step.to), self.spot(end), backs.before([step.to; 2]));
+                lines.push(Line { from, to, stroke: Stroke::Overtravel, rapid: false, back: false, behind, index });
+            }
+            at = Some(step.to);
+        }
+        lines
+    }
+
+    fn touches(&self, backs: &Backs) -> Vec<TouchShape> {
+        let shape = |(k, touch): (usize, &Touch)| {
+            let center = touch.contact(self.setup.radius);
+            let ball = self.spot(center);
+            TouchShape {
+                contact: self.spot(touch.point),
+                ball,
+                trigger: self.actual.run.triggers[k].map(|p| self.stretch(ball, self.spot(p))),
+                inward: self.spot(touch.vector),
+                index: self.path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
+                behind: backs.before([center; 2]),
+            }
+        };
+        self.path.touches.iter().enumerate().map(shape).collect()
+    }
+
+    fn centre_lines(&self) -> Option<[[Vec2; 2]; 2]> {
+        let nominal = self.path.feature.two_circles()?.line?.map(|p| self.spot(p));
+        let real = self.actual.line?.map(|p| self.spot(p));
+        Some([nominal, [0, 1].map(|i| self.stretch(nominal[i], real[i]))])
+    }
+}
+
+fn stroke(step: &Move) -> Stroke {
+    match (step.purpose, step.feed) {
+        (Purpose::Touch(_), _) => Stroke::Touch,
+        (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid) => Stroke::Position,
+        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work) => Stroke::Link,
+    }
+}
+
+/// Walls so that the nearer come later. What is seen through comes last: it veils what lies behind it and hides nothing.
+fn nearest_last(all: Vec<Standing>) -> Vec<WallShape> {
+    let mut walls: Vec<Standing> = Vec::new();
+    for wall in all {
+        let lies_behind = |other: &Standing| if other.1.faces == wall.1.faces { other.0 <= wall.0 } else { other.1.faces };
+        walls.insert(walls.partition_point(lies_behind), wall);
+    }
+    walls.into_iter().map(|(_, shape)| shape).collect()
+}
