@@ -1,0 +1,208 @@
+//! Where names and numbers stand: on no ball, on no other name, along their lines.
+
+use super::*;
+/// A scene as the page fits it into a canvas.
+fn fitted(scene: &Scene, size: [f64; 2]) -> Camera {
+    let margin = (0.2 * size[0].min(size[1])).clamp(0.7, 1.0) * touchpath::view::camera::DIMENSION_MARGIN;
+    let mut camera = Camera::fit(size.into(), scene.bounds(), margin);
+    camera.clear_corners(scene);
+    camera
+}
+
+/// "Depth 10" lay on the ball that it measures, "Width 30" on the one that touches the top, "Elevation 90°" on its own arc.
+#[test]
+fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
+    let mut seen = [0; 3];
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for (size, large) in [([758.0, 710.0], true), ([390.0, 206.0], false)] {
+                let camera = fitted(&scene, size);
+                let demanded = scene.dimensions.iter().filter(|d| d.on_demand).map(|d| Some(d.field));
+                for focus in demanded.chain([None]) {
+                    let said = || format!("{} {view:?} {size:?} {focus:?}", cycle.key);
+                    let layout = camera.layout(&scene, focus);
+                    let names: Vec<_> =
+                        layout.arcs.iter().filter_map(|arc| arc.name).chain(layout.dimensions.iter().map(|d| d.name)).collect();
+                    for (k, name) in names.iter().enumerate() {
+                        assert!(names[..k].iter().all(|other| !name.meets(other)), "{}: two names", said());
+                        let radius = scene.radius * camera.scale;
+                        let covered = scene.touches.iter().any(|touch| name.covers(camera.pixel(touch.ball), radius));
+                        // On a phone there is not always room, and what comes with the focus stands near what it measures.
+                        assert!(!covered || !large || focus.is_some(), "{}: name {k} of {} on a ball", said(), names.len());
+                        seen[0] += 1;
+                    }
+                    for placed in &layout.dimensions {
+                        let [start, end] = placed.line;
+                        let long = (end[0] - start[0]).hypot(end[1] - start[1]);
+                        let on = placed.name.crosses(placed.line.map(Vec2::from), 0.0);
+                        assert!(!on || 2.0 * placed.name.half[0] + 16.0 < long, "{}: {}", said(), placed.drawn.field);
+                        seen[usize::from(on) + 1] += 1;
+                    }
+                    for arc in &layout.arcs {
+                        assert!(arc.name.is_none_or(|name| !name.covers(arc.at, arc.radius)), "{}: on its arc", said());
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// Every cycle from every side, as it is fitted into a large picture and into one on a phone.
+fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for size in [[758.0, 710.0], [390.0, 206.0]] {
+                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &fitted(&scene, size));
+            }
+        }
+    }
+}
+
+/// A number that met another one was pushed to the right, again and again: in front of two circles 5 to 8 stood in a row in the air.
+#[test]
+fn each_number_stands_beside_its_contact_and_none_on_another() {
+    let (mut seen, mut shared) = (0, 0);
+    seen_everywhere(|said, scene, camera| {
+        let numbers = camera.numbers(scene);
+        let mut touches: Vec<usize> = numbers.iter().flat_map(|number| number.touches.clone()).collect();
+        touches.sort_unstable();
+        assert!(touches.into_iter().eq(0..scene.touches.len()), "{said}: each touch once");
+        for (k, number) in numbers.iter().enumerate() {
+            let [dx, dy] = [0, 1].map(|i| number.plate.middle[i] - number.contact[i]);
+            let radius = number.radius();
+            let ball = if scene.touches[number.touches[0]].behind.is_some() { scene.radius * camera.scale } else { 0.0 };
+            assert!(dx.hypot(dy) < 4.0 * radius + 9.0 + ball, "{said}: {} is {dx} {dy} off", number.said);
+            assert!(
+                number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
+                "{said}: a line leads to {}",
+                number.said
+            );
+            assert!(!number.plate.covers(number.contact, 3.0), "{said}: {} is on its contact", number.said);
+            let met = numbers[..k].iter().find(|other| other.plate.meets(&number.plate));
+            assert!(met.is_none(), "{said}: {} is on {}", number.said, met.map_or("", |other| &other.said));
+            let together: Vec<_> = number.touches.iter().map(|k| (k + 1).to_string()).collect();
+            assert_eq!(number.said, together.join("·"));
+            shared += usize::from(number.touches.len() > 1);
+            seen += 1;
+        }
+    });
+    assert!(seen > 200 && shared > 20, "{seen} {shared}");
+}
+
+/// On a phone three touches of four had no arrow head, and heads there and back lay on each other.
+#[test]
+fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
+    let mut seen = [0; 2];
+    seen_everywhere(|said, scene, camera| {
+        let long = |line: &Line| {
+            let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
+            from.distance(to)
+        };
+        for line in &scene.lines {
+            let head = camera.head(line);
+            assert!(head.is_none() || !line.back, "{said}: on the way back");
+            if line.stroke == Stroke::Touch && long(line) > 1.0 {
+                let (tip, ..) = head.unwrap_or_else(|| panic!("{said}: touch without a head"));
+                assert!((0..2).all(|i| (tip[i] - camera.pixel(line.to)[i]).abs() < 1e-9), "{said}: at its contact");
+                seen[0] += 1;
+            }
+            let Some((tip, _, size)) = head.filter(|_| line.stroke != Stroke::Touch) else { continue };
+            for other in scene.lines.iter().filter(|other| other.from == line.to && other.to == line.from) {
+                if let Some((back, _, other)) = camera.head(other) {
+                    assert!((tip[0] - back[0]).hypot(tip[1] - back[1]) > size + other, "{said}: there and back");
+                    seen[1] += 1;
+                }
+            }
+        }
+    });
+    assert!(seen.iter().all(|seen| *seen > 100), "{seen:?}");
+}
+
+/// The rapid of 1411 went through the origin's name, and discs lay on it.
+#[test]
+fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
+    let mut seen = 0;
+    seen_everywhere(|said, scene, camera| {
+        let layout = camera.layout(scene, None);
+        let name = layout.origin(camera.pixel(scene.origin), Vec2::new(25.0, 8.0));
+        // On a phone everything may be crowded.
+        if camera.size[0] > 400.0 {
+            assert!(layout.crowd.cost(&name) < 200.0, "{said}");
+            seen += 1;
+            if said.starts_with("probing-two-circles Top") {
+                assert_eq!(layout.crowd.cost(&name), 0.0, "{said}");
+            }
+        }
+    });
+    assert!(seen > 40, "{seen}");
+}
+
+/// At 30° the names stood level, off their lines.
+#[test]
+fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
+    for turn in 0..36 {
+        let turned = with(&of("internal-rectangle-protected"), "cycle.rotation", crate::common::number(10.0 * f64::from(turn)));
+        let (scene, _) = built(&turned, Projection::Top);
+        let layout = fitted(&scene, [758.0, 710.0]).layout(&scene, None).dimensions;
+        assert_eq!(layout.len(), 2);
+        for placed in layout {
+            let ([[ax, ay], [bx, by]], [x, y]) = (placed.line.map(|end| end.to_array()), placed.name.middle.to_array());
+            let [ux, uy] = placed.name.along.to_array();
+            let (dx, dy) = (bx - ax, by - ay);
+            assert!((dx * uy - dy * ux).abs() < 1e-6 * dx.hypot(dy), "{turn}: along the line");
+            assert!(((x - ax) * dy - (y - ay) * dx).abs() < 1e-6 * dx.hypot(dy), "{turn}: on it");
+            // Pixels grow downwards: upright text is read upwards.
+            assert!(ux > 1e-6 || (ux > -1e-6 && uy < 0.0), "{turn}: {ux} {uy}");
+        }
+    }
+}
+
+/// Seen from the side, a hole is hatched beside itself, not above its mouth or below its floor, and not within another one.
+#[test]
+fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
+    let mut seen = 0;
+    let close = of("probing-two-circles");
+    let close = with(&close, "cycle.point1", crate::common::job("[0, 0, -10]"));
+    let close = with(&close, "cycle.point2", crate::common::job("[24, 0, -10]"));
+    for (name, job) in metric().chain([("close".to_owned(), close)]) {
+        for view in [Projection::Front, Projection::Side] {
+            let planned = job::planned(&job).expect("the job is sound");
+            let scene = planned.picture(view, 1.0).scene;
+            let holes: Vec<_> =
+                planned.path.surfaces.iter().filter_map(|s| if let Surface::Round(r) = s { Some(*r) } else { None }).collect();
+            if planned.job.setup.plane != touchpath::geom::Plane::G17 || holes.is_empty() || holes.iter().any(|r| !r.hole) {
+                continue;
+            }
+            let scale = 4.0;
+            let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
+            let [filled, air] = outlines(&scene.material, &camera, 36.0);
+            let solid = |spot: [f64; 2]| {
+                let at = camera.pixel(spot.into());
+                turns(&filled, at) != 0 && turns(&air, at) == 0
+            };
+            for hole in &holes {
+                let Vec2 { x: across, y: top } = view.place(planned.job.setup.plane, hole.center);
+                let floor = top - hole.drawn_depth;
+                let edge = hole.radius + 1.0 / scale;
+                let within =
+                    |x: f64| holes.iter().any(|r| (view.place(planned.job.setup.plane, r.center).x - x).abs() < r.radius);
+                for x in [across - edge, across + edge].into_iter().filter(|x| !within(*x)) {
+                    assert!(solid([x, (top + floor) / 2.0]), "{name}, {view:?}: material beside the hole at {across}");
+                    assert!(!solid([x, top + 0.5]), "{name}, {view:?}: above the mouth of the hole at {across}");
+                    assert!(!solid([x, floor - 0.5]), "{name}, {view:?}: below the floor of the hole at {across}");
+                    seen += 1;
+                }
+                if name == "close" && view == Projection::Front {
+                    for part in [-0.95, 0.0, 0.95] {
+                        let x = across + part * hole.radius;
+                        assert!(!solid([x, (top + floor) / 2.0]), "material at {x} within the hole at {across}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen > 20, "{seen}");
+}
