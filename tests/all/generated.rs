@@ -4,6 +4,7 @@ mod controls;
 mod layout;
 mod structs;
 mod surface;
+mod typed;
 mod typescript;
 mod words;
 
@@ -189,6 +190,11 @@ fn the_layout_of_the_border_is_that_of_the_crate() {
 #[test]
 fn the_types_of_a_job_are_those_of_the_crate() {
     keep("www/core/job-types.ts", &typescript::job_types());
+}
+
+#[test]
+fn the_rust_types_of_a_job_are_those_of_the_crate() {
+    keep("src/typed/forms.rs", &typed::typed());
 }
 
 #[test]

@@ -30,4 +30,5 @@ mod sinumerik;
 mod stylus;
 mod table;
 mod toolpath;
+mod typed;
 mod wayback;

@@ -83,8 +83,9 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
                 // Behind a private module, and under the parent's name, stands what the parent re-exports; behind two, what both do.
                 let both = |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
                 let through: Renamed = reexported.iter().filter_map(both).collect();
-                let inner = if public(&item.vis) { only } else { Some(&through) };
-                let path = if inner.is_some() { module.to_owned() } else { format!("{module}::{name}") };
+                let whole = items.iter().any(|item| hands_on_all(item, &name));
+                let inner = if public(&item.vis) || whole { only } else { Some(&through) };
+                let path = if inner.is_some() || whole { module.to_owned() } else { format!("{module}::{name}") };
                 if !wasm {
                     let file = if own.exists() { own } else { inside };
                     walk(&file, &folder.join(&name), &path, inner, names);
@@ -97,6 +98,13 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
             names.insert(format!("{module}::{name} {kind}"));
         }
     }
+}
+
+/// Whether an item is `pub use name::*`.
+fn hands_on_all(item: &Item, name: &str) -> bool {
+    let Item::Use(item) = item else { return false };
+    matches!(&item.tree, UseTree::Path(path) if path.ident == name && matches!(*path.tree, UseTree::Glob(_)))
+        && public(&item.vis)
 }
 
 /// The names at the ends of a `use`, and what they are called after it.
