@@ -72,21 +72,16 @@ const table = (head, rows, of) => {
   return `| ${names.join(" | ")} |\n|${"---|".repeat(names.length)}\n${rows.map((row) => `| ${of(row).map(cell).join(" | ")} |\n`).join("")}`;
 };
 
-/** The methods of a View: its own, and those of the module's class that take no coded value. */
+/** The methods of a View: its own, and those of the module's class that it names. */
 function view() {
-  const own = declarations(read("browser.d.ts")).find(({ name }) => name === "View")?.code ?? "";
+  const types = read("browser.d.ts");
+  const own = /export interface View [\s\S]*?^\}/m.exec(types)?.[0] ?? "";
+  const named = /Pick<raw\.View, ([^>]*)>/.exec(types)?.[1] ?? "";
   const whole = /export class View \{[\s\S]*?^\}/m.exec(read("wasm", "touchpath.d.ts"))?.[0] ?? "";
   const method = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n +(\w+\([^;]*);/g;
-  const rows = [...own.matchAll(method), ...whole.matchAll(method)].map(([, comment = "", code = ""]) => [
-    code,
-    plain(comment),
-  ]);
-  const hidden = /^(constructor|free|\w+Coded)\(/;
-  return table(
-    "method, meaning",
-    rows.filter(([code = ""]) => !hidden.test(code)),
-    ([code, meaning]) => [`\`${code}\``, meaning],
-  );
+  const taken = [...whole.matchAll(method)].filter(([, , code = ""]) => named.includes(`"${code.split("(")[0]}"`));
+  const rows = [...own.matchAll(method), ...taken].map(([, comment = "", code = ""]) => [code, plain(comment)]);
+  return table("method, meaning", rows, ([code, meaning]) => [`\`${code}\``, meaning]);
 }
 
 /** The types of the cycles' forms, with their pages of the manual. */

@@ -10,8 +10,37 @@ await init();
 
 attach(raw, raw.__wbg_reset_state);
 
+/** What of the module's picture a page of yours may use. */
+type Shown = Pick<
+  raw.View,
+  | "fit"
+  | "focus"
+  | "free"
+  | "highlight"
+  | "look"
+  | "magnify"
+  | "pan"
+  | "pick"
+  | "play"
+  | "resize"
+  | "setTheme"
+  | "showProgram"
+  | "svg"
+  | "zoom"
+>;
+
 /** The picture of a job on a canvas. It belongs to the instance of the module that made it: where that broke, every call throws, and a new View is needed. */
-export class View extends raw.View {
+export interface View extends Shown {
+  /** Shows a job. One that has errors leaves the picture as it is and gives `false`. */
+  show(job: unknown): boolean;
+  /** Shows a job as a small picture: isometric, without axes, numbers and handles. */
+  showSmall(job: unknown): boolean;
+  /** Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`. */
+  showLentoax(query?: unknown): boolean;
+}
+
+/** The same with what Touchpath's own page does with it: handles, dimensions, what is drawn on top. @internal */
+export class PageView extends raw.View implements View {
   private readonly madeBy: number;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -20,19 +49,16 @@ export class View extends raw.View {
     this.madeBy = instance.number;
   }
 
-  /** Shows a job. One that has errors leaves the picture as it is and gives `false`. */
   show(job: unknown): boolean {
     const { codes, text } = coded(job);
     return this.showCoded(codes, text);
   }
 
-  /** Shows a job as a small picture: isometric, without axes, numbers and handles. */
   showSmall(job: unknown): boolean {
     const { codes, text } = coded(job);
     return this.showSmallCoded(codes, text);
   }
 
-  /** Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`. */
   showLentoax(query?: unknown): boolean {
     const { codes, text } = coded(query);
     return this.showLentoaxCoded(codes, text);
@@ -51,7 +77,7 @@ export class View extends raw.View {
   }
 
   /** Runs a method in this View's own instance. What breaks there breaks it for all. */
-  static run(view: View, method: (...args: unknown[]) => unknown, args: unknown[]): unknown {
+  static run(view: PageView, method: (...args: unknown[]) => unknown, args: unknown[]): unknown {
     instance.ready();
     if (view.madeBy !== instance.number) throw new Error("This View's instance of the module is gone: make a new View");
     return instance.call(() => method.apply(view, args));
@@ -60,13 +86,16 @@ export class View extends raw.View {
 
 for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(raw.View.prototype))) {
   if (name === "constructor" || name === "free" || name.startsWith("__") || typeof method !== "function") continue;
-  Object.defineProperty(View.prototype, name, {
+  Object.defineProperty(PageView.prototype, name, {
     configurable: true,
     writable: true,
-    value(this: View, ...args: unknown[]): unknown {
-      return View.run(this, method, args);
+    value(this: PageView, ...args: unknown[]): unknown {
+      return PageView.run(this, method, args);
     },
   });
 }
 const { dispose } = Symbol as { dispose?: symbol };
-if (dispose) Object.defineProperty(View.prototype, dispose, { value: View.prototype.free });
+if (dispose) Object.defineProperty(PageView.prototype, dispose, { value: PageView.prototype.free });
+
+/** A picture on your own canvas. */
+export const View: new (canvas: HTMLCanvasElement) => View = PageView;

@@ -1,11 +1,11 @@
 // The picture on a canvas, for the parts of the page that have one.
-import { View } from "../core/browser.js";
+import { PageView } from "../core/browser.js";
 import type { Store } from "../store.js";
 
 const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
 
 /** The dimensions of the next job are called as the form calls its fields, in the language of the page. */
-export function label(view: View, store: Store): void {
+export function label(view: PageView, store: Store): void {
   const fields = store.lang === "en" ? [] : store.cycle.fields;
   view.setLabels(
     fields.map(({ key }) => `cycle.${key}`),
@@ -19,7 +19,7 @@ export const VIEWS = ["top", "front", "side", "isometric"] as const;
 
 /** A View that is there as long as its part is, and made anew where the module's instance is another one. */
 export class Drawing {
-  private view?: View;
+  private view?: PageView;
   /** The frame in which the picture is drawn next. */
   private frame = 0;
 
@@ -29,7 +29,7 @@ export class Drawing {
    */
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    private readonly show: (view: View) => void,
+    private readonly show: (view: PageView) => void,
     private readonly over?: HTMLCanvasElement,
   ) {
     // The browser may lose what a canvas shows, and the state it was drawn with.
@@ -39,7 +39,7 @@ export class Drawing {
   private readonly restored = () => this.dress();
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
-  use<T>(work: (view: View) => T): T {
+  use<T>(work: (view: PageView) => T): T {
     if (this.over) this.frame ||= requestAnimationFrame(() => this.paint());
     return this.with(work);
   }
@@ -110,7 +110,7 @@ export class Drawing {
     this.frame = 0;
   }
 
-  private with<T>(work: (view: View) => T): T {
+  private with<T>(work: (view: PageView) => T): T {
     try {
       return work(this.view ?? this.make());
     } catch {
@@ -119,8 +119,8 @@ export class Drawing {
     }
   }
 
-  private make(): View {
-    this.view = new View(this.canvas);
+  private make(): PageView {
+    this.view = new PageView(this.canvas);
     if (this.over) {
       this.view.setOverlay(this.over);
       this.view.gather();
@@ -130,7 +130,7 @@ export class Drawing {
     return this.view;
   }
 
-  private fit(view: View): void {
+  private fit(view: PageView): void {
     const style = getComputedStyle(this.canvas);
     view.setTheme(Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
     view.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio || 1);

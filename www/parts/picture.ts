@@ -1,5 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { Plan, Vec3, View } from "../core/browser.js";
+import type { PageView, Plan, Vec3 } from "../core/browser.js";
 import { deviations, rateOf } from "../in-words.js";
 import { tidy } from "../number.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
@@ -276,7 +276,7 @@ class PicturePart extends DrawnPart {
   /** Whether a finger points, not a mouse. */
   private finger = false;
 
-  private handleAt(view: View, at: Spot): string | undefined {
+  private handleAt(view: PageView, at: Spot): string | undefined {
     return view.handleAt(at.x, at.y, this.finger ? REACH.finger : REACH.handle);
   }
 
@@ -295,7 +295,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** What a handle changes. */
-  private handleInWords(view: View, handle: string | undefined): string {
+  private handleInWords(view: PageView, handle: string | undefined): string {
     const part = { shift: "part.offset", turn: "part.rotation" }[handle ?? ""];
     const label = this.store.fieldAt(part ?? (handle && view.handleField(handle)) ?? "")?.label ?? "";
     return part ? `${this.t("Virtual part")}: ${label}` : label;
@@ -360,7 +360,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** The end of a dimension's line at a pixel: its field, and which end it is. */
-  private endAt(view: View, at: Spot): { field: string; index: 0 | 1 } | null {
+  private endAt(view: PageView, at: Spot): { field: string; index: 0 | 1 } | null {
     if (this.look === "isometric" || (this.store.stale && !this.live)) return null;
     const ends = (view.dimensionLines() as Line[]).flatMap(([field, ...line]) =>
       ([0, 1] as const).map((index) => {
@@ -378,7 +378,7 @@ class PicturePart extends DrawnPart {
   private tried = { end: "", moves: false };
 
   /** Whether an end that can be dragged is at a pixel; tried once for each end of a form. */
-  private grippable(view: View, at: Spot): boolean {
+  private grippable(view: PageView, at: Spot): boolean {
     const under = this.endAt(view, at);
     if (!under) return false;
     const end = `${this.store.revision} ${this.look} ${under.field} ${under.index}`;
@@ -387,7 +387,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
-  private gripped(view: View, at: Spot): End | null {
+  private gripped(view: PageView, at: Spot): End | null {
     const end = this.endAt(view, at);
     const value = end && this.store.get(end.field);
     if (!end || typeof value !== "number") return null;

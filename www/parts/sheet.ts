@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { FieldEntry, View } from "../core/browser.js";
+import type { FieldEntry, PageView } from "../core/browser.js";
 import { deviations, ofRunout, resultInWords } from "../in-words.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
@@ -135,7 +135,7 @@ class SheetPart extends Part {
     this.requestUpdate();
   }
 
-  private show(view: View): void {
+  private show(view: PageView): void {
     label(view, this.store);
     view.hideHandles();
     view.show(this.store.shown);

@@ -1,5 +1,5 @@
 import { html, type TemplateResult } from "lit";
-import type { View } from "../core/browser.js";
+import type { PageView } from "../core/browser.js";
 import { clockOf, moveInShort, moveInWords, pathInWords, runInWords } from "../in-words.js";
 import type { Store } from "../store.js";
 
@@ -25,7 +25,7 @@ export class Timeline {
   constructor(
     private readonly box: HTMLElement,
     private readonly store: () => Store,
-    private readonly use: (act: (view: View) => void) => void,
+    private readonly use: (act: (view: PageView) => void) => void,
     private readonly changed: () => void,
   ) {}
 
