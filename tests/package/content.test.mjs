@@ -22,12 +22,14 @@ test("the package had no licence text", () => {
     "frame",
     "instance",
     "job-types",
+    "layout",
     "node",
     "plan",
     "plan-types",
     "protocol",
     "said",
     "types",
+    "unpacked",
   ];
   const modules = core.flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
   // What the element loads is cut into pieces as the bundler likes: their number may change, their kind may not.
