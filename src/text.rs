@@ -11,7 +11,7 @@ pub struct Text {
     values: Vec<Part>,
 }
 
-/// What stands in place of a name in braces.
+/// What fills a name in braces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Part {
     /// What is the same in every language: a number with its unit, a code, what a user typed.
@@ -53,7 +53,6 @@ impl Text {
         debug_assert!(self.values.len() <= names(self.template).len(), "each value of \"{}\" has its name", self.template);
     }
 
-    /// Writes it in English.
     fn write(&self, out: &mut String) {
         if self.values.is_empty() {
             debug_assert!(names(self.template).is_empty(), "each name of \"{}\" has its value", self.template);
@@ -72,19 +71,19 @@ impl Text {
         }
     }
 
-    /// In English.
+    /// The text in English, its values filled in.
     pub fn english(&self) -> String {
         let mut out = String::with_capacity(self.template.len() + 24 * self.values.len());
         self.write(&mut out);
         out
     }
 
-    /// Its template, in English.
+    /// The English template: the names of its values are in braces.
     pub fn template(&self) -> &'static str {
         self.template
     }
 
-    /// What stands in place of the names of its template.
+    /// What fills those names, in the order in which they first appear.
     pub fn values(&self) -> &[Part] {
         &self.values
     }

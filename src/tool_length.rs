@@ -14,17 +14,17 @@ const PARALLEL: f64 = 1e-9;
 /// What the arithmetic of a frame may leave of a 0 or a ±1 in a matrix that is not parallel as a whole.
 const ROUNDING: f64 = 1e-12;
 
-/// A 3 × 3 matrix by rows, as it is handed out.
+/// A 3 × 3 matrix, row by row.
 pub type Rows = [[f64; 3]; 3];
 
-/// An axis of the machine.
+/// An axis of the machine; as a number its index in a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The first.
+    /// Index 0.
     X,
-    /// The second.
+    /// Index 1.
     Y,
-    /// The third.
+    /// Index 2.
     Z,
 }
 
@@ -38,40 +38,40 @@ impl Axis {
 pub enum Step {
     /// Turned about an axis by degrees.
     Rotation {
-        /// About which axis.
+        /// The axis that is turned about, in the frame of the steps before.
         axis: Axis,
-        /// Degrees.
+        /// Degrees, right-handed: about Z positive is counter-clockwise seen from +Z.
         angle: f64,
     },
     /// Mirrored: the axis points the other way.
     Mirror {
-        /// Which axis.
+        /// The axis that is reversed, in the frame of the steps before.
         axis: Axis,
     },
 }
 
-/// What is asked.
+/// What LENTOAX depends on: its argument, and the state of the control.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Query {
-    /// The active plane.
+    /// The active working plane.
     pub plane: Plane,
     /// The tool type's number; 400 to 599 are turning and grinding tools.
     pub tool_type: i32,
-    /// The active frame's steps, in order.
+    /// The active frame's steps, in order; each acts in the frame of those before it.
     pub frame: Vec<Step>,
-    /// The _COORD string, any case.
+    /// The _COORD string (`WCS`, `B`, …), any case: the system whose axes are asked about.
     pub coord: String,
-    /// Whether a tool is active.
+    /// Whether a tool is active; without one the status is −2.
     pub tool_active: bool,
-    /// SD42900 $SC_MIRROR_TOOL_LENGTH.
+    /// SD42900 $SC_MIRROR_TOOL_LENGTH: whether a mirror in the frame reverses the tool lengths, too.
     pub sd42900: bool,
-    /// SD42940 $SC_TOOL_LENGTH_CONST.
+    /// SD42940 $SC_TOOL_LENGTH_CONST: 0 is by the active plane, ±17 to ±19 are that plane always.
     pub sd42940: i32,
     /// SD42950 $SC_TOOL_LENGTH_TYPE: 0 by tool type, 1 as milling, 2 as turning.
     pub sd42950: i32,
 }
 
-/// What LENTOAX gives.
+/// What LENTOAX returns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// 0: _AXIND says it all. 1: _MATRIX must be read. −1: the coordinate system is not known. −2: no tool is active.
@@ -200,7 +200,7 @@ fn assignment(query: &Query) -> DMat3 {
     DMat3::from_cols_array_2d(&axes.map(|axis| Vec3::AXES[axis].to_array()))
 }
 
-/// The plain words for a status.
+/// A status in plain words.
 pub fn meaning(status: i32) -> &'static str {
     match status {
         0 => words!("every length is parallel to an axis: _AXIND says it all"),

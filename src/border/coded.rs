@@ -12,9 +12,9 @@ pub enum Tag {
     Null,
     False,
     True,
-    /// The number.
+    /// Followed by the number.
     Number,
-    /// Its length.
+    /// Followed by its length in UTF-16 units.
     Text,
     /// How many values, then those.
     List,

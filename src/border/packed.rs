@@ -6,11 +6,11 @@ use crate::text::{Part, Text};
 
 /// Words that go out as their places in these lists.
 pub const FEEDS: [&str; 6] = ["approach", "longLink", "work", "retract", "return", "rapid"];
-/// See there.
+/// What a move does, likewise.
 pub const KINDS: [&str; 3] = ["position", "touch", "back"];
-/// See there.
+/// The units of results, likewise; empty for a number without one.
 pub const UNITS: [&str; 4] = ["mm", "inch", "deg", ""];
-/// See there.
+/// The levels of findings, likewise.
 #[cfg(test)]
 pub const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
 
@@ -27,7 +27,6 @@ pub enum Section {
 }
 
 impl Section {
-    /// All of them.
     pub const ALL: [Section; 7] = {
         use Section::*;
         [Touches, Moves, Program, Results, Triggers, Findings, Safety]
@@ -37,7 +36,6 @@ impl Section {
 /// Numbers and a text while they are written. A text is its length in UTF-16 units; what is not there is NaN, or −1 for an index.
 #[derive(Default)]
 pub struct Packed {
-    /// The numbers.
     pub numbers: Vec<f64>,
     /// All texts, one after the other.
     pub text: String,

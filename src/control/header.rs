@@ -87,7 +87,7 @@ fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
 struct Words {
     width: usize,
     capitals: bool,
-    /// Where in the job the value stands.
+    /// The path of the value in the job.
     path: String,
     word: String,
     lines: Vec<String>,

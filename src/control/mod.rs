@@ -43,7 +43,6 @@ pub enum Form {
 }
 
 impl Form {
-    /// Both.
     pub const ALL: [Form; 2] = [Form::Moves, Form::Cycle];
 
     /// `control.form` in the job.
@@ -59,7 +58,6 @@ impl Form {
         if word == Form::Cycle.word() { Form::Cycle } else { Form::Moves }
     }
 
-    /// The other one.
     pub const fn other(self) -> Form {
         match self {
             Form::Moves => Form::Cycle,
@@ -71,7 +69,7 @@ impl Form {
 /// How much of the job the header of a program says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Header {
-    /// Every value.
+    /// Every value of the job.
     Full,
     /// None: the version and the hash over the blocks alone.
     Short,
@@ -124,7 +122,6 @@ impl Report {
 pub struct PostDef {
     /// `control.post` in the job.
     pub key: &'static str,
-    /// The control's name.
     pub title: &'static str,
     /// What its programs are, in a sentence or two, for docs/controls.md.
     #[cfg_attr(not(test), allow(dead_code, reason = "the documents are generated from it"))]
@@ -168,7 +165,6 @@ pub struct PostDef {
     pub serves: fn(Subject, Form) -> Result<(), &'static str>,
     /// Reports what of this very program it cannot do, or what its user should know.
     pub check: fn(&Request<'_>, &mut Checker),
-    /// Prints the program.
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
@@ -237,7 +233,6 @@ impl PostDef {
 /// A program to print.
 #[derive(Debug)]
 pub struct Request<'a> {
-    /// The control.
     pub post: &'static PostDef,
     /// The job's name, already safe for a comment.
     pub name: &'a str,
@@ -245,11 +240,9 @@ pub struct Request<'a> {
     pub title: &'a str,
     /// Whose cycle it is.
     pub source: &'a str,
-    /// Plain moves, or the control's own cycle.
     pub form: Form,
     /// Millimetres in a unit of the program.
     pub scale: f64,
-    /// The working plane.
     pub plane: Plane,
     /// Ball and overtravel.
     pub setup: &'a Setup,
@@ -265,15 +258,12 @@ pub struct Request<'a> {
     pub limits: Limits,
     /// The angle that the spindle is turned to first, degrees; none is not turned.
     pub orient: Option<f64>,
-    /// Where the program shows its results.
     pub report: Report,
     /// The number of the program, on controls whose programs have one; none takes that of the name.
     pub number: Option<i32>,
-    /// What to print.
     pub path: &'a Path,
     /// The job with every value, for the header.
     pub job: Option<&'a Value>,
-    /// How much of the job the header says.
     pub header: Header,
     /// See [`Request::registers`].
     pub numbered: OnceCell<Registers>,
@@ -315,7 +305,6 @@ impl Request<'_> {
     }
 }
 
-/// A printed program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// The text, lines ended by a line feed.

@@ -13,9 +13,8 @@ use crate::path::{Move, Path, Purpose, Touch};
 /// A move of the path, and its place in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Step<'a> {
-    /// From 0.
+    /// Its index in the path, from 0.
     pub index: usize,
-    /// The move.
     pub step: &'a Move,
     /// Where the ball is before it, once that is known.
     pub from: Option<Vec3>,

@@ -40,7 +40,6 @@ impl Proof {
 pub struct Fault {
     /// The 0-based line, where it is one line's.
     pub line: Option<usize>,
-    /// What is wrong.
     pub message: Text,
     /// Whether its line is understood.
     pub understood: bool,
@@ -62,13 +61,12 @@ const AWAY: [f64; 3] = [17.0, -23.0, 31.0];
 /// A program that was read and followed.
 #[derive(Clone, Debug)]
 pub struct Followed<'t> {
-    /// The program.
     pub script: Script<'t>,
     /// How it was taken to begin.
     pub begin: Run,
     /// From above the first place to the end.
     pub trace: Trace,
-    /// From the results on.
+    /// Where the results have their values, to be run again with others.
     pub tail: Tail,
     /// Its motions from below the first place, or below where the job says that the stylus is, up to the first place. None where nothing moves,
     /// or the control cannot ask.

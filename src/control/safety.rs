@@ -11,14 +11,11 @@ use crate::control::trace::{Ending, Kind, Step};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
 
-/// A rule.
 #[derive(Debug)]
 pub struct Rule {
-    /// Its name.
     pub name: &'static str,
     /// What it asks, in a sentence.
     pub says: &'static str,
-    /// Why.
     pub why: &'static str,
     /// Whether a program without it is refused. The others depend on what the job asks for.
     pub must: bool,
@@ -64,16 +61,14 @@ pub enum Restarts {
 pub struct Case<'a> {
     /// What was to be programmed.
     pub request: &'a Request<'a>,
-    /// The program, followed.
     pub followed: &'a Followed<'a>,
-    /// From where it is started again.
     pub restarts: Restarts,
 }
 
 /// What a rule says of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// The rule.
+    /// Name of the rule.
     pub rule: &'static str,
     /// None where this control cannot hold it, or its own cycle answers for it.
     pub holds: Option<bool>,

@@ -44,7 +44,7 @@ impl Trace {
     }
 }
 
-/// One motion.
+/// One motion that the program makes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// The 0-based line that makes it; of a subroutine the line that calls it.
@@ -55,7 +55,6 @@ pub struct Step {
     pub to: Place,
     /// Which axes of that place the program has named.
     pub known: [bool; 3],
-    /// What it does.
     pub kind: Kind,
     /// The feed; none is a rapid.
     pub feed: Option<f64>,

@@ -51,7 +51,6 @@ pub struct CycleDef {
     pub number: Option<i32>,
     /// The most touches it can have.
     pub most_touches: usize,
-    /// Its form.
     pub fields: &'static [Field],
     /// Forms inside its form.
     pub sections: &'static [SubForm],
@@ -64,7 +63,6 @@ pub struct CycleDef {
     pub readings: &'static [&'static str],
     /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
     pub place: Option<PlaceBy>,
-    /// Reads the form.
     pub read: fn(&'static CycleDef, &mut Section<'_, '_>) -> Box<dyn Cycle>,
 }
 

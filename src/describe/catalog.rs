@@ -15,13 +15,13 @@ use crate::path::{MAX_TOUCHES, RAPID_RATE};
 pub struct Catalog {
     /// The version of the job format that this crate reads.
     pub format: u8,
-    /// The cycles.
+    /// Every cycle, with its fields and steps.
     pub cycles: Vec<CycleEntry>,
     /// The sections of a job around the cycle.
     pub sections: Vec<SectionEntry>,
-    /// The controls.
+    /// Every control, with what its programs can do.
     pub posts: Vec<PostEntry>,
-    /// The safety rules.
+    /// What programs are checked for.
     pub rules: Vec<RuleEntry>,
     /// What the codes of a CmdPrm table are about; the first that fits counts.
     pub code_groups: Vec<CodeGroup>,
@@ -35,16 +35,16 @@ pub struct Catalog {
     pub longest_program: usize,
 }
 
-/// One cycle.
+/// A cycle, its form, and where it is documented.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct CycleEntry {
-    /// `cycle.type`.
+    /// The value of `cycle.type` in a job.
     #[serde(rename = "type")]
     pub key: &'static str,
-    /// Its documented name.
+    /// The name that its source gives it.
     pub title: &'static str,
-    /// Whose cycle it is.
+    /// Who documents it, and as what: `ENCY/SprutCAM type 5`.
     pub source: &'static str,
     /// Its type number in the source's parameter table, where it has one.
     pub number: Option<i32>,
@@ -54,9 +54,9 @@ pub struct CycleEntry {
     pub max_touches: usize,
     /// Whether it has feeds and a search length of its own.
     pub own_feeds: bool,
-    /// Page of the manual.
+    /// Page of the manual: a path in this repository.
     pub doc: String,
-    /// Its form.
+    /// The fields of its form, in order.
     pub fields: Vec<FieldEntry>,
     /// Forms inside its form.
     pub sections: Vec<CycleSectionEntry>,
@@ -67,11 +67,11 @@ pub struct CycleEntry {
 /// A form inside a cycle's form.
 #[derive(Clone, Debug, Serialize)]
 pub struct CycleSectionEntry {
-    /// Its key in the cycle.
+    /// Key of the object in `cycle`.
     pub key: &'static str,
     /// Whether it may be `null`, which is then its default.
     pub optional: bool,
-    /// Its fields.
+    /// The fields of that object, in order.
     pub fields: Vec<FieldEntry>,
 }
 
@@ -80,7 +80,7 @@ pub struct CycleSectionEntry {
 pub struct SectionEntry {
     /// Its key in the job, empty for the job itself.
     pub path: &'static str,
-    /// Its form.
+    /// The fields of the section, in order.
     pub fields: Vec<FieldEntry>,
 }
 
@@ -89,29 +89,29 @@ pub struct SectionEntry {
 pub struct FieldEntry {
     /// Key in its section.
     pub key: &'static str,
-    /// Short name.
+    /// Short name for people, in English.
     pub label: &'static str,
-    /// What it does.
+    /// What the field is for, in English.
     pub help: &'static str,
     /// `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`.
     pub kind: &'static str,
-    /// `length`, `feed`, `angle` or `none`.
+    /// `length`, `feed`, `acceleration`, `time`, `angle` or `none`.
     pub unit: &'static str,
-    /// Smallest and largest allowed number.
+    /// Smallest and largest allowed number; null for a flag, text or a fixed set of values.
     pub range: Option<[f64; 2]>,
     /// Whether the smallest number itself is excluded.
     pub above: bool,
-    /// Smallest and largest usual number.
+    /// Smallest and largest usual number: the check warns outside of them. Null where every allowed number is usual.
     pub usual: Option<[f64; 2]>,
-    /// The value where the job says nothing.
+    /// The value in a job that leaves the field out.
     pub default: DefaultEntry,
-    /// What `null` means, where it is allowed.
+    /// What `null` means; null where it is not allowed.
     pub null: Option<&'static str>,
-    /// The words of a choice.
+    /// The allowed values of a choice or a code; else empty.
     pub choices: Vec<ChoiceEntry>,
-    /// The parameter code of the source.
+    /// Its code in the source's parameter table: `CmdPrm.Flt[-50]`. Null where it has none.
     pub code: Option<&'static str>,
-    /// The heading it stands under.
+    /// The heading under which a form shows it.
     pub group: &'static str,
     /// Whether `part.sizes` may change it.
     pub size: bool,
@@ -122,48 +122,48 @@ pub struct FieldEntry {
 /// What a field must be for another one to count.
 #[derive(Clone, Debug, Serialize)]
 pub struct WhenEntry {
-    /// Its key in the same form.
+    /// Key of that other field, in the same form.
     pub key: &'static str,
-    /// Its value.
+    /// The code that it must have.
     pub value: i32,
 }
 
-/// One word of a choice.
+/// One allowed value of a choice or a code.
 #[derive(Clone, Debug, Serialize)]
 pub struct ChoiceEntry {
     /// The word, or the number, in the job.
     pub value: DefaultEntry,
-    /// What a person reads.
+    /// The same for people, in English.
     pub label: &'static str,
 }
 
-/// A default value.
+/// A value as a job has it.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum DefaultEntry {
-    /// A number.
+    /// A length in mm, a feed in mm/min, an angle in degrees, a count or a code.
     Number(f64),
-    /// True or false.
+    /// A switch: on or off.
     Flag(bool),
-    /// Text or a choice.
+    /// Text, or the word of a choice.
     Text(&'static str),
-    /// Three numbers.
+    /// X, Y and Z in mm.
     Point([f64; 3]),
-    /// Null.
+    /// `null`, with the meaning that its field gives it.
     Null,
 }
 
-/// One control.
+/// A control that programs are written for.
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct PostEntry {
-    /// `control.post`.
+    /// The value of `control.post` in a job.
     pub id: &'static str,
-    /// Its name.
+    /// The control's name, for people.
     pub title: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// Highest number of a work offset that a program can write; 0 is none.
+    /// Highest number of a work offset that a program can write; 0 where it can write none.
     pub work_offsets: i32,
     /// Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis.
     pub first_length: bool,
@@ -175,47 +175,47 @@ pub struct PostEntry {
     pub unused: &'static [&'static str],
     /// What its work offsets are called, from number 1.
     pub work_offset_words: Vec<String>,
-    /// Which cycle in which form.
+    /// For each cycle, and each form of the program, whether the control takes it.
     pub cycles: Vec<SupportEntry>,
 }
 
 /// What some codes of a parameter table are about.
 #[derive(Clone, Debug, Serialize)]
 pub struct CodeGroup {
-    /// The heading.
+    /// What these codes are about, as a heading.
     pub title: &'static str,
-    /// The lowest code.
+    /// The lowest code, included.
     pub lowest: i32,
-    /// The highest code.
+    /// The highest code, included.
     pub highest: i32,
 }
 
-/// A safety rule.
+/// A safety rule, as every program is checked for it.
 #[derive(Clone, Debug, Serialize)]
 pub struct RuleEntry {
-    /// Its name.
+    /// Its name, by which the plan's `safety` refers to it.
     pub name: &'static str,
-    /// What it asks.
+    /// What it demands of a program, in a sentence.
     pub says: &'static str,
-    /// Why.
+    /// What could happen without it.
     pub why: &'static str,
 }
 
 /// Whether a control takes a cycle in a form.
 #[derive(Clone, Debug, Serialize)]
 pub struct SupportEntry {
-    /// The cycle.
+    /// The value of `cycle.type`.
     #[serde(rename = "type")]
     pub key: &'static str,
-    /// `moves` or `cycle`.
+    /// `moves`: plain moves and touches. `cycle`: the control's own cycle.
     pub form: &'static str,
-    /// Whether it does.
+    /// Whether the control takes the cycle in this form.
     pub supported: bool,
-    /// Why not, where it does not.
+    /// Why not; null where it does.
     pub reason: Option<&'static str>,
 }
 
-/// The catalog.
+/// Every cycle, field, control and rule, as the checks themselves have them.
 pub fn catalog() -> Catalog {
     Catalog {
         format: FORMAT as u8,

@@ -40,17 +40,14 @@ impl Checker {
         if path.is_empty() { Text::words(self.whole).into() } else { path.to_owned().into() }
     }
 
-    /// Reports an error.
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Error, code, path, message);
     }
 
-    /// Reports a warning.
     pub fn warning(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Warning, code, path, message);
     }
 
-    /// Reports a note.
     pub fn info(&mut self, code: &str, path: impl Into<String>, message: Text) {
         self.push(Level::Info, code, path, message);
     }
@@ -59,7 +56,6 @@ impl Checker {
         self.found.push(Finding::new(level, code, path, message));
     }
 
-    /// How many findings there are.
     pub fn count(&self) -> usize {
         self.found.len()
     }
@@ -140,7 +136,6 @@ impl Checker {
 /// One object of the job while it is read.
 #[derive(Debug)]
 pub struct Section<'a, 'c> {
-    /// Where findings go.
     pub checker: &'c mut Checker,
     value: Option<&'a Value>,
     path: &'a str,

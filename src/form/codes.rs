@@ -231,7 +231,6 @@ pub const CODES: &[(&str, &str)] = &[
     ("zone-beyond-dist", "A part within tolerance can be beyond the search: a good part can be missed."),
 ];
 
-/// Whether a code is listed.
 pub fn is_listed(code: &str) -> bool {
     CODES.binary_search_by_key(&code, |(listed, _)| listed).is_ok()
 }

@@ -11,7 +11,6 @@ pub struct Field {
     pub label: &'static str,
     /// One or two sentences on what it does.
     pub help: &'static str,
-    /// What kind of value it takes.
     pub kind: Kind,
     /// The value where the job says nothing; lengths in mm, feeds in mm/min, accelerations in mm/s², times in ms, angles in degrees.
     pub default: Default,
@@ -25,7 +24,7 @@ pub struct Field {
     pub null: Option<&'static str>,
     /// The parameter code of the source, `CmdPrm.Flt[-50]`, or empty.
     pub code: &'static str,
-    /// The heading it stands under.
+    /// The heading that a form shows it under.
     pub group: &'static str,
     /// Whether it is a size of the part that the virtual part may change.
     pub size: bool,
@@ -60,9 +59,7 @@ pub enum Kind {
     Time,
     /// Degrees.
     Angle,
-    /// A whole number.
     Count,
-    /// True or false.
     Flag,
     /// One of a fixed set of words.
     Choice(&'static [Choice]),
@@ -74,7 +71,7 @@ pub enum Kind {
     Code(&'static [Code]),
     /// A length, or text with a tolerance, an unknown or a given place: see `tolerance`.
     Nominal,
-    /// Three of those.
+    /// Three nominal values: X, Y, Z.
     NominalPoint,
 }
 
@@ -83,16 +80,13 @@ pub enum Kind {
 pub struct Code {
     /// The number in the job.
     pub value: i32,
-    /// What it means.
     pub label: &'static str,
 }
 
 /// A form inside a form.
 #[derive(Clone, Copy, Debug)]
 pub struct SubForm {
-    /// Its key.
     pub key: &'static str,
-    /// Its fields.
     pub fields: &'static [Field],
     /// Whether it may be `null`, and is where the job says nothing.
     pub optional: bool,
@@ -110,22 +104,18 @@ pub struct Choice {
 /// A field's value where the job says nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
-    /// A number.
     Number(f64),
-    /// True or false.
     Flag(bool),
     /// Text or a choice.
     Text(&'static str),
-    /// Three numbers.
+    /// X, Y, Z.
     Point([f64; 3]),
-    /// `null`.
     Null,
 }
 
 /// The numbers a field allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The smallest.
     pub min: f64,
     /// The largest, always included.
     pub max: f64,
@@ -211,18 +201,16 @@ impl Field {
         Field::new(key, label, Kind::Count, Default::Number(default as f64), hard)
     }
 
-    /// True or false.
     pub const fn flag(key: &'static str, label: &'static str, default: bool) -> Self {
         Field::new(key, label, Kind::Flag, Default::Flag(default), Range { min: 0.0, max: 1.0, above: false })
     }
 
-    /// One of some words.
     pub const fn choice(key: &'static str, label: &'static str, choices: &'static [Choice]) -> Self {
         let hard = Range { min: 0.0, max: 0.0, above: false };
         Field::new(key, label, Kind::Choice(choices), Default::Text(choices[0].value), hard)
     }
 
-    /// Text.
+    /// Text of at most `most` characters.
     pub const fn text(key: &'static str, label: &'static str, default: &'static str, most: usize) -> Self {
         let hard = Range { min: 0.0, max: most as f64, above: false };
         Field::new(key, label, Kind::Text(most), Default::Text(default), hard)
@@ -240,13 +228,13 @@ impl Field {
         Field::new(key, label, Kind::Nominal, Default::Number(default), hard)
     }
 
-    /// Three of those.
+    /// Three nominal values: X, Y, Z.
     pub const fn nominal_point(key: &'static str, label: &'static str, default: [f64; 3]) -> Self {
         let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
         Field::new(key, label, Kind::NominalPoint, Default::Point(default), hard)
     }
 
-    /// Three lengths.
+    /// Three lengths: X, Y, Z.
     pub const fn point(key: &'static str, label: &'static str) -> Self {
         let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
         Field::new(key, label, Kind::Point, Default::Point([0.0; 3]), hard)
@@ -257,7 +245,6 @@ impl Field {
         if help.is_empty() { self } else { self.help(help) }
     }
 
-    /// With its help text.
     pub const fn help(mut self, help: &'static str) -> Self {
         self.help = help;
         self
@@ -311,7 +298,7 @@ impl Field {
         self
     }
 
-    /// The heading it stands under.
+    /// The heading that a form shows it under.
     pub const fn group(mut self, group: &'static str) -> Self {
         self.group = group;
         self
@@ -353,9 +340,7 @@ pub trait Checked: Sized {
 pub enum Shown {
     /// A length in mm, an angle in degrees, a feed.
     Number(f64),
-    /// A whole number.
     Whole(i32),
-    /// True or false.
     Flag(bool),
     /// Null, a point or text.
     Nothing,

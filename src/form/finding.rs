@@ -13,14 +13,14 @@ pub enum Level {
     Error,
     /// A plan is made; look at it before use.
     Warning,
-    /// Good to know.
+    /// A plan is made; nothing needs to be changed.
     Info,
 }
 
-/// One problem or note.
+/// A problem, or something worth knowing.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
-    /// How much it weighs.
+    /// Whether it keeps the job from being planned.
     pub level: Level,
     /// A stable, kebab-case name for programs to switch on, one of [`CODES`](crate::form::CODES).
     pub code: String,
@@ -33,7 +33,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding from its parts.
+    /// Its English `message` is made from `said`.
     pub fn new(level: Level, code: &str, path: impl Into<String>, said: Text) -> Self {
         debug_assert!(is_listed(code), "the code {code} stands in form/codes.rs");
         Finding { level, code: code.to_owned(), path: path.into(), message: said.english(), said }

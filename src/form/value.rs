@@ -5,15 +5,15 @@ use crate::text::{Text, text};
 /// Any JSON-like value, plus what JSON cannot say but JavaScript can hand over.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// `null`.
+    /// `null`: a value of its own, unlike an absent key.
     Null,
     /// `true` or `false`.
     Flag(bool),
     /// A number; NaN and infinities too.
     Number(f64),
-    /// Text.
+    /// A string.
     Text(String),
-    /// A list.
+    /// An array.
     List(Vec<Value>),
     /// Keys and values in the order they came.
     Map(Vec<(String, Value)>),

@@ -7,9 +7,7 @@ use crate::geom::{Vec2, Vec3};
 /// A circle fitted to points of a plane.
 #[derive(Clone, Debug)]
 pub struct CircleFit {
-    /// Its centre.
     pub center: Vec2,
-    /// Its radius.
     pub radius: f64,
     /// The change of (centre, centre, radius) for a shift of each point along the first and along the second axis.
     pub by_point: Vec<[Vec3; 2]>,

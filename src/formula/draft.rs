@@ -22,7 +22,6 @@ pub struct Expr<'f> {
 #[derive(Clone, Copy, Debug)]
 pub struct Value<'f> {
     draft: &'f Draft,
-    /// Which assignment it is.
     pub variable: Variable,
 }
 
@@ -41,7 +40,7 @@ impl Draft {
         Expr { draft: self, node: NodeId(nodes.len() as u32 - 1) }
     }
 
-    /// A pure number.
+    /// A number without a unit.
     pub fn number(&self, number: f64) -> Expr<'_> {
         self.push(Node::Number(number))
     }
@@ -165,12 +164,10 @@ impl<'f> Expr<'f> {
         self.call(Function::Cos)
     }
 
-    /// The value without its sign.
     pub fn abs(self) -> Expr<'f> {
         self.call(Function::Abs)
     }
 
-    /// Square root.
     pub fn sqrt(self) -> Expr<'f> {
         self.call(Function::Sqrt)
     }

@@ -7,7 +7,6 @@ use crate::geom::{Vec2, Vec3};
 /// A number and its derivative by each touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual {
-    /// The number.
     pub value: f64,
     /// Its change for a unit shift of each trigger along its probing direction.
     pub by_touch: [f64; MOST_SAMPLES],
@@ -81,7 +80,7 @@ impl Function {
         }
     }
 
-    /// Its derivative.
+    /// Its derivative at `x`: of sine and cosine by degrees.
     fn slope(self, x: f64) -> f64 {
         match self {
             Function::Sin => x.to_radians().cos().to_radians(),

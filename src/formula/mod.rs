@@ -42,7 +42,7 @@ pub struct Limits {
 /// What a program asks of a result before it writes: whether it is plausible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
-    /// Of the result.
+    /// Of the result, `center.x`.
     pub code: &'static str,
     /// The assignment that holds it.
     pub variable: Variable,
@@ -61,12 +61,9 @@ impl Question {
     }
 }
 
-/// One assignment.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// Its name.
     pub name: Name,
-    /// Its value.
     pub node: NodeId,
 }
 
@@ -113,7 +110,6 @@ impl Role {
 pub struct ResultDef {
     /// Its code, `center.x`.
     pub code: &'static str,
-    /// What it is.
     pub meaning: &'static str,
     /// How it behaves, and its unit.
     pub role: Role,
@@ -125,14 +121,14 @@ pub struct ResultDef {
     pub variable: Option<Variable>,
 }
 
-/// The whole computation.
+/// What the control computes from the triggers of the touches.
 #[derive(Clone, Debug, Default)]
 pub struct Formula {
     /// What the expressions are made of, each node after those it is made of.
     nodes: Vec<Node>,
     /// In order; each refers to earlier ones only.
     pub assignments: Vec<Assignment>,
-    /// What is stored.
+    /// What the control stores, in order.
     pub results: Vec<ResultDef>,
     /// What a work offset is corrected by.
     pub datum: Option<Datum>,
@@ -193,9 +189,7 @@ impl Datum {
 pub struct ResultRow {
     /// Its code, `center.x`.
     pub code: String,
-    /// What it is.
     pub meaning: Text,
-    /// Its unit.
     pub unit: Unit,
     /// What it is on the nominal part.
     pub nominal: Option<f64>,
@@ -215,19 +209,16 @@ pub struct ResultRow {
     pub truth: Option<f64>,
 }
 
-/// The unit of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Millimetres.
     Length,
     /// Degrees.
     Angle,
-    /// None.
     None,
 }
 
 impl Formula {
-    /// A node of it.
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.0 as usize]
     }

@@ -7,7 +7,7 @@ pub struct NodeId(pub(super) u32);
 /// An expression over the triggers of the touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
-    /// A pure number.
+    /// A number without a unit: other units do not change it.
     Number(f64),
     /// A length in mm.
     Length(f64),
@@ -15,14 +15,11 @@ pub enum Node {
     Variable(Variable),
     /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated ones.
     Trigger {
-        /// Index of the sample.
         sample: u8,
         /// 0, 1, 2 for X, Y, Z.
         axis: u8,
     },
-    /// Two operands.
     Binary(Op, NodeId, NodeId),
-    /// A function of one operand.
     Call(Function, NodeId),
     /// A part of a fitted circle.
     Circle(Samples, CirclePart),
@@ -41,16 +38,11 @@ impl Variable {
     }
 }
 
-/// An operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Op {
-    /// +
     Add,
-    /// −
     Subtract,
-    /// ×
     Multiply,
-    /// ÷
     Divide,
 }
 
@@ -61,9 +53,7 @@ pub enum Function {
     Sin,
     /// Cosine of degrees.
     Cos,
-    /// Square root.
     Sqrt,
-    /// The value without its sign.
     Abs,
 }
 
@@ -72,14 +62,12 @@ pub enum Function {
 pub struct Samples {
     /// Index of the first sample.
     pub(super) first: u8,
-    /// How many samples.
     pub(super) count: u8,
     /// Axes of abscissa and ordinate.
     pub(super) axes: (u8, u8),
 }
 
 impl Samples {
-    /// Their indices.
     pub(super) fn range(self) -> std::ops::Range<usize> {
         usize::from(self.first)..usize::from(self.first) + usize::from(self.count)
     }
@@ -92,7 +80,6 @@ pub enum CirclePart {
     Abscissa,
     /// Ordinate of its centre.
     Ordinate,
-    /// Its radius.
     Radius,
     /// The root mean square distance of the samples from it.
     Residual,

@@ -9,9 +9,7 @@ use crate::path::Accessor;
 /// A code with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// How it is addressed.
     pub accessor: Accessor,
-    /// The code.
     pub code: i32,
     /// Its value; true is 1.
     pub value: f64,

@@ -18,10 +18,10 @@ use crate::form::{Finding, Level, Value};
 use crate::job::{JobError, LONGEST_TEXT, SECTIONS};
 use crate::text::{Text, text};
 
-/// What was made of a text.
+/// What a text was read as.
 #[derive(Debug)]
 pub enum Imported {
-    /// A job.
+    /// A job, complete or made from parameters.
     Job {
         /// It may have errors: the check reports them.
         job: Value,
@@ -30,7 +30,7 @@ pub enum Imported {
     },
     /// The moves of a program that holds no job.
     Moves {
-        /// The moves, to draw.
+        /// The moves, to be drawn.
         trace: TraceRow,
         /// What was ignored, and what could not be known.
         findings: Vec<Finding>,

@@ -24,7 +24,7 @@ const MOST_LISTED: usize = 20;
 /// The moves of a program that says no job.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TraceRow {
-    /// The control that it was read for.
+    /// The control whose language it was read in.
     pub control: &'static str,
     /// `mm`, `inch`, or null where it does not say.
     pub units: Option<&'static str>,
@@ -41,7 +41,7 @@ pub struct TraceMove {
     pub kind: Kind,
     /// Null is a rapid, or a feed that no block has stated.
     pub feed: Option<f64>,
-    /// The 0-based line.
+    /// The 0-based line that makes it.
     pub line: usize,
 }
 

@@ -41,13 +41,11 @@ fn path_of(job: &Job) -> Path {
 /// Where a job's path runs, and what happens on the actual part. Lengths in mm.
 #[derive(Debug)]
 pub struct Planned {
-    /// The checked job.
     pub job: Job,
-    /// Its path.
     pub path: Path,
     /// The surfaces of the actual part.
     pub surfaces: Vec<Surface>,
-    /// What happens there.
+    /// The path run on those surfaces.
     pub run: part::Run,
 }
 

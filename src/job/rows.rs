@@ -13,7 +13,7 @@ use crate::part;
 use crate::path::{self, Accessor, Feed, Feeds, Path, Purpose};
 use crate::text::{Text, text};
 
-/// A point or vector as a list.
+/// X, Y, Z of the work coordinate system: a point in the job's units, or a vector of length one.
 pub type Triple = [f64; 3];
 
 /// Everything that follows from a job. Lengths in the job's units, angles in degrees.
@@ -28,21 +28,21 @@ pub struct Plan {
     pub length: f64,
     /// Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
     pub time: f64,
-    /// The program.
+    /// The program, for the control of the job.
     pub program: ProgramText,
-    /// The source's parameter table.
+    /// The cycle's parameters as its source numbers them.
     pub table: Vec<ParameterRow>,
     /// What the control will have stored, for the virtual part.
     pub results: Vec<ResultRow>,
     /// Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
     pub triggers: Vec<Option<Triple>>,
-    /// Warnings and notes.
+    /// Warnings and notes; with an error there is no plan.
     pub findings: Vec<Finding>,
-    /// What each safety rule says of the program.
+    /// For each safety rule, whether the program keeps it.
     pub safety: Vec<SafetyRow>,
 }
 
-/// What a safety rule says of the program.
+/// Whether the program keeps a safety rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SafetyRow {
     /// The name of the rule.
@@ -62,7 +62,7 @@ pub struct SafetyRow {
 /// What was proven of a program of moves: read back, it is the path.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProofRow {
-    /// How many moves.
+    /// How many moves of the path it makes, each where and how it should.
     pub moves: usize,
     /// How many of them are touches.
     pub touches: usize,
@@ -71,20 +71,19 @@ pub struct ProofRow {
 }
 
 impl ProofRow {
-    /// What goes out of a proof.
     pub(super) fn of(proof: Proof) -> Self {
         ProofRow { moves: proof.moves(), touches: proof.touches(), arithmetic: proof.arithmetic() }
     }
 }
 
-/// One nominal touch.
+/// Where the ball is to touch the nominal part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TouchPoint {
-    /// On the surface.
+    /// The point that is touched, on the surface.
     pub point: Triple,
-    /// Target vector: outward normal of the surface.
+    /// Target vector: outward normal of the surface, of length one.
     pub vector: Triple,
-    /// Wall or circle, from 0.
+    /// Which wall or circle it is on, from 0.
     pub group: usize,
 }
 
@@ -99,7 +98,7 @@ pub struct Move {
     pub kind: &'static str,
     /// Step of the cycle's documented list, from 1.
     pub step: u8,
-    /// The touch it belongs to.
+    /// Index of the touch that it makes or comes back from; null for positioning.
     pub touch: Option<usize>,
     /// The arc it runs along; null is a straight line.
     pub arc: Option<Arc>,
@@ -108,9 +107,9 @@ pub struct Move {
 /// An arc about the tool axis.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Arc {
-    /// Its centre.
+    /// Its centre, at the height of the move.
     pub center: Triple,
-    /// Degrees, counter-clockwise positive.
+    /// Degrees, counter-clockwise positive seen against the tool axis; less than a whole turn.
     pub sweep: f64,
 }
 
@@ -122,9 +121,9 @@ pub struct ProgramText {
     pub post: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
-    /// The lines.
+    /// Its lines, each ended by a line feed.
     pub text: String,
-    /// For each move the 0-based line that makes it.
+    /// For each move the 0-based line that makes it; −1 where the control's own cycle makes it.
     pub move_lines: Vec<i32>,
     /// What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then
     /// `basic rotation` or `table offset`. Empty where it measures only.
@@ -140,7 +139,7 @@ pub struct ProgramText {
 /// One row of the parameter table.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParameterRow {
-    /// `CmdPrm.Flt[-53]`.
+    /// `CmdPrm.Flt[-53]`, or `Q1116` for a HEIDENHAIN cycle.
     pub code: String,
     /// The type column of the source.
     #[serde(rename = "type")]
@@ -152,7 +151,7 @@ pub struct ParameterRow {
     pub meaning: Text,
     /// Path of the job's field it comes from.
     pub field: Option<String>,
-    /// The touch it comes from.
+    /// Index of the touch it comes from; null where it is of the whole cycle.
     pub touch: Option<usize>,
 }
 
@@ -164,33 +163,33 @@ fn in_english<S: Serializer>(text: &Text, serializer: S) -> Result<S::Ok, S::Err
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum ParameterValue {
-    /// A whole number.
+    /// A whole number: a count, a mode or the number of something.
     Whole(i32),
-    /// True or false.
+    /// Yes or no.
     Flag(bool),
-    /// Any other number.
+    /// A length in the job's units, an angle in degrees, or a number without a unit.
     Number(f64),
     /// Text, as it was given.
     Text(String),
 }
 
-/// One result.
+/// A value that the cycle measures: what the control computes, and what it should be.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ResultRow {
-    /// `center.x`.
+    /// A stable name, one of `RESULT_CODES`: `center.x`.
     pub code: String,
-    /// What it is.
+    /// What the value is, in English.
     pub meaning: String,
-    /// `mm`, `inch` or `deg`.
+    /// `mm`, `inch` or `deg`; empty for a number without a unit.
     pub unit: &'static str,
-    /// On the nominal part.
+    /// Its value on the nominal part; null where that is not known.
     pub nominal: Option<f64>,
-    /// What the control computes.
+    /// What the control computes; null where the triggers cannot give it.
     pub value: Option<f64>,
-    /// Value less nominal.
+    /// Value less nominal, or less the middle of the tolerance zone.
     pub deviation: Option<f64>,
-    /// One sigma of the value.
+    /// One sigma of the value: scatter of the touches, and eccentricity of the ball.
     pub uncertainty: Option<f64>,
     /// How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the
     /// angle of calibration.
@@ -207,10 +206,10 @@ pub struct ResultRow {
     pub said: ResultWords,
 }
 
-/// The words of a result.
+/// The words of a result, to be put into other languages.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResultWords {
-    /// What it is.
+    /// What the value is.
     pub meaning: Text,
     /// Good, rework or scrap, where a tolerance is given.
     pub verdict: Option<Text>,
@@ -219,7 +218,6 @@ pub struct ResultWords {
 }
 
 impl SafetyRow {
-    /// What goes out of a verdict.
     pub(crate) fn of(verdict: Verdict) -> Self {
         SafetyRow {
             rule: verdict.rule,

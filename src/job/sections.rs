@@ -17,14 +17,14 @@ pub const FORMAT: f64 = 1.0;
 /// The unit of a job's lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
-    /// Millimetres.
+    /// `mm`, the default.
     Mm,
-    /// Inches.
+    /// `inch`, 25.4 mm.
     Inch,
 }
 
 impl Units {
-    /// `units` in the job.
+    /// Its word in the job's field `units`.
     pub const fn word(self) -> &'static str {
         match self {
             Units::Mm => "mm",
@@ -32,12 +32,12 @@ impl Units {
         }
     }
 
-    /// Those of a word, where it is one.
+    /// The units with this word, `mm` or `inch`; none for any other.
     pub fn named(word: &str) -> Option<Units> {
         [Units::Mm, Units::Inch].into_iter().find(|units| units.word() == word)
     }
 
-    /// Those that a loose job says; mm where it says none.
+    /// The units of a loose job; mm where it names none.
     pub fn of(job: &Value) -> Units {
         match job.get("units") {
             Some(Value::Text(word)) => Units::named(word).unwrap_or(Units::Mm),
@@ -45,7 +45,7 @@ impl Units {
         }
     }
 
-    /// Millimetres in one.
+    /// Millimetres in one unit: 1 or 25.4.
     pub const fn scale(self) -> f64 {
         match self {
             Units::Mm => 1.0,
@@ -79,7 +79,6 @@ const PLANES: &[Choice] = &[
     Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
     Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
 ];
-/// The registered controls.
 pub const POST_CHOICES: &[Choice] = &post_choices();
 
 const fn post_choices() -> [Choice; POSTS.len()] {
@@ -252,7 +251,7 @@ pub struct Job {
     pub name: String,
     /// Millimetres in a unit of the job.
     pub scale: f64,
-    /// The unit's name.
+    /// `mm` or `inch`.
     pub unit: &'static str,
     /// Plane, ball, overtravel.
     pub setup: Setup,
@@ -270,27 +269,21 @@ pub struct Job {
     pub feeds: Feeds,
     /// What is known of the cycle's type.
     pub def: &'static CycleDef,
-    /// The cycle.
     pub cycle: Box<dyn Cycle>,
-    /// The control.
     pub post: &'static PostDef,
-    /// Plain moves, or the control's own cycle.
     pub form: Form,
     /// Tool number of the probe; none is not called.
     pub tool: Option<i32>,
     /// Whether positioning is to be watched, where the control can.
     pub protected: bool,
-    /// How much of the job the program's header says.
     pub header: Header,
-    /// The work offset to write.
+    /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
     /// The angle that the spindle is turned to, degrees; none is not turned.
     pub orient: Option<f64>,
-    /// Where the program shows its results.
     pub report: Report,
     /// The number of the program, where its control has them; none takes that of the name.
     pub number: Option<i32>,
-    /// How the real part lies.
     pub lie: Lie,
     /// The cycle with the actual part's sizes; none where they are nominal.
     pub actual: Option<Box<dyn Cycle>>,

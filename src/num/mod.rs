@@ -30,7 +30,7 @@ pub enum Digits {
     Short {
         /// ASCII.
         bytes: [u8; Digits::MOST],
-        /// How many count.
+        /// How many of the bytes are used, counted from the end.
         len: u8,
     },
     /// One that is too long for that, or that only whole numbers round rightly.
@@ -41,7 +41,7 @@ impl Digits {
     /// A sign, a zero in front of a point, twenty-two decimals, and some room.
     const MOST: usize = 28;
 
-    /// No number.
+    /// Empty: no number yet.
     pub const NONE: Digits = Digits::Short { bytes: [0; Digits::MOST], len: 0 };
 
     /// A number with at most so many decimals: see [`decimal`].

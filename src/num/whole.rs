@@ -4,7 +4,6 @@
 pub struct Whole(Vec<u32>);
 
 impl Whole {
-    /// Nothing.
     pub const ZERO: Whole = Whole(Vec::new());
 
     /// A number times two to a power.
@@ -35,7 +34,7 @@ impl Whole {
         self.tidied()
     }
 
-    /// Its decimal digits; none of nothing.
+    /// Its decimal digits; none for zero.
     pub fn digits(mut self) -> String {
         let mut digits = Vec::new();
         while !self.0.is_empty() {
@@ -78,7 +77,6 @@ impl Whole {
         self.0.last().map_or(0, |last| self.0.len() as i64 * 32 - i64::from(last.leading_zeros()))
     }
 
-    /// One of its bits.
     pub fn bit(&self, at: i64) -> bool {
         usize::try_from(at).is_ok_and(|at| self.0.get(at / 32).is_some_and(|part| part >> (at % 32) & 1 == 1))
     }

@@ -3,7 +3,6 @@
 use crate::geom::Vec3;
 use crate::path::{Round, Surface};
 
-/// A contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// Which part of the way is done, 0 to 1.

@@ -32,11 +32,10 @@ pub enum Above {
 /// Where the stylus meets the part above its ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Struck {
-    /// The move.
+    /// Index of the move in the path.
     pub index: usize,
     /// The ball centre then.
     pub center: Vec3,
-    /// What meets the part.
     pub part: Above,
 }
 

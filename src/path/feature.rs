@@ -16,7 +16,6 @@ pub enum Subject {
     Hole,
     /// A hole, each touch entered from above.
     HoleProtected,
-    /// A boss.
     Boss,
     /// A rectangle from its middle.
     Pocket,
@@ -47,7 +46,7 @@ pub enum Subject {
 /// What is probed, with the dimensions that it has, and the job's fields that say them. Its frame stands in [`crate::path::Path::frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
-    /// Nothing.
+    /// Nothing is probed.
     Still,
     /// A point of a surface.
     Surface(Point),
@@ -82,7 +81,6 @@ pub struct Point {
 /// A circle about the tool axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bore {
-    /// Its diameter.
     pub diameter: Entry,
     /// From the top side down to the touches.
     pub depth: Entry,
@@ -97,7 +95,6 @@ pub struct Bore {
 pub struct Pairs {
     /// Whether the material lies around it.
     pub internal: bool,
-    /// Each pair.
     pub sides: Vec<Side>,
     /// From the top side down to the touches.
     pub depth: Entry,
@@ -114,7 +111,7 @@ pub struct Side {
     pub clearance: Option<Entry>,
 }
 
-/// Walls that meet.
+/// A corner of two or three walls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Corner {
     /// Whether it is touched from outside.
@@ -179,7 +176,6 @@ pub struct Setting {
     pub number: i32,
     /// The control's dialog text.
     pub dialog: String,
-    /// Its value.
     pub value: ParameterValue,
 }
 

@@ -44,7 +44,6 @@ pub const ONE_LEVEL: f64 = 0.01;
 /// What a cycle needs to know of the job around it.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
-    /// The working plane.
     pub plane: Plane,
     /// Radius of the stylus ball, mm; 0 is a point.
     pub radius: f64,
@@ -69,18 +68,14 @@ pub enum Feed {
     Rapid,
 }
 
-/// The feeds of a path in mm/min.
+/// The feeds of a path in mm/min; none is rapid.
 #[derive(Clone, Copy, Debug)]
 pub struct Feeds {
-    /// None is rapid.
     pub approach: Option<f64>,
-    /// None is rapid.
     pub long_link: Option<f64>,
     /// Never rapid.
     pub work: f64,
-    /// None is rapid.
     pub retract: Option<f64>,
-    /// None is rapid.
     pub return_: Option<f64>,
     /// None is the control's own rate.
     pub rapid: Option<f64>,
@@ -128,11 +123,8 @@ pub struct Arc {
 /// One move of the ball centre, straight or along an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
-    /// Where it ends.
     pub to: Vec3,
-    /// The feed it uses.
     pub feed: Feed,
-    /// What it is for.
     pub purpose: Purpose,
     /// Number of the step in the cycle's documented list, from 1.
     pub step: u8,
@@ -155,7 +147,6 @@ impl Move {
     }
 }
 
-/// One touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch {
     /// The nominal point on the surface.
@@ -180,15 +171,13 @@ impl Touch {
 /// Everything a cycle says about itself.
 #[derive(Clone, Debug)]
 pub struct Path {
-    /// The touches, in order.
     pub touches: Vec<Touch>,
-    /// The moves, in order.
     pub moves: Vec<Move>,
     /// Where the ball is before the first move, where the job says so.
     pub start: Option<Vec3>,
     /// Height of the feature's top side along the tool axis, mm, where the source has one.
     pub top: Option<f64>,
-    /// The nominal feature.
+    /// The walls of the nominal feature.
     pub surfaces: Vec<Surface>,
     /// Feeds of the cycle's own, where it does not use the job's.
     pub feeds: Option<Feeds>,
@@ -196,7 +185,6 @@ pub struct Path {
     pub frame: Frame,
     /// What the control computes from the touches.
     pub formula: Formula,
-    /// What is probed.
     pub feature: Feature,
     /// Whether the touches were picked one by one, and do not follow from the dimensions.
     pub picked: bool,

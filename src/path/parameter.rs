@@ -10,7 +10,7 @@ pub enum Accessor {
     Flt,
     /// `CmdPrm.Bol[ ]`.
     Bol,
-    /// A Q parameter.
+    /// A Q parameter of a HEIDENHAIN cycle.
     Q,
 }
 
@@ -34,30 +34,24 @@ impl Accessor {
 pub struct Parameter {
     /// The code inside the brackets of `CmdPrm.…[ ]`.
     pub code: i32,
-    /// How it is addressed.
     pub accessor: Accessor,
     /// The type column of the source's page.
     pub type_name: &'static str,
-    /// The value.
     pub value: ParameterValue,
-    /// What it means.
     pub meaning: Text,
     /// The path of the job's field it comes from.
     pub field: Option<String>,
-    /// The touch it comes from.
+    /// Index of the touch it comes from.
     pub touch: Option<usize>,
 }
 
-/// The value of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParameterValue {
     /// A length, mm.
     Length(f64),
     /// A pure number or an angle in degrees.
     Number(f64),
-    /// A whole number.
     Whole(i32),
-    /// True or false.
     Flag(bool),
     /// Text, as it goes out.
     Text(String),

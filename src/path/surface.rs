@@ -9,7 +9,7 @@ pub struct Wall {
     pub point: Vec3,
     /// Outward normal.
     pub normal: Vec3,
-    /// Direction along it.
+    /// The direction that `extent` is counted in.
     pub along: Vec3,
     /// How far it is drawn along `along` from `point`: from, to. Contacts treat it as going on.
     pub extent: (f64, f64),
@@ -37,12 +37,9 @@ pub struct Round {
     pub plate: Option<f64>,
 }
 
-/// A surface of the feature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
-    /// A flat wall.
     Flat(Wall),
-    /// A round wall.
     Round(Round),
     /// Somewhere: its place is not known. It is not drawn, and no contact with it is found.
     Unknown,

@@ -22,7 +22,6 @@ impl Tracer {
         Tracer { at: Some(start), ..Tracer::new(setup) }
     }
 
-    /// A positioning move.
     pub fn position(&mut self, to: Vec3, feed: Feed, step: u8) {
         self.push(Move { to, feed, purpose: Purpose::Position, step, arc: None });
     }
@@ -50,7 +49,6 @@ impl Tracer {
         self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step: steps[1], arc: None });
     }
 
-    /// The moves.
     pub fn moves(self) -> Vec<Move> {
         self.moves
     }

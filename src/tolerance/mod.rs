@@ -29,7 +29,7 @@ pub struct Nominal {
 }
 
 impl Nominal {
-    /// A plain number.
+    /// A number without a tolerance.
     pub fn number(x: f64) -> Self {
         Nominal { nominal: Some(x), ..Nominal::default() }
     }

@@ -23,7 +23,6 @@ const ROOM_FOR_NAME: f64 = 90.0;
 /// A dimension as it is drawn, pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a> {
-    /// The dimension.
     pub drawn: &'a Drawn,
     /// Where its extension lines begin.
     pub ends: [Vec2; 2],
@@ -33,24 +32,21 @@ pub struct Placed<'a> {
     pub reach: [Vec2; 2],
     /// Whether its arrow heads lie between its ends.
     pub within: bool,
-    /// What it says.
+    /// Where its name is written.
     pub name: Plate,
 }
 
 /// An angle as it is drawn, pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Arc<'a> {
-    /// The angle.
     pub angle: &'a DrawnAngle,
     /// Its vertex.
     pub at: Vec2,
-    /// The radius of its arc.
     pub radius: f64,
     /// The far ends of its two sides, a little beyond the arc.
     pub sides: [Vec2; 2],
     /// The ends of the arc, each with the direction of its arrow head; none on an arc that is too short for them.
     pub heads: Option<[(Vec2, Vec2); 2]>,
-    /// The ends of the arc.
     pub ends: [Vec2; 2],
     /// Its name; none where that would cover touches.
     pub name: Option<Plate>,
@@ -59,11 +55,9 @@ pub struct Arc<'a> {
 /// What stands in a picture beside the part and its path.
 #[derive(Clone, Debug)]
 pub struct Layout<'a> {
-    /// The numbers of the touches.
     pub numbers: Vec<Number>,
     /// The angles.
     pub arcs: Vec<Arc<'a>>,
-    /// The dimensions.
     pub dimensions: Vec<Placed<'a>>,
     /// All that is in the picture.
     pub crowd: Crowd,

@@ -11,7 +11,7 @@ pub enum Arrow {
     Axis,
     /// An axis of the base system, where the workpiece system is turned against it.
     Base,
-    /// A tool length.
+    /// L1, L2 or L3.
     Length,
 }
 

@@ -10,7 +10,6 @@ use crate::view::walls::{area, shape, strips};
 pub enum Material {
     /// Behind a wall that is seen edge-on.
     Behind {
-        /// The wall.
         edge: Edge,
         /// Which ends meet another line: there the material continues past the end, so that no corner is left out.
         meets: [bool; 2],
@@ -20,26 +19,16 @@ pub enum Material {
         least: f64,
     },
     /// A surface that is looked at, with nothing beside it.
-    Face {
-        /// Its corners.
-        corners: [Vec2; 4],
-    },
+    Face { corners: [Vec2; 4] },
     /// Around a hole, as far as its plate reaches.
     Around {
-        /// The middle of the hole.
         center: Vec2,
-        /// Its radius.
         radius: f64,
         /// From the middle to the end of the plate.
         reach: f64,
     },
     /// A stud.
-    Within {
-        /// Its middle.
-        center: Vec2,
-        /// Its radius.
-        radius: f64,
-    },
+    Within { center: Vec2, radius: f64 },
 }
 
 /// Longer than any part, mm: where a body is bounded on two opposite sides, it is filled from one to the other.
@@ -51,7 +40,6 @@ const CORNERS: usize = 120;
 /// A wall that is seen edge-on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// Its ends.
     pub ends: [Vec2; 2],
     /// The way into the material, of length one.
     pub into: Vec2,

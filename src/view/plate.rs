@@ -8,7 +8,6 @@ use crate::view::scene::{Scene, Stroke};
 /// A box that something is written in, pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plate {
-    /// Its middle.
     pub middle: Vec2,
     /// The way that is read along, of length one.
     pub along: Vec2,

@@ -49,7 +49,6 @@ impl Colour {
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Pen {
-    /// Its colour.
     pub colour: Colour,
     /// Its width on a canvas, pixels, and in an SVG, whose units are smaller on paper.
     pub widths: [f64; 2],

@@ -16,7 +16,6 @@ extern "C" {
 }
 
 impl Sink {
-    /// Hands it over.
     pub fn give(&self, packed: &Packed) {
         self.take(&packed.numbers, &packed.text);
     }

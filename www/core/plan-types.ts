@@ -277,9 +277,9 @@ export type Verdict = Judged | `${Judged}: ${string}`;
 /** How much a finding weighs. */
 export type Level = "error" | "warning" | "info";
 
-/** One problem or note. */
+/** A problem, or something worth knowing. */
 export interface Finding {
-  /** How much it weighs. */
+  /** Whether it keeps the job from being planned. */
   level: Level;
   /** A stable, kebab-case name for programs to switch on, one of those in docs/findings.md. */
   code: FindingCode;
@@ -291,21 +291,21 @@ export interface Finding {
   said: Said;
 }
 
-/** One nominal touch. */
+/** Where the ball is to touch the nominal part. */
 export interface TouchPoint {
-  /** On the surface. */
+  /** The point that is touched, on the surface. */
   point: Vec3;
-  /** Target vector: outward normal of the surface. */
+  /** Target vector: outward normal of the surface, of length one. */
   vector: Vec3;
-  /** Wall or circle, from 0. */
+  /** Which wall or circle it is on, from 0. */
   group: number;
 }
 
 /** An arc about the tool axis. */
 export interface Arc {
-  /** Its centre. */
+  /** Its centre, at the height of the move. */
   center: Vec3;
-  /** Degrees, counter-clockwise positive. */
+  /** Degrees, counter-clockwise positive seen against the tool axis; less than a whole turn. */
   sweep: number;
 }
 
@@ -319,7 +319,7 @@ export interface Move {
   kind: "position" | "touch" | "back";
   /** Step of the cycle's documented list, from 1. */
   step: number;
-  /** The touch it belongs to. */
+  /** Index of the touch that it makes or comes back from; null for positioning. */
   touch: number | null;
   /** The arc it runs along; null is a straight line. */
   arc: Arc | null;
@@ -330,7 +330,7 @@ export type ParameterValue = number | boolean | string;
 
 /** One row of the parameter table. */
 export interface ParameterRow {
-  /** `CmdPrm.Flt[-53]`. */
+  /** `CmdPrm.Flt[-53]`, or `Q1116` for a HEIDENHAIN cycle. */
   code: string;
   /** The type column of the source. */
   type: string;
@@ -340,25 +340,25 @@ export interface ParameterRow {
   meaning: string;
   /** Path of the job's field it comes from. */
   field: string | null;
-  /** The touch it comes from. */
+  /** Index of the touch it comes from; null where it is of the whole cycle. */
   touch: number | null;
 }
 
-/** One result. */
+/** A value that the cycle measures: what the control computes, and what it should be. */
 export interface ResultRow {
-  /** `center.x`. */
+  /** A stable name, one of `RESULT_CODES`: `center.x`. */
   code: ResultCode;
-  /** What it is. */
+  /** What the value is, in English. */
   meaning: string;
-  /** `mm`, `inch` or `deg`. */
+  /** `mm`, `inch` or `deg`; empty for a number without a unit. */
   unit: "mm" | "inch" | "deg" | "";
-  /** On the nominal part. */
+  /** Its value on the nominal part; null where that is not known. */
   nominal: number | null;
-  /** What the control computes. */
+  /** What the control computes; null where the triggers cannot give it. */
   value: number | null;
-  /** Value less nominal. */
+  /** Value less nominal, or less the middle of the tolerance zone. */
   deviation: number | null;
-  /** One sigma of the value. */
+  /** One sigma of the value: scatter of the touches, and eccentricity of the ball. */
   uncertainty: number | null;
   /** How much of it comes from the ball's eccentricity: one sigma of that alone. Null where the job says none, or turns the spindle to the angle of calibration. */
   uncertaintyRunout: number | null;
@@ -374,9 +374,9 @@ export interface ResultRow {
   said: ResultWords;
 }
 
-/** The words of a result. */
+/** The words of a result, to be put into other languages. */
 export interface ResultWords {
-  /** What it is. */
+  /** What the value is. */
   meaning: Said;
   /** Good, rework or scrap, where a tolerance is given. */
   verdict: Said | null;
@@ -386,7 +386,7 @@ export interface ResultWords {
 
 /** What was proven of a program of moves: read back, it is the path. */
 export interface ProofRow {
-  /** How many moves. */
+  /** How many moves of the path it makes, each where and how it should. */
   moves: number;
   /** How many of them are touches. */
   touches: number;
@@ -394,7 +394,7 @@ export interface ProofRow {
   arithmetic: boolean;
 }
 
-/** What a safety rule says of the program. */
+/** Whether the program keeps a safety rule. */
 export interface SafetyRow {
   /** The name of the rule. */
   rule: RuleName;
@@ -416,9 +416,9 @@ export interface ProgramText {
   post: string;
   /** The usual file extension, without the dot. */
   extension: string;
-  /** The lines. */
+  /** Its lines, each ended by a line feed. */
   text: string;
-  /** For each move the 0-based line that makes it. */
+  /** For each move the 0-based line that makes it; −1 where the control's own cycle makes it. */
   moveLines: number[];
   /** What it writes, by itself or by the cycle that it calls. Of the work offset: axes in the order `X`, `Y`, `Z`, then `rotation`. Of the active preset: `preset X` …, then `basic rotation` or `table offset`. Empty where it measures only. */
   writes: ("X" | "Y" | "Z" | "rotation" | "preset X" | "preset Y" | "preset Z" | "basic rotation" | "table offset")[];
@@ -440,17 +440,17 @@ export interface Plan {
   length: number;
   /** Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */
   time: number;
-  /** The program. */
+  /** The program, for the control of the job. */
   program: ProgramText;
-  /** The source's parameter table. */
+  /** The cycle's parameters as its source numbers them. */
   table: ParameterRow[];
   /** What the control will have stored, for the virtual part. */
   results: ResultRow[];
   /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
   triggers: (Vec3 | null)[];
-  /** Warnings and notes. */
+  /** Warnings and notes; with an error there is no plan. */
   findings: Finding[];
-  /** What each safety rule says of the program. */
+  /** For each safety rule, whether the program keeps it. */
   safety: SafetyRow[];
 }
 
@@ -477,13 +477,13 @@ export interface TraceMove {
   kind: TraceKind;
   /** Null is a rapid, or a feed that no block has stated. */
   feed: number | null;
-  /** The 0-based line. */
+  /** The 0-based line that makes it. */
   line: number;
 }
 
 /** The moves of a program that says no job. */
 export interface TraceRow {
-  /** The control that it was read for. */
+  /** The control whose language it was read in. */
   control: string;
   /** `mm`, `inch`, or null where it does not say. */
   units: "mm" | "inch" | null;
@@ -491,22 +491,22 @@ export interface TraceRow {
   moves: TraceMove[];
 }
 
-/** A default value. */
+/** A value as a job has it. */
 export type DefaultEntry = number | boolean | string | Vec3 | null;
 
-/** One word of a choice. */
+/** One allowed value of a choice or a code. */
 export interface ChoiceEntry {
   /** The word, or the number, in the job. */
   value: string | number;
-  /** What a person reads. */
+  /** The same for people, in English. */
   label: string;
 }
 
 /** What a field must be for another one to count. */
 export interface WhenEntry {
-  /** Its key in the same form. */
+  /** Key of that other field, in the same form. */
   key: string;
-  /** Its value. */
+  /** The code that it must have. */
   value: number;
 }
 
@@ -514,29 +514,29 @@ export interface WhenEntry {
 export interface FieldEntry {
   /** Key in its section. */
   key: string;
-  /** Short name. */
+  /** Short name for people, in English. */
   label: string;
-  /** What it does. */
+  /** What the field is for, in English. */
   help: string;
   /** `number`, `count`, `flag`, `choice`, `code`, `text`, `point`, `nominal` or `nominalPoint`. */
   kind: "number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint";
-  /** `length`, `feed`, `angle` or `none`. */
+  /** `length`, `feed`, `acceleration`, `time`, `angle` or `none`. */
   unit: "length" | "feed" | "acceleration" | "time" | "angle" | "none";
-  /** Smallest and largest allowed number. */
+  /** Smallest and largest allowed number; null for a flag, text or a fixed set of values. */
   range: [number, number] | null;
   /** Whether the smallest number itself is excluded. */
   above: boolean;
-  /** Smallest and largest usual number. */
+  /** Smallest and largest usual number: the check warns outside of them. Null where every allowed number is usual. */
   usual: [number, number] | null;
-  /** The value where the job says nothing. */
+  /** The value in a job that leaves the field out. */
   default: DefaultEntry;
-  /** What `null` means, where it is allowed. */
+  /** What `null` means; null where it is not allowed. */
   null: string | null;
-  /** The words of a choice. */
+  /** The allowed values of a choice or a code; else empty. */
   choices: ChoiceEntry[];
-  /** The parameter code of the source. */
+  /** Its code in the source's parameter table: `CmdPrm.Flt[-50]`. Null where it has none. */
   code: string | null;
-  /** The heading it stands under. */
+  /** The heading under which a form shows it. */
   group: string;
   /** Whether `part.sizes` may change it. */
   size: boolean;
@@ -546,21 +546,21 @@ export interface FieldEntry {
 
 /** A form inside a cycle's form. */
 export interface CycleSectionEntry {
-  /** Its key in the cycle. */
+  /** Key of the object in `cycle`. */
   key: string;
   /** Whether it may be `null`, which is then its default. */
   optional: boolean;
-  /** Its fields. */
+  /** The fields of that object, in order. */
   fields: FieldEntry[];
 }
 
-/** One cycle. */
+/** A cycle, its form, and where it is documented. */
 export interface CycleEntry {
-  /** `cycle.type`. */
+  /** The value of `cycle.type` in a job. */
   type: Cycle["type"];
-  /** Its documented name. */
+  /** The name that its source gives it. */
   title: string;
-  /** Whose cycle it is. */
+  /** Who documents it, and as what: `ENCY/SprutCAM type 5`. */
   source: string;
   /** Its type number in the source's parameter table, where it has one. */
   number: number | null;
@@ -570,9 +570,9 @@ export interface CycleEntry {
   maxTouches: number;
   /** Whether it has feeds and a search length of its own. */
   ownFeeds: boolean;
-  /** Page of the manual. */
+  /** Page of the manual: a path in this repository. */
   doc: string;
-  /** Its form. */
+  /** The fields of its form, in order. */
   fields: FieldEntry[];
   /** Forms inside its form. */
   sections: CycleSectionEntry[];
@@ -584,31 +584,31 @@ export interface CycleEntry {
 export interface SectionEntry {
   /** Its key in the job, empty for the job itself. */
   path: string;
-  /** Its form. */
+  /** The fields of the section, in order. */
   fields: FieldEntry[];
 }
 
 /** Whether a control takes a cycle in a form. */
 export interface SupportEntry {
-  /** The cycle. */
+  /** The value of `cycle.type`. */
   type: Cycle["type"];
-  /** `moves` or `cycle`. */
+  /** `moves`: plain moves and touches. `cycle`: the control's own cycle. */
   form: "moves" | "cycle";
-  /** Whether it does. */
+  /** Whether the control takes the cycle in this form. */
   supported: boolean;
-  /** Why not, where it does not. */
+  /** Why not; null where it does. */
   reason: string | null;
 }
 
-/** One control. */
+/** A control that programs are written for. */
 export interface PostEntry {
-  /** `control.post`. */
+  /** The value of `control.post` in a job. */
   id: PostId;
-  /** Its name. */
+  /** The control's name, for people. */
   title: string;
   /** The usual file extension, without the dot. */
   extension: string;
-  /** Highest number of a work offset that a program can write; 0 is none. */
+  /** Highest number of a work offset that a program can write; 0 where it can write none. */
   workOffsets: number;
   /** Whether the job's `tool` section matters: plane and tool decide which length acts along the tool axis. */
   firstLength: boolean;
@@ -620,27 +620,27 @@ export interface PostEntry {
   unused: string[];
   /** What its work offsets are called, from number 1. */
   workOffsetWords: string[];
-  /** Which cycle in which form. */
+  /** For each cycle, and each form of the program, whether the control takes it. */
   cycles: SupportEntry[];
 }
 
-/** A safety rule. */
+/** A safety rule, as every program is checked for it. */
 export interface RuleEntry {
-  /** Its name. */
+  /** Its name, by which the plan's `safety` refers to it. */
   name: string;
-  /** What it asks. */
+  /** What it demands of a program, in a sentence. */
   says: string;
-  /** Why. */
+  /** What could happen without it. */
   why: string;
 }
 
 /** What some codes of a parameter table are about. */
 export interface CodeGroup {
-  /** The heading. */
+  /** What these codes are about, as a heading. */
   title: string;
-  /** The lowest code. */
+  /** The lowest code, included. */
   lowest: number;
-  /** The highest code. */
+  /** The highest code, included. */
   highest: number;
 }
 
@@ -648,13 +648,13 @@ export interface CodeGroup {
 export interface Catalog {
   /** The version of the job format that this crate reads. */
   format: 1;
-  /** The cycles. */
+  /** Every cycle, with its fields and steps. */
   cycles: CycleEntry[];
   /** The sections of a job around the cycle. */
   sections: SectionEntry[];
-  /** The controls. */
+  /** Every control, with what its programs can do. */
   posts: PostEntry[];
-  /** The safety rules. */
+  /** What programs are checked for. */
   rules: RuleEntry[];
   /** What the codes of a CmdPrm table are about; the first that fits counts. */
   codeGroups: CodeGroup[];

@@ -2,16 +2,15 @@
 
 use crate::path::STATED_RAPID;
 
-/// What differs between the two.
 #[derive(Debug)]
 pub(super) struct Flavour {
-    /// The length of the active tool.
+    /// The variable with the length of the active tool.
     pub length: &'static str,
     /// What a rapid runs at where it is watched, mm/min.
     pub rapid: f64,
-    /// After a positioning move, in its block.
+    /// What follows a positioning move in its block.
     pub free: &'static str,
-    /// After a touch, in its block.
+    /// What follows a touch in its block.
     pub touch: &'static str,
     /// A block that keeps the control from evaluating what stands after it until the motion before it is done.
     pub halt: &'static str,

@@ -68,7 +68,7 @@ pub static HAAS: PostDef = PostDef {
     ..KIN
 };
 
-/// What both have.
+/// What Fanuc and Haas have in common.
 const KIN: PostDef = PostDef {
     extension: "nc",
     unused: &["tool"],

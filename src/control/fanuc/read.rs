@@ -74,12 +74,10 @@ fn haas_takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// Reads a program for a Fanuc.
 pub fn fanuc(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     read(text, &FANUC)
 }
 
-/// Reads a program for a Haas.
 pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     read(text, &HAAS)
 }

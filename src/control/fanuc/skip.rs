@@ -15,7 +15,7 @@ use crate::path::{Move, Touch};
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
 pub(super) const IN_POSITION: f64 = 0.05;
 
-/// Labels. The exits stand after the end.
+/// Labels of the exits, which come after the end of the program.
 const FREE: &str = "9001";
 const MISSED: &str = "9002";
 const BLOCKED: &str = "9003";
@@ -193,7 +193,7 @@ impl Skip<'_> {
         alarms
     }
 
-    /// The place of an alarm among those.
+    /// The index of an alarm in `state_alarms`.
     fn alarm_of(&self, says: &str) -> usize {
         self.state_alarms().iter().position(|alarm| *alarm == says).unwrap_or(0)
     }

@@ -18,7 +18,6 @@ static GRAMMAR: Grammar = Grammar {
     takes: words::rs274,
 };
 
-/// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {

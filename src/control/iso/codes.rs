@@ -9,13 +9,11 @@ use crate::geom::Plane;
 pub enum Family {
     /// LinuxCNC, grbl, Fanuc, Haas and their kin: where two of them disagree, the axis words are no position.
     Iso,
-    /// SINUMERIK.
     Sinumerik,
     /// DIN/ISO of a HEIDENHAIN.
     Heidenhain,
 }
 
-/// What a code does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Effect {
     /// A motion that stays.
@@ -28,7 +26,7 @@ pub enum Effect {
     Curve { stays: bool },
     /// Axis words are control points from here on (true), or positions again.
     ControlPoints(bool),
-    /// The plane.
+    /// The working plane: G17 to G19.
     Plane(Plane),
     /// Millimetres (true) or inches.
     Metric(bool),
@@ -50,9 +48,9 @@ pub enum Effect {
     LengthGiven,
     /// The modes are kept: until the end of the program or subprogram, or until they are given back.
     Keep,
-    /// What was kept is forgotten.
+    /// Drops the modes that were kept.
     Forget,
-    /// The modes that were kept are back.
+    /// Restores the modes that were kept.
     GiveBack,
     /// Selects a work offset, 1 = G54.
     Offset(i32),
@@ -85,7 +83,7 @@ pub enum Effect {
     Call(u8),
     /// Back from a subprogram, or to the block whose number is P.
     Return,
-    /// Ends the program.
+    /// Ends the program: M2, M30, on a SINUMERIK M17 too.
     End,
     /// Changes the tool.
     Tool,

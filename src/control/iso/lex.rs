@@ -19,7 +19,6 @@ pub fn next_line<'t>(rest: &mut &'t str) -> &'t str {
     &text[..end]
 }
 
-/// The lines of a text.
 pub fn lines_of(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || (!rest.is_empty()).then(|| next_line(&mut rest)))
@@ -45,12 +44,11 @@ pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
     same.then(|| &text[beginning.len()..])
 }
 
-/// A comment of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Comment<'t> {
     /// What begins it: `(` or `;`. Some comments do something, and only after one of them.
     pub sign: u8,
-    /// It, without brackets or sign.
+    /// Without its brackets or its sign.
     pub text: &'t str,
 }
 
@@ -79,7 +77,7 @@ pub struct Head {
     pub skips: bool,
     /// The number of the block, `N10` or `:10`.
     pub number: Option<u32>,
-    /// Where the words begin.
+    /// The byte at which the words begin.
     pub end: usize,
 }
 

@@ -125,9 +125,9 @@ pub fn with_semicolons(text: &str) -> Vec<Trouble> {
 /// Jumps and calls by name, resolved when everything is read.
 #[derive(Debug, Default)]
 pub struct Targets<'t> {
-    /// Labels and subroutines, and where they stand.
+    /// Labels and subroutines, each with its index in the blocks.
     pub known: Vec<(&'t [u8], usize)>,
-    /// Blocks that go somewhere, and where to.
+    /// Blocks that jump or call, each with the name it goes to.
     pub wanted: Vec<(usize, &'t [u8])>,
 }
 

@@ -18,13 +18,11 @@ pub struct Grammar {
     pub brackets: (u8, u8),
     /// Whether places and feeds must have a decimal point: without one they count in the smallest step of the control.
     pub points: bool,
-    /// How variables are named.
     pub names: Names,
     /// What stands between two values beside + - * /: the word, how tightly it binds (0 least), and what it does.
     pub operators: &'static [(&'static str, u8, Binary)],
     /// What the control knows under a name, where it is no variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
-    /// Whose codes these are.
     pub family: Family,
     /// The codes that this reader takes, by letter and ten times the number, and the letters that may stand beside each.
     pub takes: fn(u8, i32) -> Option<&'static str>,
@@ -84,7 +82,6 @@ pub const SIGN_OPERATORS: &[(&str, u8, Binary)] = &[
 pub struct Cursor<'t> {
     /// The line, UTF-8. What is left always begins at a character.
     text: &'t [u8],
-    /// What is left of it.
     rest: &'t [u8],
     depth: usize,
     operators: usize,
@@ -100,23 +97,22 @@ pub fn fault<T>(text: Text) -> Parsed<T> {
 }
 
 impl<'t> Cursor<'t> {
-    /// The beginning of a text.
+    /// Leading blanks are skipped.
     pub fn new(text: &'t str) -> Self {
         let text = text.trim_start_matches(BLANKS).as_bytes();
         Cursor { text, rest: text, depth: 0, operators: 0 }
     }
 
-    /// Whether nothing is left.
     pub fn is_done(&self) -> bool {
         self.rest.is_empty()
     }
 
-    /// How many bytes are passed.
+    /// How many bytes have been read.
     pub(super) fn at(&self) -> usize {
         self.text.len() - self.rest.len()
     }
 
-    /// What was passed since a place.
+    /// What has been read since a place.
     pub(super) fn since(&self, at: usize) -> &'t [u8] {
         &self.text[at..self.at()]
     }
@@ -137,7 +133,7 @@ impl<'t> Cursor<'t> {
         printable(&String::from_utf8_lossy(&self.text[at..]).chars().take(40).collect::<String>())
     }
 
-    /// The next byte.
+    /// The next byte, which is not read yet.
     pub fn next(&self) -> Option<u8> {
         self.rest.first().copied()
     }
@@ -157,7 +153,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// The same, and what these bytes are.
+    /// The same, and returns these bytes.
     #[inline]
     fn take(&mut self, bytes: usize) -> &'t [u8] {
         let taken = &self.rest[..bytes];
@@ -165,7 +161,6 @@ impl<'t> Cursor<'t> {
         taken
     }
 
-    /// Goes past blanks.
     #[inline(never)]
     fn trim(&mut self) {
         self.rest = &self.rest[self.count(|b| matches!(b, b' ' | b'\t'))..];
@@ -191,7 +186,7 @@ impl<'t> Cursor<'t> {
         if self.eat(sign) { Ok(()) } else { fault(text!("{sign} is missing before \"{left}\"", sign.to_owned(), self.left())) }
     }
 
-    /// Nothing must be left.
+    /// An error where anything is left.
     pub fn end(&self) -> Parsed<()> {
         if self.is_done() { Ok(()) } else { fault(text!("\"{left}\" is left over", self.left())) }
     }
@@ -249,7 +244,6 @@ impl<'t> Cursor<'t> {
         (end > 1).then(|| self.take(end))
     }
 
-    /// A value.
     pub fn value(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         self.bound(0, grammar, script)
     }
@@ -386,7 +380,6 @@ impl<'t> Cursor<'t> {
         Ok(script.keep(Node::Binary(Binary::Atan, y, x)))
     }
 
-    /// A value in brackets.
     pub fn bracketed(&mut self, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let (open, close) = grammar.brackets;
         self.bracket(open)?;

@@ -10,13 +10,13 @@ use crate::path::Path;
 /// as long as it is needed.
 #[derive(Debug)]
 pub struct Registers {
-    /// Of each assignment.
+    /// Of each assignment, the variable that holds its value.
     pub variables: Vec<usize>,
     triggers: Vec<((usize, usize), usize)>,
     /// A value that is more than one result, and the further registers it goes to.
     pub copies: Vec<(usize, usize)>,
     results: usize,
-    /// The highest one.
+    /// The highest number in use.
     pub last: usize,
 }
 
@@ -82,7 +82,7 @@ impl Reads {
 
 /// The registers that are free after each assignment, as chains: 0 ends one.
 struct Spent {
-    /// Of each assignment.
+    /// Of each assignment, the first register of its chain.
     first: Vec<usize>,
     /// Of each register. It is in one chain at a time.
     next: Vec<usize>,

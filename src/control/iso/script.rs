@@ -17,7 +17,6 @@ pub const BLANKS: [char; 2] = [' ', '\t'];
 pub struct Trouble {
     /// 0-based.
     pub line: usize,
-    /// What is wrong with it.
     pub message: Text,
     /// Whether the line itself is understood, and does not work where it stands.
     pub understood: bool,
@@ -30,64 +29,42 @@ pub struct NodeId(NonZeroU32);
 /// A variable, by its number: the first is 0.
 pub type Slot = u32;
 
-/// A value.
+/// A number, or how one is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
-    /// A number.
     Number(f64),
-    /// A variable.
     Slot(Slot),
-    /// What the control knows.
     System(System),
-    /// A function of one value.
     Unary(Unary, NodeId),
-    /// Two values and what stands between them.
     Binary(Binary, NodeId, NodeId),
 }
 
 /// A function of one value. Angles are in degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unary {
-    /// −
     Minus,
-    /// The value without its sign.
     Abs,
-    /// Sine.
     Sin,
-    /// Cosine.
     Cos,
-    /// Square root.
     Sqrt,
 }
 
 /// What stands between two values. Truth is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binary {
-    /// +
     Add,
-    /// −
     Subtract,
-    /// ×
     Multiply,
-    /// ÷
     Divide,
     /// The angle of the vector (second, first), degrees.
     Atan,
-    /// Equal.
     Equal,
-    /// Not equal.
     Unequal,
-    /// Less.
     Less,
-    /// Less or equal.
     AtMost,
-    /// Greater.
     Greater,
-    /// Greater or equal.
     AtLeast,
-    /// Both.
     And,
-    /// One or both.
     Or,
 }
 
@@ -96,11 +73,10 @@ pub enum Binary {
 pub enum System {
     /// Where the ball is, along an axis.
     Place(usize),
-    /// Where it was at the trigger.
+    /// Where the ball was at the last trigger, along an axis.
     Trigger(usize),
     /// The same two with the length of the tool along the tool axis.
     PlaceWithLength(usize),
-    /// See there.
     TriggerWithLength(usize),
     /// The length of the active tool.
     Length,
@@ -127,12 +103,10 @@ pub enum Part {
     Turn(i32, usize),
 }
 
-/// A block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// 0-based line.
     pub line: usize,
-    /// What it says.
     pub what: What,
 }
 
@@ -143,7 +117,6 @@ pub enum What {
     Nothing,
     /// Modes, and a motion where it has axis words.
     Words(Words),
-    /// A variable gets a value.
     Set(Slot, NodeId),
     /// What is the control's own, or not known, gets a value.
     SetOther(Slot, NodeId),
@@ -151,15 +124,13 @@ pub enum What {
     Elsewhere([bool; 3]),
     /// A part of a work offset gets a value.
     SetOffset(Part, NodeId),
-    /// Continues elsewhere.
+    /// Continues at this block.
     Jump(usize),
-    /// Continues elsewhere if a value is true.
+    /// Continues at this block if a value is true.
     JumpIf(NodeId, usize),
-    /// Continues elsewhere if a value is not true.
+    /// Continues at this block if a value is not true.
     JumpUnless(NodeId, usize),
-    /// Calls a subroutine with arguments.
     Call(usize, Vec<NodeId>),
-    /// Back from a subroutine.
     Return,
     /// Keeps the control from reading on before the motion is done.
     Halt,
@@ -175,22 +146,18 @@ pub enum What {
     Warned,
     /// A cycle of the control's own.
     Native,
-    /// The end.
     End,
 }
 
-/// A block of words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
-    /// The motion it names.
     pub motion: Option<Motion>,
     /// X, Y, Z.
     pub to: [Option<NodeId>; 3],
     /// I, J, K: from where the arc begins to its centre.
     pub center: [Option<NodeId>; 3],
-    /// F.
+    /// F, in units of the program.
     pub feed: Option<NodeId>,
-    /// The modes it sets.
     pub modes: Modes,
 }
 
@@ -201,9 +168,8 @@ pub enum Motion {
     Rapid,
     /// Straight at the feed.
     Straight,
-    /// Clockwise.
     Clockwise,
-    /// Counter-clockwise.
+    /// Counter-clockwise, seen against the axis of the plane.
     Counter,
     /// Straight until a contact; a miss is an alarm of the control.
     MustTouch,
@@ -225,11 +191,10 @@ impl Motion {
 pub struct Modes {
     /// Millimetres (true) or inches.
     pub metric: Option<bool>,
-    /// The plane.
     pub plane: Option<Plane>,
     /// Absolute (true) or incremental places.
     pub absolute: Option<bool>,
-    /// Feeds per minute.
+    /// Feeds per minute (true), or otherwise: per turn, or as the time of the block.
     pub per_minute: Option<bool>,
     /// Centres of arcs from where the arc begins.
     pub arcs_incremental: Option<bool>,
@@ -246,7 +211,6 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// None stated.
     pub const NONE: Modes = Modes {
         metric: None,
         plane: None,
@@ -286,15 +250,13 @@ impl Modes {
 /// A program that was read.
 #[derive(Clone, Debug, Default)]
 pub struct Script<'t> {
-    /// Its blocks, in order.
     pub blocks: Vec<Block>,
-    /// Its values.
     pub nodes: Vec<Node>,
-    /// How many variables it has.
+    /// How many variables it names.
     pub slots: usize,
-    /// They by name.
+    /// The variables, by their spelled names.
     names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
-    /// Those beyond the usual number.
+    /// The variables beyond [`USUAL_NAMES`].
     more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
@@ -367,13 +329,11 @@ impl<'t> Script<'t> {
         if known.is_some() || self.more_names.is_empty() { known } else { self.more_names.get(name).copied() }
     }
 
-    /// Keeps a value.
     pub fn keep(&mut self, node: Node) -> NodeId {
         self.nodes.push(node);
         NodeId(NonZeroU32::new(self.nodes.len() as u32).unwrap_or(NonZeroU32::MAX))
     }
 
-    /// What a value is.
     pub fn node(&self, id: NodeId) -> Node {
         self.nodes[id.0.get() as usize - 1]
     }
@@ -435,7 +395,6 @@ impl<'t> Script<'t> {
         })
     }
 
-    /// Adds a block.
     pub fn push(&mut self, line: usize, what: What) {
         self.blocks.push(Block { line, what });
     }

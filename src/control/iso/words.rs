@@ -42,7 +42,6 @@ struct Block {
 /// The letters whose values matter in a block without a motion.
 const VALUED: [u8; 3] = [b'L', b'P', b'R'];
 
-/// A block of words.
 pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
     let mut block = Block::default();
     if cursor.is_done() {

@@ -67,7 +67,6 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    /// An empty program.
     pub fn new(request: &'a Request<'a>) -> Self {
         let move_lines = Vec::with_capacity(request.path.moves.len());
         let mut writer = Writer {
@@ -88,7 +87,6 @@ impl<'a> Writer<'a> {
         writer
     }
 
-    /// One line.
     pub fn line(&mut self, text: &str) {
         self.parts(&[text]);
     }
@@ -298,7 +296,6 @@ impl<'a> Writer<'a> {
         (numbers, wanted)
     }
 
-    /// The finished program.
     pub fn finish(mut self) -> Program {
         header::seal(&mut self.text);
         Program { text: self.text, move_lines: self.move_lines }
@@ -386,7 +383,7 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The same, line by line.
+/// Passes such lines on one by one, without a list.
 pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     let mut rest = text;
     while rest.len() > width {

@@ -246,7 +246,7 @@ fn less(value: &str, constant: &str) -> String {
     }
 }
 
-/// What stands before the first move.
+/// The header, and what is checked and set before the first move.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
     w.header(&does::line(request, does::ONCE));

@@ -60,7 +60,6 @@ enum Open<'t> {
     If(&'t [u8], usize, Option<usize>),
 }
 
-/// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.ahead = Ahead::Alarms;

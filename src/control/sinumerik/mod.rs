@@ -292,7 +292,7 @@ impl Moves for Sinumerik<'_> {
 /// What a MSG shows of a text, in characters, values included. Recalled: 124.
 const LONGEST_MESSAGE: usize = 100;
 
-/// About as many characters has a value.
+/// About how many characters a shown value takes.
 const VALUE: usize = 12;
 
 /// Shows every result: on the screen, as much as goes into a message, and waits; or writes it into a file in the control.

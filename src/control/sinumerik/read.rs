@@ -71,7 +71,6 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-/// Reads a program.
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.sees_edges = true;

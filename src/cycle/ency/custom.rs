@@ -9,7 +9,7 @@ pub const MOST: usize = 200;
 /// The highest of the user's own codes.
 pub const HIGHEST: f64 = 1e6;
 
-/// One own code.
+/// A code of the user's own, added to the table as it is.
 #[derive(Clone, Debug)]
 pub struct Custom {
     code: i32,

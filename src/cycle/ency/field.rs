@@ -29,7 +29,6 @@ pub const fn width(key: &'static str, label: &'static str, default: f64, code: &
     Field::length(key, label, default).range(SMALLEST, 10_000.0).usual(5.0, 2000.0).code(code).group("Size").size()
 }
 
-/// A diameter.
 pub const fn diameter() -> Field {
     Field::length("diameter", "Diameter", 40.0)
         .help("Diameter of the feature.")
@@ -126,7 +125,7 @@ pub const fn angle() -> Field {
     Field::angle("angle", "Corner angle", 90.0).range(20.0, 160.0).group("Size").size()
 }
 
-/// The angular variant.
+/// The code of the angular variant in the source's table.
 const ANGULAR: i32 = 1;
 const VARIANTS: &[Code] = &[Code { value: 0, label: "rectangular" }, Code { value: ANGULAR, label: "angular" }];
 

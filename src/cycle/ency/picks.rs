@@ -11,7 +11,7 @@ pub const NEAR: f64 = 1e-3;
 /// The smallest depth that a form may have, mm.
 const SMALLEST: f64 = 0.001;
 
-/// A picked touch.
+/// A touch that is given one by one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
     /// On the surface, mm.

@@ -22,7 +22,6 @@ pub(super) enum Kept {
 /// What a block says of a code that makes no place of its axis words.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub(super) enum Foreign {
-    /// There is none.
     No,
     /// The code sets or stores something: nothing moves.
     Sets,
@@ -93,7 +92,6 @@ pub(super) struct Block {
     pub machine: bool,
     /// It goes to a place that the machine knows, whether or not it names axes.
     pub home: bool,
-    /// Its F.
     pub feed: Option<f64>,
     /// Its F is no feed that stays: a time, or an argument of a macro.
     pub feedless: bool,

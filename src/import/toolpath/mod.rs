@@ -63,24 +63,24 @@ pub struct Toolpath {
     pub line: Vec<u32>,
     /// The arcs: index of the move, centre, degrees counter-clockwise seen against the axis of their plane, and that plane: 17, 18 or 19.
     pub arcs: Vec<[f64; 6]>,
-    /// The plane that the program chose first.
+    /// The plane that the program chose first; arcs may be in another one.
     pub plane: Plane,
-    /// What was passed over.
+    /// What was ignored, and where the path is not known.
     pub findings: Vec<Finding>,
 }
 
 impl Toolpath {
-    /// How many moves.
+    /// The number of moves: `kind`, `feed` and `line` have one entry for each.
     pub fn len(&self) -> usize {
         self.kind.len()
     }
 
-    /// Whether nothing moves.
+    /// Whether the program has no moves.
     pub fn is_empty(&self) -> bool {
         self.kind.is_empty()
     }
 
-    /// Where a move ends.
+    /// Where a move ends, in the program's units: NaN along an axis whose place is not known. Panics beyond the last move.
     pub fn end(&self, index: usize) -> Vec3 {
         Vec3::from_slice(&self.to[3 * index..3 * index + 3])
     }

@@ -25,7 +25,6 @@ pub(super) struct Modes {
     pub motion: Motion,
     /// That motion is a curve, straight here.
     pub curve: bool,
-    /// What the places are.
     pub given: Given,
     pub absolute: bool,
     pub centers_absolute: bool,
@@ -159,7 +158,6 @@ impl Reader {
         }
     }
 
-    /// Whose codes these are.
     pub fn family(&self) -> Family {
         match (self.sinumerik, self.heidenhain) {
             (true, _) => Family::Sinumerik,

@@ -15,7 +15,6 @@ use crate::text::text;
 /// An inch in mm.
 const INCH: f64 = 25.4;
 
-/// Reads a log.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
     let before = checker.count();
     let mut log = Log::of(checker, lines);

@@ -25,7 +25,6 @@ pub struct Expected<'a> {
     pub names: [String; 2],
 }
 
-/// What was measured.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
     /// Ball centres, one a touch, mm in the work coordinate system; none where a touch missed. Empty where results were given.

@@ -14,7 +14,7 @@ use crate::text::{Text, text};
 pub struct Shift {
     /// Machine less work.
     pub by: Vec3,
-    /// What says so.
+    /// The report that it comes from, for a message.
     pub source: Text,
     /// The work offset that was active, 1 = G54, where that is known.
     pub offset: Option<u8>,

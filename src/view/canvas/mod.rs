@@ -124,7 +124,6 @@ fn lit(line: &Line) -> bool {
 pub struct Painter {
     canvas: HtmlCanvasElement,
     context: CanvasRenderingContext2d,
-    /// The colours.
     pub theme: Theme,
     /// Whether it is a small picture: no axes, no numbers, no handles.
     pub small: bool,
@@ -216,7 +215,6 @@ impl Painter {
         self.alpha(1.0).circle(ball, radius, Colour::Highlight, 2.0);
     }
 
-    /// Draws everything.
     pub fn draw(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         let c = &self.context;
         self.begin(camera, BOLD);

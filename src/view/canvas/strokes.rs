@@ -32,7 +32,6 @@ impl Painter {
         self
     }
 
-    /// Fills the path.
     pub(super) fn fill(&self, colour: Colour) {
         self.context.set_fill_style_str(self.theme.colour(colour));
         self.context.fill();
@@ -44,7 +43,7 @@ impl Painter {
         self.context.stroke();
     }
 
-    /// Strokes the path.
+    /// Strokes the path with the gaps of the pen, if it has any.
     pub(super) fn dashed(&self, pen: &Pen) {
         self.take(pen.colour, pen.widths[0], pen.dash);
         self.context.stroke();

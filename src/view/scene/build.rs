@@ -11,9 +11,8 @@ use crate::view::walls::{WallShape, shape, strips};
 /// What the actual part adds.
 #[derive(Debug)]
 pub struct Actual<'a> {
-    /// Its surfaces.
     pub surfaces: &'a [Surface],
-    /// What happens there.
+    /// The path run on those surfaces.
     pub run: &'a Run,
     /// Where the feature's origin really lies.
     pub origin: Vec3,

@@ -81,23 +81,18 @@ pub enum Stroke {
 /// One line of the path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// From here.
     pub from: Vec2,
-    /// To here.
     pub to: Vec2,
-    /// What it is.
     pub stroke: Stroke,
-    /// Whether it is a rapid.
     pub rapid: bool,
     /// Whether it is the way back from a touch.
     pub back: bool,
     /// What stands before it: that with this top side.
     pub behind: Option<usize>,
-    /// The move it shows.
+    /// Index of the move in the path.
     pub index: usize,
 }
 
-/// One touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TouchShape {
     /// The nominal contact on the surface.
@@ -108,7 +103,7 @@ pub struct TouchShape {
     pub trigger: Option<Vec2>,
     /// Where its number stands: a direction away from the material.
     pub inward: Vec2,
-    /// The move that makes it.
+    /// Index of the move that makes it.
     pub index: Option<usize>,
     /// What stands before its ball: that with this top side.
     pub behind: Option<usize>,
@@ -159,7 +154,6 @@ pub struct Scene {
     pub material: Vec<Material>,
     /// The path.
     pub lines: Vec<Line>,
-    /// The touches.
     pub touches: Vec<TouchShape>,
     /// Where each move ends.
     pub ends: Vec<Vec2>,

@@ -14,14 +14,11 @@ pub struct Top {
     pub corners: Vec<Vec2>,
 }
 
-/// A wall or a top side.
 #[derive(Clone, Copy, Debug)]
 pub enum Face<'a> {
     /// Here belong the lines and the touches behind what has this top side: it hides of them what it hides.
     Behind(usize),
-    /// A wall.
     Wall(&'a WallShape),
-    /// A top side.
     Top(&'a Top),
 }
 

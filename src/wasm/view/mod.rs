@@ -62,7 +62,6 @@ enum Due {
     All,
 }
 
-/// What is shown.
 #[derive(Debug)]
 struct Shown {
     scene: Scene,

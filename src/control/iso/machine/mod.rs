@@ -23,12 +23,12 @@ const MOTION: usize = 20;
 /// So many motions in other modes than the first one are kept.
 const MOST_CHANGES: usize = 20;
 
-/// What a probing move meets.
+/// What happens in a probing move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Met {
     /// Something: where the axes stop, and what the control reads as the trigger.
     Something(Place, Place),
-    /// Nothing.
+    /// No contact.
     Nothing,
     /// Not known: what the program does not take for a fault.
     Unknown,
@@ -40,7 +40,6 @@ pub type World<'w> = dyn FnMut(&Step) -> Met + 'w;
 /// How a run begins, and how far it goes.
 #[derive(Clone, Copy, Debug)]
 pub struct Run {
-    /// Where the ball is.
     pub start: Place,
     /// Whether the probe is deflected from the start.
     pub deflected: bool,
@@ -94,7 +93,7 @@ impl State {
 /// A subroutine that is not done.
 #[derive(Clone, Debug)]
 struct Called {
-    /// Where to go back to.
+    /// The block that the run continues with after it.
     back: usize,
     /// The line of the outermost call.
     line: usize,
@@ -116,7 +115,7 @@ struct Machine<'s, 't> {
     run: Run,
     /// Whether the block that is carried out is refused because the run is strict: whatever comes of it, the program cannot rely on it.
     refused: Cell<bool>,
-    /// How much may still be done.
+    /// What the run may still cost, in steps: it ends a program that would run forever.
     left: Cell<usize>,
 }
 

@@ -12,7 +12,6 @@ use crate::geom::{Frame, Plane, Vec3};
 use crate::path::{self, Entry, Feature, Feed, Setup, Surface, Touched, Tracer, Wall};
 use crate::text::{Text, text, words};
 
-/// The field of the angle.
 pub const ANGLE: &str = "cycle.angle";
 
 /// The fields of the two walls.
@@ -47,11 +46,10 @@ impl CornerAngle {
 pub struct Corner {
     /// Whether the material lies around it.
     pub internal: bool,
-    /// Between the walls.
     pub angle: CornerAngle,
     /// From the wall to the ball centre where its touches begin, mm.
     pub clearances: [f64; 2],
-    /// How many touches.
+    /// Touches on each wall.
     pub counts: [usize; 2],
     /// From touch to touch, mm.
     pub steps: [f64; 2],

@@ -95,7 +95,6 @@ pub trait Probed {
     /// The surfaces, one a group.
     fn surfaces(&self, on: &Seated<'_>) -> Vec<Surface>;
 
-    /// What is probed.
     fn feature(&self) -> Feature;
 
     /// Height of the top side along the tool axis, mm, where the source has one.
@@ -116,7 +115,6 @@ pub struct Placed {
     pub origin: Vec3,
     /// `rotation` of the form, degrees.
     pub rotation: f64,
-    /// With its sizes.
     pub shape: Shape,
 }
 
@@ -132,7 +130,6 @@ impl Placed {
 pub struct Seated<'a> {
     /// The frame of the shape's dimensions.
     pub frame: Frame,
-    /// Its touches.
     pub touches: Vec<Touch>,
     /// The job around it.
     pub setup: &'a Setup,

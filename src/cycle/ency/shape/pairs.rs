@@ -39,7 +39,6 @@ const TWO: [Names; 2] = [
 pub struct Pairs {
     /// Whether the material lies around it.
     pub internal: bool,
-    /// The pairs.
     pub sides: Vec<Side>,
     /// From the top side down to the touches, mm.
     pub depth: f64,

@@ -10,18 +10,16 @@ use crate::geom::{Frame, Plane, Vec2, Vec3};
 use crate::path::{Bore, Entry, Feature, Round, SHORTEST_TOUCH, Setup, Surface, Tracer};
 use crate::text::{Text, text, words};
 
-/// How the touches are spread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Variant {
     /// Four, each pair opposite, the second a quarter turn counter-clockwise from the first.
     Rectangular,
     /// From an angle on, step by step (degrees, counter-clockwise), so many.
     Angular {
-        /// Of the first touch.
+        /// Of the first touch, from the abscissa.
         start: f64,
-        /// To the next.
+        /// From each touch to the next.
         step: f64,
-        /// How many.
         count: usize,
     },
 }
@@ -43,7 +41,6 @@ pub struct Circle {
     pub internal: bool,
     /// mm.
     pub diameter: f64,
-    /// How the touches are spread.
     pub variant: Variant,
     /// From the top side down to the touches, mm.
     pub depth: f64,

@@ -106,7 +106,6 @@ pub struct TwoCircles {
 /// Whether an object is probed by the cycle itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
-    /// Probed.
     Probed,
     /// Its place is not known: the operator moves the probe there.
     Semi,

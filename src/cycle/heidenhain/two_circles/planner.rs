@@ -30,7 +30,6 @@ pub struct Planner<'a> {
 }
 
 impl<'a> Planner<'a> {
-    /// For a cycle.
     pub fn new(cycle: &'a TwoCircles, setup: &'a Setup) -> Self {
         Planner {
             cycle,
