@@ -110,7 +110,7 @@ fn a_real_life_dump_is_read() {
     let said: Vec<&str> = several.findings.iter().map(|f| f.code.as_str()).collect();
     assert!(said.contains(&"unknown-type") && said.contains(&"several-cycles"), "{said:?}");
     assert_eq!(several.job.get("cycle").unwrap().get("subCode"), Some(&number(4711.0)));
-    assert!(import("Int[-1] = 99\n").unwrap_err().findings.iter().any(|f| f.code == "unknown-type"));
+    assert!(import("Int[-1] = 2147483647\n").unwrap_err().findings.iter().any(|f| f.code == "unknown-type"));
     let on = import("CmdPrm.Int[-1] = 0\nCmdPrm.Int[-2] = -500\nCmdPrm.Bol[-3] = false\n").unwrap();
     assert_eq!(on.job.get("cycle").unwrap().get("on"), Some(&Value::Flag(false)));
     // A vector that points the wrong way becomes a job that says so.
