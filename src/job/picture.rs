@@ -25,7 +25,7 @@ impl Planned {
     /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is.
     pub fn picture(&self, view: Projection, magnify: f64) -> Picture {
         let Planned { job, path, surfaces, run } = self;
-        let rigid = &job.lie.rigid;
+        let rigid = &job.placement.rigid;
         let actual = Actual {
             surfaces,
             run,
@@ -42,7 +42,7 @@ impl Planned {
         Picture {
             names,
             offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
-            deviates: !job.lie.nominal,
+            deviates: !job.placement.nominal,
             scene,
         }
     }

@@ -24,8 +24,8 @@ use crate::text::{Text, text};
 /// The surfaces of the actual part where it really lies.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
     match job.actual.as_deref() {
-        Some(cycle) => part::place(&cycle.surfaces(&job.setup), &job.lie),
-        None => part::place(&path.surfaces, &job.lie),
+        Some(cycle) => part::place(&cycle.surfaces(&job.setup), &job.placement),
+        None => part::place(&path.surfaces, &job.placement),
     }
 }
 
@@ -194,7 +194,7 @@ fn report_implausible(job: &Job, path: &Path, rows: &[formula::ResultRow], off: 
         (true, false) => text!("On this part the program reports an implausible result: {what}", what),
         (false, _) => text!("On this part a result is implausible, and the program does not ask: {what}", what),
     };
-    checker.warning("implausible", if job.lie.nominal { "limits" } else { "part" }, message);
+    checker.warning("implausible", if job.placement.nominal { "limits" } else { "part" }, message);
 }
 
 /// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
@@ -211,7 +211,7 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
         checker.length(way),
         checker.length(job.post.nearest_trigger)
     );
-    checker.warning("contact-at-start", if job.lie.nominal { "cycle" } else { "part" }, message);
+    checker.warning("contact-at-start", if job.placement.nominal { "cycle" } else { "part" }, message);
 }
 
 /// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
@@ -243,7 +243,13 @@ fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
     let Planned { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
-    part::add_truth(&mut rows, actual_formula.as_ref().unwrap_or(&path.formula), job.setup.plane, path.frame.origin, &job.lie);
+    part::add_truth(
+        &mut rows,
+        actual_formula.as_ref().unwrap_or(&path.formula),
+        job.setup.plane,
+        path.frame.origin,
+        &job.placement,
+    );
     job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
     if run.collision.is_none() {
         let implausible = judge_plausible(job, path, &mut rows);
@@ -395,8 +401,8 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
 /// is a warning: the program is that of the drawing, and the part a trial.
 fn report_run(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, surfaces, run } = planned;
-    let field = if job.lie.nominal { "cycle" } else { "part" };
-    if job.lie.nominal {
+    let field = if job.placement.nominal { "cycle" } else { "part" };
+    if job.placement.nominal {
         report_stylus(job, path, run, None, checker);
     } else {
         // A part that lies elsewhere makes no path good that meets the part of the drawing.

@@ -256,7 +256,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
             let convert = |x: Option<f64>| x.filter(|x| x.is_finite()).map(|x| tidy(x / scale));
             let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
             let note = off.and_then(|off| {
-                let reason = job.cycle.turned_error(&row.code).filter(|_| job.lie.turn != 0.0)?;
+                let reason = job.cycle.turned_error(&row.code).filter(|_| job.placement.turn != 0.0)?;
                 let sign = if off > 0.0 { "+" } else { "" };
                 let off = format!("{sign}{} {}", decimal(off / scale, 5), job.unit);
                 Some(text!("{off} from the truth: {reason}", off, reason))

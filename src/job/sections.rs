@@ -6,7 +6,7 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
-use crate::part::{Lie, Machine, Scatter, Shape};
+use crate::part::{Machine, PartPlacement, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -284,14 +284,14 @@ pub struct Job {
     pub report: Report,
     /// The number of the program, where its control has them; none takes that of the name.
     pub number: Option<i32>,
-    pub lie: Lie,
+    pub placement: PartPlacement,
     /// The cycle with the actual part's sizes; none where they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
 }
 
 impl PartForm {
-    fn lie(&self, plane: Plane, resized: bool) -> Lie {
-        Lie {
+    fn placement(&self, plane: Plane, resized: bool) -> PartPlacement {
+        PartPlacement {
             rigid: Rigid::new(plane, self.offset, self.rotation.to_radians()),
             turn: self.rotation,
             nominal: self.offset == Vec3::ZERO && self.rotation == 0.0 && !resized,
@@ -394,7 +394,7 @@ impl Job {
             orient: control.orient,
             report: Report::named(&control.report),
             number: control.number,
-            lie: part.lie(plane, sizes.is_some()),
+            placement: part.placement(plane, sizes.is_some()),
             actual: sizes,
         })
     }

@@ -3,7 +3,7 @@
 use crate::formula::{Dual, Formula, ResultRow, Role, Unit, Variable};
 use crate::geom::{Plane, Vec3};
 use crate::num::{tidy, wrap_degrees};
-use crate::part::Lie;
+use crate::part::PartPlacement;
 use crate::path::Path;
 use crate::text::{Text, text};
 
@@ -112,7 +112,7 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
 
 /// Adds to each row what is true of the actual part. `actual` is the formula of the resized feature in its nominal place,
 /// so that its nominal values only have to be moved with the part.
-pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: Vec3, lie: &Lie) {
+pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: Vec3, placement: &PartPlacement) {
     let [a, o, w] = plane.axes();
     let mut point = place;
     for (i, (row, def)) in rows.iter_mut().zip(&actual.results).enumerate() {
@@ -123,16 +123,16 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
                 nominal[a] = def.nominal;
                 nominal[o] = actual.results[i..].iter().find(|r| r.role == Role::Ordinate).map_or(0.0, |r| r.nominal);
                 nominal[w] = place[w];
-                point = lie.rigid.point(nominal);
+                point = placement.rigid.point(nominal);
                 point[a]
             }
             Role::Ordinate => point[o],
             Role::Size | Role::Angle => def.nominal,
-            Role::Direction => wrap_degrees(def.nominal + lie.turn),
+            Role::Direction => wrap_degrees(def.nominal + placement.turn),
             Role::Level => {
                 let mut nominal = place;
                 nominal[w] = def.nominal;
-                lie.rigid.point(nominal)[w]
+                placement.rigid.point(nominal)[w]
             }
             Role::Height | Role::Reading | Role::Shift | Role::Turn | Role::Residual => continue,
         };

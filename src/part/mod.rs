@@ -20,7 +20,7 @@ const ROUNDING: f64 = 2e-7;
 
 /// How the real part lies.
 #[derive(Clone, Debug)]
-pub struct Lie {
+pub struct PartPlacement {
     /// The turn and shift of the part.
     pub rigid: Rigid,
     /// The same turn in degrees, counter-clockwise seen against the tool axis.
@@ -44,18 +44,18 @@ pub struct Run {
 }
 
 /// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.
-pub fn place(surfaces: &[Surface], lie: &Lie) -> Vec<Surface> {
+pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
     surfaces
         .iter()
         .map(|surface| match surface {
             Surface::Flat(wall) => Surface::Flat(Wall {
-                point: lie.rigid.point(wall.point),
-                normal: lie.rigid.direction(wall.normal),
-                along: lie.rigid.direction(wall.along),
+                point: placement.rigid.point(wall.point),
+                normal: placement.rigid.direction(wall.normal),
+                along: placement.rigid.direction(wall.along),
                 ..*wall
             }),
             Surface::Unknown => Surface::Unknown,
-            Surface::Round(round) => Surface::Round(Round { center: lie.rigid.point(round.center), ..*round }),
+            Surface::Round(round) => Surface::Round(Round { center: placement.rigid.point(round.center), ..*round }),
         })
         .collect()
 }

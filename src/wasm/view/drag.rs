@@ -63,7 +63,7 @@ impl View {
         let spot = self.camera.spot(Vec2::new(x, y));
         let [a, o, _] = held.plane.axes();
         let Planned { job, path, .. } = &held.last.planned;
-        let (mut offset, mut turn) = (job.lie.rigid.point(Vec3::ZERO), job.lie.turn);
+        let (mut offset, mut turn) = (job.placement.rigid.point(Vec3::ZERO), job.placement.turn);
         let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin);
         let now = place(offset, turn);
         if handle == "turn" {
