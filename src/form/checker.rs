@@ -107,7 +107,7 @@ impl Checker {
     }
 
     /// Whether none of these paths (or anything inside or around them) has an error.
-    pub fn sound(&self, paths: &[&str]) -> bool {
+    pub fn is_clean(&self, paths: &[&str]) -> bool {
         let inside = |long: &str, short: &str| {
             long.strip_prefix(short).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
         };

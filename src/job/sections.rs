@@ -460,7 +460,7 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
 
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
     if let Some(def) = def
-        && checker.sound(&["control.post", "control.form"])
+        && checker.is_clean(&["control.post", "control.form"])
         && let Err(why) = (post.serves)(def.probes, Form::named(&control.form))
     {
         let other = Form::named(&control.form).other();
@@ -519,7 +519,7 @@ fn read_tool(checker: &mut Checker, value: &Value, plane: &str) -> Query {
 
 /// The first length of the probe must act along the tool axis, away from the part, or the control places the ball elsewhere.
 fn check_length(checker: &mut Checker, post: &PostDef, query: &Query) {
-    if !post.first_length || !checker.sound(&["tool", "plane"]) {
+    if !post.first_length || !checker.is_clean(&["tool", "plane"]) {
         return;
     }
     let answer = lentoax(query);
@@ -592,7 +592,7 @@ fn read_sizes(
             continue;
         };
         // A cycle that is in error has no sizes to change.
-        if delta == 0.0 || !checker.sound(&["cycle"]) {
+        if delta == 0.0 || !checker.is_clean(&["cycle"]) {
             continue;
         }
         match actual.as_deref().unwrap_or(&**cycle).resized(setup, key, delta) {

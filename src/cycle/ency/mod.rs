@@ -204,17 +204,17 @@ impl Cycle for Ency {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         let shape = &self.form.placed.shape;
         let Some(picks) = &self.picks else { return shape.rules(setup, checker) };
-        if !checker.sound(&["cycle"]) {
+        if !checker.is_clean(&["cycle"]) {
             return;
         }
         shape.check(picks, setup.plane, checker);
-        if !checker.sound(&["cycle"]) {
+        if !checker.is_clean(&["cycle"]) {
             return;
         }
         let mut placed = shape.place(picks, setup.plane).shape;
         self.compare(&mut placed, checker);
         // The dimensions that the picks replace do not matter.
-        if checker.sound(&["cycle"]) {
+        if checker.is_clean(&["cycle"]) {
             placed.rules(setup, checker);
         }
     }

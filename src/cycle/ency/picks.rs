@@ -82,7 +82,7 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
             });
             let vector = triple(section, item.get("vector"), words!("Target vector"), &format!("{path}.vector"), component);
             let length = vector.length();
-            if section.checker.sound(&[&path]) && (length - 1.0).abs() > NEAR {
+            if section.checker.is_clean(&[&path]) && (length - 1.0).abs() > NEAR {
                 let message = text!("The target vector of touch {touch} has the length {length}: it must be a unit vector (1, give or take 0.001)", k + 1, crate::num::decimal(length, 4));
                 section.checker.error("vector-not-unit", format!("{path}.vector"), message);
             }

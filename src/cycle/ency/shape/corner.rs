@@ -178,12 +178,12 @@ impl Probed for Corner {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         clearance_rule(checker, setup, "Clearance 1", self.clearances[0], "cycle.clearance1");
         clearance_rule(checker, setup, "Clearance 2", self.clearances[1], "cycle.clearance2");
-        if checker.sound(&["cycle.count1", "cycle.count2"]) {
+        if checker.is_clean(&["cycle.count1", "cycle.count2"]) {
             let path = if self.counts[0] >= self.counts[1] { "cycle.count1" } else { "cycle.count2" };
             touch_count_rule(checker, self.counts[0] + self.counts[1], path);
         }
         let paths = ["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"];
-        if !self.internal || !checker.sound(&paths) {
+        if !self.internal || !checker.is_clean(&paths) {
             return;
         }
         // The first touch of a wall has its foot `first` from the corner, and the ball in contact there stands
@@ -243,7 +243,7 @@ impl Probed for Corner {
                 checker.error("not-on-one-wall", format!("cycle.touches[{k}]"), message);
             }
         }
-        if !checker.sound(&["cycle.touches"]) {
+        if !checker.is_clean(&["cycle.touches"]) {
             return;
         }
         let [one, two] = firsts.map(|k| picks[k]);
@@ -252,7 +252,7 @@ impl Probed for Corner {
             return;
         }
         sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
-        if self.internal && checker.sound(&["cycle.touches"]) {
+        if self.internal && checker.is_clean(&["cycle.touches"]) {
             let reading = |i: usize| (firsts[i], picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i]);
             picks::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
         }

@@ -121,7 +121,7 @@ impl Probed for Pairs {
             if !self.internal {
                 continue;
             }
-            if checker.sound(&[width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
+            if checker.is_clean(&[width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
                 let message = text!(
                     "{label} ({width}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                     label,
@@ -132,7 +132,7 @@ impl Probed for Pairs {
                 );
                 checker.error("ball-too-wide", width_path, message);
             } else if let Some(clearance) = side.clearance
-                && checker.sound(&[width_path, clearance_path, "stylus.diameter"])
+                && checker.is_clean(&[width_path, clearance_path, "stylus.diameter"])
                 && clearance + setup.radius >= side.width
             {
                 let message = text!(
@@ -182,7 +182,7 @@ impl Probed for Pairs {
             );
             checker.error("pairs-not-square", "cycle.touches[2].vector", message);
         }
-        if !self.protected() && checker.sound(&["cycle.touches"]) {
+        if !self.protected() && checker.is_clean(&["cycle.touches"]) {
             let origin = self.place(picks, plane).origin;
             picks::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
         }

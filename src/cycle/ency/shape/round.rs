@@ -108,7 +108,7 @@ impl Probed for Circle {
         if let Some(clearance) = self.clearance {
             clearance_rule(checker, setup, "Side clearance", clearance, "cycle.sideClearance");
         }
-        if self.internal && checker.sound(&["cycle.diameter", "stylus.diameter"]) {
+        if self.internal && checker.is_clean(&["cycle.diameter", "stylus.diameter"]) {
             let ball = 2.0 * setup.radius;
             if self.diameter < ball + 2.0 * SHORTEST_TOUCH - 1e-6 {
                 let message = text!(
@@ -120,7 +120,7 @@ impl Probed for Circle {
                 );
                 checker.error("ball-too-wide", "cycle.diameter", message);
             } else if let Some(clearance) = self.clearance
-                && checker.sound(&["cycle.sideClearance"])
+                && checker.is_clean(&["cycle.sideClearance"])
                 && clearance + setup.radius >= self.diameter
             {
                 let message = text!(
@@ -134,7 +134,7 @@ impl Probed for Circle {
         }
         level_rules(checker, setup, self.depth, self.top.filter(|_| self.clearance.is_some()), !self.internal);
         let apart = |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
-        if checker.sound(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
+        if checker.is_clean(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
             let message = text!("Fewer than three distinct touches give no circle: centre and diameter are not known");
             checker.warning("no-circle", "cycle.stepCount", message);
         }
@@ -147,7 +147,7 @@ impl Probed for Circle {
         let all: Vec<usize> = (0..picks.len()).collect();
         picks::levelled(picks, &all, plane, checker);
         picks::one_level(picks, &all, plane, checker);
-        if !checker.sound(&["cycle.touches"]) {
+        if !checker.is_clean(&["cycle.touches"]) {
             return;
         }
         if self.variant == Variant::Rectangular {
@@ -179,7 +179,7 @@ impl Probed for Circle {
                 checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
             }
         }
-        if self.clearance.is_none() && checker.sound(&["cycle.touches"]) {
+        if self.clearance.is_none() && checker.is_clean(&["cycle.touches"]) {
             let up = plane.basis()[2];
             picks::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
         }

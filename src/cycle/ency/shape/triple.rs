@@ -114,7 +114,7 @@ impl Probed for Triple {
             level_rules(checker, setup, outside.depth, None, true);
             return;
         }
-        if !checker.sound(&["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"]) {
+        if !checker.is_clean(&["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"]) {
             return;
         }
         let cos = self.angle.signed().to_radians().cos();
@@ -148,7 +148,7 @@ impl Probed for Triple {
         }
         let firsts: Vec<(usize, Pick)> = picks.iter().copied().enumerate().collect();
         sides_rule(self.internal(), &firsts, checker);
-        if !checker.sound(&["cycle.touches"]) {
+        if !checker.is_clean(&["cycle.touches"]) {
             return;
         }
         let up = plane.basis()[2];

@@ -34,7 +34,7 @@ impl TwoCircles {
     /// Reports every rule that does not hold.
     pub(super) fn check(&self, setup: &Setup, checker: &mut Checker) {
         for (needs, rule) in RULES {
-            if checker.sound(needs) {
+            if checker.is_clean(needs) {
                 rule(self, setup, checker);
             }
         }
@@ -45,10 +45,10 @@ impl TwoCircles {
         for ((object, point), diameter) in self.objects().iter().zip(POINTS).zip(DIAMETERS) {
             object_rules(object, point, diameter, checker);
             if object.state == State::Probed
-                && checker.sound(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
+                && checker.is_clean(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
             {
                 self.room_rules(object, diameter, setup, checker);
-                if checker.sound(&[point, diameter, "cycle.setUpClearance", "cycle.probe"]) {
+                if checker.is_clean(&[point, diameter, "cycle.setUpClearance", "cycle.probe"]) {
                     self.zone_rules(object, [point, diameter], setup, checker);
                 }
             }
@@ -256,7 +256,7 @@ impl TwoCircles {
         let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
         for (object, path) in self.objects().iter().zip(POINTS) {
             let Some([_, _, height]) = object.place() else { continue };
-            if mode >= 0 && object.state == State::Probed && checker.sound(&[path, "cycle.clearanceHeight"]) {
+            if mode >= 0 && object.state == State::Probed && checker.is_clean(&[path, "cycle.clearanceHeight"]) {
                 let highest = height + extrusion;
                 if highest >= self.form.clearance_height {
                     let message = text!(
@@ -291,7 +291,7 @@ impl TwoCircles {
 
 /// What must hold of one object's values.
 fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Checker) {
-    if !checker.sound(&[point, diameter]) {
+    if !checker.is_clean(&[point, diameter]) {
         return;
     }
     let number = object.number;
