@@ -39,9 +39,9 @@ pub trait Moves {
     /// A touch, and what a miss leads to.
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch);
 
-    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put into the empty texts of `kept`. False
+    /// How the control keeps the coordinate `axis` of a sample, and what it is called there: put into the empty texts of `stored`. False
     /// where it keeps none.
-    fn keeps(&self, _sample: usize, _axis: usize, _kept: &mut Kept) -> bool {
+    fn stores(&self, _sample: usize, _axis: usize, _stored: &mut StoredCoordinate) -> bool {
         false
     }
 
@@ -69,7 +69,7 @@ pub trait Moves {
 
 /// Where a control keeps a coordinate of a trigger.
 #[derive(Clone, Debug, Default)]
-pub struct Kept {
+pub struct StoredCoordinate {
     /// The variable it is kept in.
     pub variable: String,
     /// What the control has it in after a touch.
@@ -88,7 +88,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let formula = &path.formula;
     let mut w = Writer::new(request);
     let used = formula.used();
-    let mut kept = Kept::default();
+    let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
     let own = hooks.own_cycle(&w);
     let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
@@ -105,7 +105,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
-                latch(&mut w, path, hooks, (k, &used), &mut kept);
+                latch(&mut w, path, hooks, (k, &used), &mut stored);
                 made += 1;
                 while needed.get(computed).is_some_and(|needed| *needed <= made) {
                     hooks.assign(&mut w, formula, computed);
@@ -142,14 +142,14 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
 }
 
 /// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, path: &Path, hooks: &dyn Moves, (k, used): (usize, &Used), kept: &mut Kept) {
+fn latch(w: &mut Writer<'_>, path: &Path, hooks: &dyn Moves, (k, used): (usize, &Used), stored: &mut StoredCoordinate) {
     let sample = path.samples(k);
     for axis in (0..3).filter(|&axis| used.has(sample.index, axis)) {
-        [&mut kept.variable, &mut kept.source, &mut kept.comment].into_iter().for_each(|text| text.clear());
-        if !hooks.keeps(sample.index, axis, kept) {
+        [&mut stored.variable, &mut stored.source, &mut stored.comment].into_iter().for_each(|text| text.clear());
+        if !hooks.stores(sample.index, axis, stored) {
             continue;
         }
-        let Kept { variable, source, group: (left, right), whole: (open, close), comment } = &*kept;
+        let StoredCoordinate { variable, source, group: (left, right), whole: (open, close), comment } = &*stored;
         match (sample.first, sample.last) {
             (true, _) => w.parts(&[variable, "=", source, comment]),
             (false, false) => w.parts(&[variable, "=", open, variable, "+", source, close]),

@@ -5,7 +5,7 @@ use super::{CHANGES, DIGITS, FIRST, SHORTEST_PROBE, number, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
-use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{Program, Report, Request, does, orientation_line};
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
@@ -299,14 +299,14 @@ impl Moves for Skip<'_> {
         w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
     }
 
-    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
-        push_variable(&mut kept.variable, self.registers.trigger(sample, axis));
-        kept.source.push_str(STOPPED_AT[axis]);
+    fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
+        push_variable(&mut stored.variable, self.registers.trigger(sample, axis));
+        stored.source.push_str(STOPPED_AT[axis]);
         if axis == 2 {
-            kept.source.push('-');
-            push_variable(&mut kept.source, 0);
+            stored.source.push('-');
+            push_variable(&mut stored.source, 0);
         }
-        (kept.group, kept.whole) = (("[", "]"), ("[", "]"));
+        (stored.group, stored.whole) = (("[", "]"), ("[", "]"));
         true
     }
 

@@ -13,7 +13,7 @@ mod read;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards};
-use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::rules;
 use crate::control::{
     BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
@@ -148,10 +148,10 @@ impl Moves for LinuxCnc<'_> {
         w.touch("G38.2", step.step, touch, self.request.protected, self.request.feeds.work);
     }
 
-    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
-        print::Rs274.trigger(sample, axis, &mut kept.variable);
-        kept.source.push_str(["#5061", "#5062", "#5063"][axis]);
-        (kept.group, kept.whole) = (("[", "]"), ("[", "]"));
+    fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
+        print::Rs274.trigger(sample, axis, &mut stored.variable);
+        stored.source.push_str(["#5061", "#5062", "#5063"][axis]);
+        (stored.group, stored.whole) = (("[", "]"), ("[", "]"));
         true
     }
 

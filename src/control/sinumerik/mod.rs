@@ -22,7 +22,7 @@ use std::ops::Range;
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
-use crate::control::moves::{self, Kept, Moves, Step, each_piece};
+use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{
     BASE, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does,
     feed_rate, orientation_line,
@@ -219,12 +219,12 @@ impl Moves for Sinumerik<'_> {
         w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
     }
 
-    fn keeps(&self, sample: usize, axis: usize, kept: &mut Kept) -> bool {
-        self.notation().trigger(sample, axis, &mut kept.variable);
-        kept.source.push_str(["$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"][axis]);
-        kept.comment.push_str(" ; ");
-        print::trigger_name(sample, axis).push_to(&mut kept.comment);
-        (kept.group, kept.whole) = (("(", ")"), ("", ""));
+    fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
+        self.notation().trigger(sample, axis, &mut stored.variable);
+        stored.source.push_str(["$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"][axis]);
+        stored.comment.push_str(" ; ");
+        print::trigger_name(sample, axis).push_to(&mut stored.comment);
+        (stored.group, stored.whole) = (("(", ")"), ("", ""));
         true
     }
 
