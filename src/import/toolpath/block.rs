@@ -13,7 +13,7 @@ pub(super) struct Call {
 
 /// What becomes of the modes.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kept {
+pub(super) enum ModeChange {
     Keep,
     Forget,
     GiveBack,
@@ -78,7 +78,7 @@ pub(super) struct Block {
     /// It changes the length of the tool.
     pub lengthens: bool,
     /// M70 to M73.
-    pub keeps: Option<Kept>,
+    pub keeps: Option<ModeChange>,
     /// The work offset that it selects, 1 = G54.
     pub offset: Option<i32>,
     /// Whether its number is counted on from there, by P.

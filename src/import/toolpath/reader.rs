@@ -4,7 +4,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Axes, Block, Call, Foreign, Kept};
+use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange};
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
@@ -356,9 +356,9 @@ impl Reader {
         }
         match block.keeps {
             None => {}
-            Some(Kept::Forget) => self.kept = None,
-            Some(Kept::GiveBack) => self.give_back(),
-            Some(Kept::Keep) => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
+            Some(ModeChange::Forget) => self.kept = None,
+            Some(ModeChange::GiveBack) => self.give_back(),
+            Some(ModeChange::Keep) => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
         }
         if block.lengthens {
             // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.

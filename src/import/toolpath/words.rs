@@ -3,7 +3,7 @@
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::{end_of_value, leads, number};
 use crate::control::iso::script::Motion;
-use crate::import::toolpath::block::{Block, Foreign, Kept, Word};
+use crate::import::toolpath::block::{Block, Foreign, ModeChange, Word};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::{Given, Reader};
 use crate::num::read_digits;
@@ -198,9 +198,9 @@ impl Reader {
             Effect::OffsetOf(from) => (block.offset, block.counts) = (Some(from), true),
             Effect::Machine => block.machine = true,
             Effect::Home => (block.machine, block.home) = (true, true),
-            Effect::Keep => block.keeps = Some(Kept::Keep),
-            Effect::Forget => block.keeps = Some(Kept::Forget),
-            Effect::GiveBack => block.keeps = Some(Kept::GiveBack),
+            Effect::Keep => block.keeps = Some(ModeChange::Keep),
+            Effect::Forget => block.keeps = Some(ModeChange::Forget),
+            Effect::GiveBack => block.keeps = Some(ModeChange::GiveBack),
             Effect::End => block.ends = true,
             Effect::Return => {
                 block.returns = true;
