@@ -44,7 +44,7 @@ impl Request<'_> {
 
     /// The sentence: `writes G54 X Y`, `measures only`, `sets the basic rotation and preset X Y`.
     pub fn does(&self) -> Text {
-        if matches!(self.path.feature, Feature::Still) {
+        if matches!(self.path.feature, Feature::Unmoving) {
             return text!("moves nothing, writes nothing");
         }
         if let Some(preset) = self.preset() {
@@ -98,7 +98,7 @@ fn code(circles: &TwoCircles, number: i32) -> i32 {
 pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
-        _ if matches!(request.path.feature, Feature::Still) => "",
+        _ if matches!(request.path.feature, Feature::Unmoving) => "",
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",
         (_, Some(_)) => CYCLE,

@@ -216,7 +216,7 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
 
 /// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
 fn report_still(path: &Path, checker: &mut Checker) {
-    if matches!(path.feature, Feature::Still) {
+    if matches!(path.feature, Feature::Unmoving) {
         let message = text!(
             "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for is in the parameter table only, for a postprocessor"
         );

@@ -47,7 +47,7 @@ pub enum Subject {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Nothing is probed.
-    Still,
+    Unmoving,
     /// A point of a surface.
     Surface(Point),
     /// A hole or a boss.

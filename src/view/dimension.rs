@@ -46,7 +46,7 @@ pub fn angles(path: &Path) -> Vec<Angle> {
             let Some(touch) = path.touches.first() else { return Vec::new() };
             (point.elevation, touch.point, [frame.u, touch.vector])
         }
-        Feature::Still | Feature::Bore(_) | Feature::Pairs(_) | Feature::TwoCircles(_) => return Vec::new(),
+        Feature::Unmoving | Feature::Bore(_) | Feature::Pairs(_) | Feature::TwoCircles(_) => return Vec::new(),
     };
     // A target vector in the plane has no arc.
     if sides[0].distance(sides[1]) < 1e-6 {
@@ -63,7 +63,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         return Vec::new();
     }
     let mut all = match &path.feature {
-        Feature::Still => Vec::new(),
+        Feature::Unmoving => Vec::new(),
         Feature::Surface(point) => surface(path, point),
         Feature::Bore(bore) => round(path, bore),
         Feature::Pairs(pairs) => opposite(path, pairs),

@@ -171,7 +171,7 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
-        if matches!(request.path.feature, Feature::Still) {
+        if matches!(request.path.feature, Feature::Unmoving) {
             return self.comment("Switches nothing, moves nothing: states its modes and ends");
         }
         self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");

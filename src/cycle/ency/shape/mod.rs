@@ -4,8 +4,8 @@ mod corner;
 mod pairs;
 mod point;
 mod round;
-mod still;
 mod triple;
+mod unmoving;
 
 pub use corner::{Corner, CornerAngle};
 pub use pairs::{Pairs, Side};
@@ -13,7 +13,7 @@ pub use point::Point;
 pub use round::{Circle, Variant};
 pub use triple::{Outside, Triple};
 
-use still::Still;
+use unmoving::Unmoving;
 
 use crate::cycle::ency::Pick;
 use crate::form::Checker;
@@ -27,7 +27,7 @@ use crate::text::{Text, text};
 pub enum Shape {
     /// Nothing is touched, nothing moves.
     #[default]
-    Still,
+    Unmoving,
     /// A point of a surface.
     Point(Point),
     /// A hole or a boss.
@@ -44,7 +44,7 @@ impl Shape {
     /// The sizes that picked touches give, by the paths of their fields: mm, degrees.
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
         match self {
-            Shape::Still => Vec::new(),
+            Shape::Unmoving => Vec::new(),
             Shape::Point(point) => point.sizes(),
             Shape::Circle(circle) => circle.sizes(),
             Shape::Pairs(pairs) => pairs.sizes(),
@@ -59,7 +59,7 @@ impl std::ops::Deref for Shape {
 
     fn deref(&self) -> &Self::Target {
         match self {
-            Shape::Still => &Still,
+            Shape::Unmoving => &Unmoving,
             Shape::Point(point) => point,
             Shape::Circle(circle) => circle,
             Shape::Pairs(pairs) => pairs,

@@ -9,9 +9,9 @@ use crate::path::{Feature, Setup, Surface, Tracer};
 use crate::text::Text;
 
 /// Nothing is touched, nothing moves.
-pub struct Still;
+pub struct Unmoving;
 
-impl Probed for Still {
+impl Probed for Unmoving {
     fn touches(&self, _frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
         Vec::new()
     }
@@ -39,6 +39,6 @@ impl Probed for Still {
     }
 
     fn feature(&self) -> Feature {
-        Feature::Still
+        Feature::Unmoving
     }
 }
