@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::control::iso::registers::{When, needed_touches};
-use crate::control::iso::writer::{Writer, comes_from_anywhere, pieces};
+use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
 use crate::formula::{Datum, Formula, Question, Used};
 use crate::geom::Vec3;
@@ -101,7 +101,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                 own.iter().filter(|(range, _)| range.start == index).for_each(|(_, call)| w.line(call));
                 w.leaves_move();
             }
-            Purpose::Position if comes_from_anywhere(request, index, step) => hooks.approach(&mut w, step),
+            Purpose::Position if start_unknown(request, index, step) => hooks.approach(&mut w, step),
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);

@@ -188,7 +188,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Which way must be free, of a program that comes to its first place from anywhere: up, across and down.
-    pub fn way_up_across_down(&mut self) {
+    pub fn comment_approach(&mut self) {
         let path = self.request.path;
         let (Some(first), None) = (path.moves.first(), path.start) else { return };
         let (height, place) = (self.height_word(first.to), self.place_words(first.to));
@@ -458,7 +458,7 @@ fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
 }
 
 /// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.
-pub fn comes_from_anywhere(request: &Request<'_>, index: usize, step: &Move) -> bool {
+pub fn start_unknown(request: &Request<'_>, index: usize, step: &Move) -> bool {
     index == 0 && request.path.start.is_none() && step.purpose == Purpose::Position
 }
 

@@ -250,7 +250,7 @@ fn less(value: &str, constant: &str) -> String {
 fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     let formula = &request.path.formula;
     w.header(&does::line(request, does::ONCE));
-    w.way_up_across_down();
+    w.comment_approach();
     if !request.path.moves.is_empty() {
         w.comment(if request.protected {
             "Positioning is G38.3 with a check of #5070: a contact lifts and stops. The first of them also looks whether the probe is tripped"
@@ -334,7 +334,7 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
 }
 
 /// A call of the way to a place, along some axes: the others stay where they are. `free` is 1 where up is free.
-fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, moves: &dyn Fn(usize) -> bool, free: u8) {
+fn approach_block(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, moves: &dyn Fn(usize) -> bool, free: u8) {
     let rate = w.number(rate(request, None, step).unwrap_or(STATED_RAPID));
     let target = [0, 1, 2].map(|i| if moves(i) { format!("[{}]", w.number(to[i])) } else { format!("[{}]", CURRENT[i]) });
     w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
@@ -347,7 +347,7 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first
     let height = w.height_word(below);
     w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
     if request.protected {
-        goes_first(w, request, first, to, &|i| i == tool, 0);
+        approach_block(w, request, first, to, &|i| i == tool, 0);
     } else {
         let (word, feed) = unwatched(w, request, first);
         let up = w.goes_along_tool(to);
@@ -369,9 +369,9 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, labels: &mut
     let tool = request.plane.axes()[2];
     rise(w, request, [step.to; 2], step, labels);
     if request.protected {
-        goes_first(w, request, step, step.to, &|i| i != tool, 1);
+        approach_block(w, request, step, step.to, &|i| i != tool, 1);
         w.makes_move();
-        goes_first(w, request, step, step.to, &|_| true, 1);
+        approach_block(w, request, step, step.to, &|_| true, 1);
         w.stands_at(step.to);
         return;
     }

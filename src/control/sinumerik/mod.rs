@@ -21,7 +21,7 @@ use std::ops::Range;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, comes_from_anywhere, lower_than, upwards};
+use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{
     BASE, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does,
@@ -335,7 +335,7 @@ fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
 /// What stands before the first move. Nothing has moved when one of the checks says no.
 fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str]) {
     w.header(&does::line(request, written));
-    w.way_up_across_down();
+    w.comment_approach();
     w.comment("Not verified on a control: run it with a hand on the feed override");
     w.comment(match (request.protected, request.form) {
         (true, Form::Moves) => "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round",
@@ -399,7 +399,7 @@ fn names_move(w: &mut Writer<'_>, index: usize) {
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be
 /// watched.
 fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
-    if comes_from_anywhere(request, place.index, place.step) {
+    if start_unknown(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
     w.makes_move();
@@ -417,7 +417,7 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
 }
 
 /// One block of the way to the first place.
-fn goes_first(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &str, exit: &str) {
+fn approach_block(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &str, exit: &str) {
     if request.protected {
         watched(w, words, rate_of(request, first), exit);
     } else if let Some(rate) = feed_rate(request, None, first) {
@@ -434,7 +434,7 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first
     let (axis, level) = height.split_at(1);
     w.line(&format!("IF $AA_IW[{axis}]>={level} GOTOF TP_ABOVE"));
     let up = w.goes_along_tool(to);
-    goes_first(w, request, first, &up, "TP_BLOCKED");
+    approach_block(w, request, first, &up, "TP_BLOCKED");
     w.line("TP_ABOVE:");
 }
 
@@ -442,10 +442,10 @@ fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first
 fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     rise(w, request, [step.to; 2], step);
     let across = w.goes_in_plane(step.to);
-    goes_first(w, request, step, &across, "TP_CONTACT");
+    approach_block(w, request, step, &across, "TP_CONTACT");
     w.makes_move();
     let down = w.goes_along_tool(step.to);
-    goes_first(w, request, step, &down, "TP_CONTACT");
+    approach_block(w, request, step, &down, "TP_CONTACT");
 }
 
 /// One move in which nothing may be touched, and where a contact jumps to.
