@@ -234,9 +234,9 @@ impl Reader {
                 b'@' | b'^' if !self.sinumerik => self.polar(line, at, block),
                 letter if letter.is_ascii_alphabetic() => match self.word(line, at, block) {
                     Some(next) => next,
-                    None => self.odd(line, at, block),
+                    None => self.unrecognised(line, at, block),
                 },
-                _ => self.odd(line, at, block),
+                _ => self.unrecognised(line, at, block),
             };
         }
     }
@@ -325,7 +325,7 @@ impl Reader {
     }
 
     /// Something that is no word: nothing of its line is a move. Gives where the next word begins, unless the line jumps.
-    fn odd(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
+    fn unrecognised(&mut self, line: &[u8], at: usize, block: &mut Block) -> usize {
         if !block.strange {
             (block.strange, block.jumps) = (true, jumps(line));
         }
