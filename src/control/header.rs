@@ -184,7 +184,7 @@ fn push_value(word: &mut String, value: &Value, capitals: bool) {
 
 /// What the header of a program says.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Said<'t> {
+pub struct HeaderLines<'t> {
     /// The version that wrote it.
     pub version: Option<&'t str>,
     /// The name of the job.
@@ -199,8 +199,8 @@ pub struct Said<'t> {
 const MOST_WORDS: usize = 20_000;
 
 /// Reads the comments of a program, whatever control it is for.
-pub fn read(text: &str) -> Said<'_> {
-    let mut said = Said::default();
+pub fn read(text: &str) -> HeaderLines<'_> {
+    let mut said = HeaderLines::default();
     let mut rest = text;
     while !rest.is_empty() {
         let line = next_line(&mut rest);

@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::control::header::{self, Said};
+use crate::control::header::{self, HeaderLines};
 use crate::control::iso::lex::{self, Token, after, comment_at, lines_of, tokens, trimmed, without_count, without_number};
 use crate::control::iso::lines;
 use crate::control::iso::machine::{self, Met, Run};
@@ -174,7 +174,7 @@ fn written_for_another(job: &Value, text: &str) -> bool {
 }
 
 /// The job that a header says: `job path=value path=value`.
-fn job_of(said: &Said<'_>, checker: &mut Checker) -> Option<Value> {
+fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let find = |path: &str| said.values.iter().find(|(p, _)| p.eq_ignore_ascii_case(path)).map(|(_, v)| *v);
     let def = cycle::find(&find("cycle.type")?.to_ascii_lowercase())?;
     let format = find("format").and_then(crate::num::read).unwrap_or(FORMAT);
@@ -274,7 +274,7 @@ fn nested(text: &str, depth: usize) -> Value {
 }
 
 /// Reports the first block that is not the one which the header's job makes: the program was changed, or its header was.
-fn compare(text: &str, said: &Said<'_>, plan: &Plan, checker: &mut Checker) {
+fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checker) {
     let post = control::find(plan.program.post);
     let (given, wanted) = (blocks(post, text), blocks(post, &plan.program.text));
     let differs = given.iter().zip(&wanted).find(|((_, a), (_, b))| a != b).map(|((line, _), _)| *line);
