@@ -47,7 +47,7 @@ impl<'a> Planner<'a> {
         let objects = self.cycle.objects();
         let probed: Vec<&Object> = objects.iter().filter(|o| o.state == State::Probed).collect();
         for (i, object) in probed.iter().enumerate() {
-            let stands = self.stands(object);
+            let stands = self.placed_at(object);
             let [to_centre, probing, back] = if object.number == 1 { [1, 4, 5] } else { [6, 7, 8] };
             let over = i == 0 || mode >= 1;
             if i == 0 && mode < 0 {
@@ -176,7 +176,7 @@ impl<'a> Planner<'a> {
         self.frame.point(a, o, w)
     }
 
-    fn stands(&mut self, object: &Object) -> Vec<Stand> {
+    fn placed_at(&mut self, object: &Object) -> Vec<Stand> {
         let (setup, cycle, frame) = (self.setup, self.cycle, self.frame);
         let centre = self.centre(object);
         let radius = object.nominal_diameter() / 2.0;
