@@ -113,6 +113,10 @@ export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>
     /** @type {[string, unknown]} */ ([path, value]),
   );
 
+/** The buttons of a step back and of one that comes again. */
+export const undo = () => page.getByRole("button", { name: "Undo" });
+export const redo = () => page.getByRole("button", { name: "Redo" });
+
 /** The primary button. */
 export const saveButton = () => page.getByRole("button", { name: /^(Save )?\S+\.(ngc|nc|mpf|h)$/i });
 
@@ -136,6 +140,24 @@ export const openText = (/** @type {string} */ text, name = "job.json", tab = pa
 
 /** The picture, without the canvas over it. */
 export const PICTURE = "canvas:not(.over)";
+
+/** The ends of the dimensions' lines, in the window. */
+export const dimensionLines = () =>
+  page.evaluate(() => {
+    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const picture = /** @type {any} */ (root.querySelector("tp-picture"));
+    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
+    const all = picture.drawing.use((/** @type {any} */ view) => view.dimensionLines());
+    return Object.fromEntries(
+      all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
+        field,
+        [
+          { x: box.x + x1, y: box.y + y1 },
+          { x: box.x + x2, y: box.y + y2 },
+        ],
+      ]),
+    );
+  });
 
 /** Until what was changed is drawn: once a frame. */
 export const framed = (tab = page) =>

@@ -1,35 +1,29 @@
-// The frame around form, picture and panels: one sentence, undo over everything, links, names, what is typed, the timeline.
+// The frame around form, picture and panels: one sentence, links, names, what is typed, the timeline.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import {
   boxOf,
-  chooseUnits,
   context,
   field,
   held,
   more,
   open,
-  openText,
   PICTURE,
   page,
-  painted,
   pixels,
   program,
   put,
   ready,
-  reset,
   saveButton,
   setUp,
   textOf,
+  undo,
   unfold,
   until,
 } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
-const undo = () => page.getByRole("button", { name: "Undo" });
-const redo = () => page.getByRole("button", { name: "Redo" });
 const job = () => held("cycle");
 
 test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one types", async () => {
@@ -56,164 +50,6 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
     await field("cycle.width1").fill(text);
     assert.deepEqual(await places(), before, text);
   }
-});
-
-test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is taken back, and comes again", async () => {
-  assert.ok((await undo().isDisabled()) && (await redo().isDisabled()), "nothing to take back at first");
-  /** @type {[string, () => Promise<unknown>][]} */
-  const steps = [
-    ["a field", () => field("cycle.width1").fill("81")],
-    ["a choice", () => field("control.post").selectOption("sinumerik")],
-    ["units", () => chooseUnits("inch")],
-    ["a box", () => page.getByLabel("Long link feed: rapid").check()],
-    ["another cycle", () => field("cycle.type").selectOption("boss")],
-    [
-      "a file",
-      async () => {
-        await openText('{"format":1,"cycle":{"type":"hole","diameter":33}}');
-        await until("cycle.diameter", "33");
-      },
-    ],
-    ["a reset", reset],
-  ];
-  const whole = () =>
-    page.evaluate(() => structuredClone(/** @type {any} */ (document.querySelector("touch-path")).store.draft));
-  const states = [await whole()];
-  for (const [, step] of steps) {
-    await step();
-    states.push(await whole());
-  }
-  for (let i = steps.length - 1; i >= 0; i--) {
-    await undo().click();
-    assert.deepEqual(await whole(), states[i], `${steps[i]?.[0]} is taken back`);
-  }
-  assert.ok(await undo().isDisabled());
-  assert.match(await program(), /G38\.2 X42 Y0 Z-10 F150/, "the program is that of the first job");
-  for (let i = 1; i < states.length; i++) {
-    await redo().click();
-    assert.deepEqual(await whole(), states[i], `${steps[i - 1]?.[0]} comes again`);
-  }
-  assert.ok(await redo().isDisabled());
-});
-
-test("after undo and redo every choice showed what was picked last, not what the job holds", async () => {
-  const shown = async () => [
-    await field("control.post").inputValue(),
-    await field("units").inputValue(),
-    await field("cycle.type").inputValue(),
-  ];
-  const holds = async () => [await held("control.post"), await held("units"), await held("cycle.type")];
-  for (const post of ["grbl", "sinumerik", "linuxcnc"]) await field("control.post").selectOption(post);
-  for (const units of ["inch", "mm"]) await chooseUnits(units);
-  for (const cycle of ["boss", "hole"]) await field("cycle.type").selectOption(cycle);
-  for (const button of [undo(), redo()]) {
-    for (let i = 0; i < 7; i++) {
-      await button.click();
-      assert.deepEqual(await shown(), await holds(), `step ${i + 1}`);
-    }
-  }
-});
-
-test("undo took measured points away that were entered after the step: they are a step of their own", async () => {
-  await field("cycle.width1").fill("81");
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.getByText("Points that a machine measured").click();
-  const box = page.locator("#measured");
-  await box.fill("37.1,0,-10");
-  await undo().click();
-  assert.deepEqual([await box.inputValue(), await held("cycle.width1")], ["", 81]);
-  await redo().click();
-  assert.equal(await box.inputValue(), "37.1,0,-10");
-  await undo().click();
-  await undo().click();
-  assert.equal(await held("cycle.width1"), 80);
-});
-
-test("a field of an optional form showed what was typed into it before it was left out", async () => {
-  await field("cycle.type").selectOption("probing-two-circles");
-  const use = page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it");
-  await use.check();
-  await field("cycle.extrusion.length").fill("7");
-  await use.uncheck();
-  await use.check();
-  assert.equal(await field("cycle.extrusion.length").inputValue(), String(await held("cycle.extrusion.length")));
-});
-
-test("Ctrl+Z in a field that is not the job's, or in another tool, leaves the job alone", async () => {
-  await field("cycle.width1").fill("81");
-  await page.getByRole("tab", { name: "Parameters" }).click();
-  await page.getByLabel("Filter the parameters").press("Control+z");
-  await more("Tool lengths");
-  await page.locator("#l-type").press("Control+z");
-  await page.locator("tp-lentoax").getByRole("button").first().press("Control+z");
-  assert.equal(await held("cycle.width1"), 81);
-});
-
-test("a box that is ticked, cleared and ticked again is three steps", async () => {
-  const box = page.getByLabel("Long link feed: rapid");
-  await box.check();
-  await box.uncheck();
-  await box.check();
-  for (const wanted of ["number", "object", "number"]) {
-    await undo().click();
-    assert.equal(typeof (await held("feeds.longLink")), wanted);
-  }
-  assert.ok(await undo().isDisabled());
-});
-
-test("letters typed in one field are one step, in another field another, and the keyboard takes them back", async () => {
-  await field("cycle.width1").focus();
-  await page.keyboard.type("123");
-  await page.keyboard.press("Tab");
-  await page.keyboard.type("45");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [123, 45]);
-  await page.keyboard.press("Control+z");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [123, 50]);
-  await page.keyboard.press("Control+z");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [80, 50]);
-  await page.keyboard.press("Control+y");
-  assert.equal(await held("cycle.width1"), 123);
-  await page.keyboard.press("Control+Shift+z");
-  assert.equal(await held("cycle.width2"), 45);
-  assert.equal(await field("cycle.width2").inputValue(), "45");
-});
-
-test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or its place where it has none", async () => {
-  const width = field("cycle.width1");
-  const before = await width.inputValue();
-  await width.fill("66");
-  // What Chromium sends for Ctrl with the key that has я on it.
-  const press = (/** @type {string} */ key, /** @type {string} */ code) =>
-    width.evaluate(
-      (input, [key, code]) =>
-        input.dispatchEvent(
-          new KeyboardEvent("keydown", { key, code, ctrlKey: true, bubbles: true, composed: true, cancelable: true }),
-        ),
-      [key, code],
-    );
-  await press("я", "KeyZ");
-  assert.equal(await width.inputValue(), before);
-  // н stands on Y, which does again what was undone; on a German keyboard z is typed there, and undoes.
-  await press("н", "KeyY");
-  assert.equal(await width.inputValue(), "66");
-  await press("z", "KeyY");
-  assert.equal(await width.inputValue(), before);
-  // A Dvorak keyboard has its semicolon there: that is no shortcut.
-  await press(";", "KeyZ");
-  await press("Dead", "KeyY");
-  assert.equal(await width.inputValue(), before);
-});
-
-test("Reset asked nothing: it asks, and keeps everything where one thinks better of it", async () => {
-  await field("cycle.width1").fill("71");
-  await more("Reset");
-  const dialog = page.getByRole("dialog");
-  assert.match(await textOf(dialog), /Internal rectangle, protected.*Undo brings back/s);
-  await dialog.getByRole("button", { name: "Keep" }).click();
-  assert.equal(await field("cycle.width1").inputValue(), "71");
-  await more("Reset");
-  await page.keyboard.press("Escape");
-  assert.equal(await field("cycle.width1").inputValue(), "71");
 });
 
 for (const [text, value, shown] of /** @type {[string, number | string, string][]} */ ([
@@ -490,118 +326,6 @@ test("a line that is clicked stays lit when the pointer leaves; Escape frees it"
   assert.deepEqual(await lit(), []);
 });
 
-test("the setup sheet: one printed page with what is expected, boxes for what was, and the program's hash", async () => {
-  await page.getByRole("button", { name: "Setup sheet" }).click();
-  const sheet = page.locator("tp-sheet");
-  await sheet.getByText(/^[0-9a-f]{64}$/).waitFor();
-  const { createHash } = await import("node:crypto");
-  const download = page.waitForEvent("download");
-  await saveButton().click();
-  const text = readFileSync(await (await download).path());
-  assert.equal(await textOf(sheet.locator(".hash code")), createHash("sha256").update(text).digest("hex"));
-  assert.match(await textOf(sheet), /Width 1\s*80/);
-  assert.equal(await sheet.locator("td.box").count(), 9, "five results and four touches");
-  const onePage = async () => {
-    await page.emulateMedia({ media: "print" });
-    assert.ok(await page.locator("header").isHidden());
-    for (const format of ["A4", "Letter"]) {
-      const pdf = (await page.pdf({ format, preferCSSPageSize: false })).toString("latin1");
-      assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
-    }
-    await page.emulateMedia({ media: "screen" });
-  };
-  await onePage();
-  // The longest: 1411, and two walls with 16 touches.
-  await field("cycle.type").selectOption("probing-two-circles");
-  await sheet.getByText("Measured diameter 2").waitFor();
-  await onePage();
-  await page.getByRole("button", { name: "Back to the job" }).click();
-  await field("cycle.type").selectOption("double-wall-internal-corner");
-  await unfold();
-  await field("cycle.count1").fill("8");
-  await field("cycle.count2").fill("8");
-  await page.getByRole("button", { name: "Setup sheet" }).click();
-  await sheet.getByText("Wall 1 against its nominal direction").waitFor();
-  assert.equal(await sheet.locator("td.box").count(), 22, "six results and sixteen touches");
-  await onePage();
-});
-
-test("the setup sheet says what must be so before the start, and promises no report of a control that computes nothing", async () => {
-  const sheet = page.locator("tp-sheet");
-  const { plan, defaultJob } = await import("touchpath");
-  for (const [post, reports] of /** @type {const} */ ([
-    ["grbl", false],
-    ["fanuc", true],
-    ["sinumerik", true],
-    ["linuxcnc", true],
-  ])) {
-    await field("control.post").selectOption(post);
-    const positioning = await textOf(field("control.protection").locator("option:checked"));
-    assert.equal(/not on this control/.test(positioning), post === "grbl", positioning);
-    await page.getByRole("button", { name: "Setup sheet" }).click();
-    const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
-    const lines = plan({ ...job, control: { ...job.control, post } }).program.text.split("\n");
-    const said = await textOf(sheet.locator(".head"));
-    // From the units on, word by word, and nothing of the job's values.
-    const first = lines.findIndex((line) => /^[(;] ?units/i.test(line));
-    const end = lines.findIndex((line) => /^[(;] ?made by/i.test(line));
-    assert.ok(first > 0 && end > first + 3, post);
-    const wanted = lines.slice(first, end).map((line) => (line.startsWith(";") ? line.slice(2) : line.slice(1, -1)));
-    assert.deepEqual(said.split("\n").slice(1), wanted, post);
-    assert.ok(wanted.some((line) => /probe in the spindle and switched on/i.test(line)));
-    assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
-    assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
-    await page.keyboard.press("Escape");
-    await sheet.waitFor({ state: "detached" });
-    await page.getByRole("tab", { name: "Results" }).click();
-    const caption = reports ? "What the control will have stored" : "What the touches will give";
-    await page.locator("tp-results").getByText(caption).waitFor();
-  }
-});
-
-test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
-  // A nominal part is not drawn: of its colour there is the handle alone, which stands out while a field of the part has the focus.
-  await field("part.offset[0]").focus();
-  const handle = async (/** @type {string} */ part) => (await painted(part, "actual")).count;
-  assert.ok((await handle("tp-picture")) > 20);
-  await page.getByRole("button", { name: "Setup sheet" }).click();
-  await page.locator("tp-sheet canvas").waitFor();
-  await page.waitForTimeout(300);
-  assert.equal(await handle("tp-sheet"), 0);
-});
-
-test("a result of another plane stood under the name of another axis: in G18 the abscissa is Z", async () => {
-  await field("cycle.type").selectOption("hole");
-  await put("plane", "G18");
-  await put("part.offset", [1, 0, 5]);
-  await page.getByRole("tab", { name: "Results" }).click();
-  const row = (/** @type {string} */ part, /** @type {string} */ code) =>
-    textOf(page.locator(`${part} tr`, { hasText: code }).first());
-  assert.match(await row("tp-results", "center.x"), /^\s*Centre Z .*5\.000/s);
-  assert.match(await row("tp-results", "center.y"), /^\s*Centre X .*1\.000/s);
-  await put("control.workOffset", 2);
-  const shift = /^\s*Shift of G55 in Z that the program writes/;
-  assert.match(await row("tp-results", "offset.x"), shift);
-  await more("Setup sheet to print");
-  await page.locator("tp-sheet").waitFor();
-  assert.match(await row("tp-sheet", "center.x"), /^\s*Centre Z /);
-  assert.match(await row("tp-sheet", "offset.x"), shift);
-  await page.getByRole("button", { name: "Back to the job" }).click();
-  await put("plane", "G19");
-  assert.match(await row("tp-results", "center.x"), /^\s*Centre Y /);
-});
-
-test("results that are judged say where deviations count from", async () => {
-  await field("cycle.type").selectOption("probing-two-circles");
-  await unfold();
-  await page.getByRole("tab", { name: "Results" }).click();
-  const results = page.locator("tp-results");
-  assert.doesNotMatch(await textOf(results), /middle of the tolerance zone/);
-  await field("cycle.diameter1").fill("20H7");
-  await results.getByText("Deviations are from the middle of the tolerance zone.").waitFor();
-  assert.match(await textOf(results.locator("tr", { hasText: "Q966" }).first()), /Measured diameter 1/);
-});
-
 test("a note that a link was copied went on after the job was another one", async () => {
   const note = page.locator(".note");
   await page.getByRole("button", { name: "Share" }).click();
@@ -613,28 +337,6 @@ test("a note that a link was copied went on after the job was another one", asyn
   await page.getByRole("tab", { name: "Results" }).click();
   await saveButton().click();
   assert.match(await textOf(note), /Saved POCKET-81X50\.ngc/);
-});
-
-test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {
-  await field("cycle.type").selectOption("hole");
-  await field("cycle.diameter").fill("abc");
-  await field("cycle.type").focus();
-  await field("cycle.diameter").fill("55");
-  await page.getByRole("button", { name: "Setup sheet" }).click();
-  const picture = () =>
-    page.locator("tp-sheet canvas").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
-  const hole = await picture();
-  await field("cycle.type").selectOption("internal-rectangle");
-  await page.waitForTimeout(50);
-  assert.notEqual(await picture(), hole);
-  await undo().click();
-  assert.equal(await picture(), hole);
-  await undo().click();
-  assert.match(await textOf(page.locator("tp-sheet")), /No setup sheet while the form has an error/);
-  assert.equal(await page.locator("tp-sheet :is(article, canvas)").count(), 0);
-  assert.equal(await page.getByRole("button", { name: "Print" }).count(), 0);
-  await redo().click();
-  assert.equal(await picture(), hole);
 });
 
 test("nothing plays that is not seen", async () => {

@@ -1,0 +1,213 @@
+// The command with many files into a folder: names and places, and what stood there stays whole.
+
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { once } from "node:events";
+import {
+  lstatSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  statSync,
+  symlinkSync,
+  utimesSync,
+  writeFileSync,
+} from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { command, file, folder, job, run, setUp, touchpath, wrong } from "./command.mjs";
+
+setUp();
+
+/** Every file below a folder, with its text. */
+const tree = (/** @type {string} */ name) =>
+  Object.fromEntries(
+    readdirSync(join(folder, name), { recursive: true, encoding: "utf8" })
+      .filter((path) => statSync(join(folder, name, path)).isFile())
+      .map((path) => [path, readFileSync(join(folder, name, path), "utf8")]),
+  );
+
+const programOf = (/** @type {any} */ job) => touchpath.program(job).text;
+
+test("many files into a folder: patterns, folders as those of the jobs, names by the jobs, one that fails", () => {
+  mkdirSync(join(folder, "many", "below"), { recursive: true });
+  file("many/a.json", job("hole", "ONE"));
+  file("many/below/b.json", job("boss", "ONE"));
+  file("many/below/c.json", job("web", "../../ESCAPE"));
+  file("many/d.json", wrong());
+  file("many/e.json", { ...job("groove", "TWO"), control: { post: "haas" } });
+  const { status, stdout, stderr } = run(["plan", "many/**/*.json", "-o", "out"]);
+  assert.equal(status, 1);
+  assert.match(stderr, /many\/d\.json: error: cycle\.diameter/);
+  const wanted = {
+    "many/ONE.ngc": programOf(job("hole", "ONE")),
+    "many/below/ONE.ngc": programOf(job("boss", "ONE")),
+    "many/below/ESCAPE.ngc": programOf(job("web", "../../ESCAPE")),
+    "many/TWO.nc": programOf({ ...job("groove", "TWO"), control: { post: "haas" } }),
+  };
+  assert.deepEqual(tree("out"), wanted);
+  const sha = (/** @type {string} */ text) => createHash("sha256").update(text).digest("hex");
+  assert.equal(
+    stdout,
+    [
+      `many/a.json: out/many/ONE.ngc (linuxcnc, sha256 ${sha(wanted["many/ONE.ngc"])})`,
+      `many/below/b.json: out/many/below/ONE.ngc (linuxcnc, sha256 ${sha(wanted["many/below/ONE.ngc"])})`,
+      `many/below/c.json: out/many/below/ESCAPE.ngc (linuxcnc, sha256 ${sha(wanted["many/below/ESCAPE.ngc"])})`,
+      "many/d.json: no file, 1 error",
+      `many/e.json: out/many/TWO.nc (haas, sha256 ${sha(wanted["many/TWO.nc"])})`,
+      "",
+    ].join("\n"),
+  );
+  assert.match(
+    run(["plan", "many/e.json", "-o", "warned", "--post", "fanuc"]).stdout,
+    /\(fanuc, sha256 .*\), 1 warning\n$/,
+  );
+  // The same as JSON: with all findings, and nothing beside it.
+  const json = run(["plan", "many/**/*.json", "-o", "again", "--json", "--post", "fanuc"]);
+  assert.deepEqual([json.status, json.stderr], [1, ""]);
+  const rows = json.stdout
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+  assert.deepEqual(
+    rows.map(({ source, file, control, findings }) => [
+      source,
+      file,
+      control,
+      findings.some((/** @type {any} */ f) => f.code === "other-control"),
+    ]),
+    [
+      ["many/a.json", "again/many/ONE.nc", "fanuc", true],
+      ["many/below/b.json", "again/many/below/ONE.nc", "fanuc", true],
+      ["many/below/c.json", "again/many/below/ESCAPE.nc", "fanuc", true],
+      ["many/d.json", null, "fanuc", false],
+      ["many/e.json", "again/many/TWO.nc", "fanuc", true],
+    ],
+  );
+  for (const { file, hash } of rows) assert.equal(hash, file && sha(readFileSync(join(folder, file), "utf8")));
+  // Without folders, and from a folder outside.
+  assert.equal(run(["svg", "many/below/b.json", "many/e.json", "--flat", "-o", "flat"]).status, 0);
+  assert.deepEqual(Object.keys(tree("flat")).sort(), ["ONE.svg", "TWO.svg"]);
+  const outside = spawnSync("node", [command, "svg", "../a.json", join(folder, "many", "e.json"), "-o", "up"], {
+    cwd: join(folder, "many", "below"),
+    encoding: "utf8",
+  });
+  assert.equal(outside.status, 0, outside.stderr);
+  assert.deepEqual(Object.keys(tree("many/below/up")).sort(), ["ONE.svg", "TWO.svg"]);
+});
+
+test("two jobs of one file were renamed without a word: they are refused before anything is written", () => {
+  mkdirSync(join(folder, "clash", "below"), { recursive: true });
+  file("clash/a.json", job("hole", "ONE"));
+  file("clash/b.json", job("boss", "one"));
+  file("clash/c.json", job("web", "OTHER"));
+  file("clash/below/d.json", job("groove", "OTHER"));
+  const refused = run(["plan", "clash/*.json", "-o", "never"]);
+  assert.deepEqual([refused.status, refused.stdout], [2, ""]);
+  assert.equal(
+    refused.stderr,
+    "touchpath: clash/a.json and clash/b.json would both be clash/one.ngc: nothing was written\n",
+  );
+  assert.ok(!readdirSync(folder).includes("never"), "no folder is left behind");
+  // In folders of their own they are two files; in one folder they are not.
+  const apart = ["plan", "clash/c.json", "clash/below/d.json", "-o", "apart"];
+  assert.equal(run(apart).status, 0);
+  const before = tree("apart");
+  assert.deepEqual(Object.keys(before).sort(), ["clash/OTHER.ngc", "clash/below/OTHER.ngc"]);
+  writeFileSync(join(folder, "apart", "OTHER.ngc"), "good");
+  const flat = run([...apart, "--flat"]);
+  assert.equal(flat.status, 2);
+  assert.match(flat.stderr, /would both be OTHER\.ngc: nothing was written\n$/);
+  assert.deepEqual(tree("apart"), { ...before, "OTHER.ngc": "good" });
+  // All at once, in few words.
+  file("clash/many.ndjson", Array.from({ length: 9 }, () => JSON.stringify(job("hole"))).join("\n"));
+  const lines = run(["plan", "clash/many.ndjson", "-o", "never"]);
+  assert.match(
+    lines.stderr,
+    /many\.ndjson:1 and clash\/many\.ndjson:2 would both be .*; and 3 more: nothing was written\n$/,
+  );
+  // A folder stands where a file must be.
+  mkdirSync(join(folder, "blocked", "clash", "ONE.ngc"), { recursive: true });
+  const blocked = run(["plan", "clash/a.json", "clash/c.json", "-o", "blocked"]);
+  assert.equal(blocked.status, 2);
+  assert.match(blocked.stderr, /ONE\.ngc would be a file and a folder: nothing was written/);
+  assert.deepEqual(tree("blocked"), {});
+});
+
+/** Waits until something holds. */
+async function until(/** @type {() => boolean} */ holds) {
+  for (let i = 0; i < 600 && !holds(); i++) await new Promise((done) => setTimeout(done, 50));
+  assert.ok(holds());
+}
+
+test("a run that was killed left half a program in the place of a good one: files are whole, old or new", async () => {
+  mkdirSync(join(folder, "kept"));
+  const good = "%\n(a good program)\n%\n";
+  writeFileSync(join(folder, "kept", "FIRST.ngc"), good);
+  for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM", "SIGKILL"])) {
+    const child = spawn("node", [command, "plan", "-", "--ndjson", "--jobs", "1", "-o", "kept"], { cwd: folder });
+    child.stdin.write(`${JSON.stringify(job("hole", "FIRST"))}\n${JSON.stringify(job("hole", "SECOND"))}\n`);
+    const aside = () => readdirSync(join(folder, "kept")).filter((name) => name.startsWith(".touchpath-"));
+    await until(() => aside().some((name) => readdirSync(join(folder, "kept", name)).length === 2));
+    child.kill(signal);
+    const [status, by] = await once(child, "close");
+    assert.deepEqual([status, by], signal === "SIGKILL" ? [null, signal] : [signal === "SIGINT" ? 130 : 143, null]);
+    assert.equal(readFileSync(join(folder, "kept", "FIRST.ngc"), "utf8"), good);
+    assert.deepEqual(
+      readdirSync(join(folder, "kept")).filter((name) => !name.startsWith(".")),
+      ["FIRST.ngc"],
+    );
+    assert.equal(aside().length, signal === "SIGKILL" ? 1 : 0, signal);
+  }
+  // What a kill has left is removed by a run of another day.
+  const [left = ""] = readdirSync(join(folder, "kept")).filter((name) => name.startsWith("."));
+  const past = new Date(Date.now() - 2 * 86_400_000);
+  utimesSync(join(folder, "kept", left), past, past);
+  const done = run(["plan", "-", "--ndjson", "-o", "kept"], JSON.stringify(job("hole", "FIRST")));
+  assert.equal(done.status, 0, done.stderr);
+  assert.deepEqual(tree("kept"), { "FIRST.ngc": programOf(job("hole", "FIRST")) });
+});
+
+test("a full disk leaves every file as it was, and says so in one line", () => {
+  // No file may be longer than a kilobyte or so.
+  mkdirSync(join(folder, "full"));
+  writeFileSync(join(folder, "full", "BIG.ngc"), "good");
+  file("big.json", job("hole", "BIG"));
+  const limited = spawnSync("bash", ["-c", `trap "" XFSZ; ulimit -f 2; exec node ${command} plan big.json -o full`], {
+    cwd: folder,
+    encoding: "utf8",
+  });
+  assert.equal(limited.status, 2, limited.stderr);
+  assert.match(limited.stderr, /^touchpath: BIG\.ngc cannot be written: [^\n]*: nothing was written\n$/);
+  assert.deepEqual(tree("full"), { "BIG.ngc": "good" });
+});
+
+test("the rights of a file and a link to it stay when it is replaced", () => {
+  mkdirSync(join(folder, "rights"));
+  mkdirSync(join(folder, "elsewhere"));
+  writeFileSync(join(folder, "elsewhere", "REAL.ngc"), "old", { mode: 0o640 });
+  symlinkSync(join("..", "elsewhere", "REAL.ngc"), join(folder, "rights", "BIG.ngc"));
+  file("big.json", job("hole", "BIG"));
+  assert.equal(run(["plan", "big.json", "-o", "rights"]).status, 0);
+  assert.ok(lstatSync(join(folder, "rights", "BIG.ngc")).isSymbolicLink());
+  assert.equal(readFileSync(join(folder, "elsewhere", "REAL.ngc"), "utf8"), programOf(job("hole", "BIG")));
+  assert.equal(statSync(join(folder, "elsewhere", "REAL.ngc")).mode & 0o777, 0o640);
+});
+
+test("a file that was read is not written over, by whatever name it is reached", () => {
+  mkdirSync(join(folder, "own"));
+  file("own/SELF.json", job("hole", "SELF"));
+  const before = readFileSync(join(folder, "own/SELF.json"), "utf8");
+  symlinkSync("own", join(folder, "alias"));
+  for (const out of [".", "own/../own/..", "alias/.."]) {
+    const { status, stderr } = run(["import", "own/SELF.json", "-o", out]);
+    assert.deepEqual(
+      [status, stderr],
+      [2, "touchpath: own/SELF.json would be written over the file that was read: nothing was written\n"],
+    );
+  }
+  assert.equal(run(["import", "own/SELF.json", "-o", "alias", "--flat"]).status, 2);
+  assert.equal(readFileSync(join(folder, "own/SELF.json"), "utf8"), before);
+  assert.deepEqual(readdirSync(join(folder, "own")), ["SELF.json"]);
+});

@@ -1,0 +1,110 @@
+// What the tests of <touch-path> share: a page of somebody else's, the package's files beside it, and nothing between them and the browser.
+import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+import { addressOf, serve } from "../../scripts/serve.mjs";
+import { launch } from "./common.mjs";
+
+/** @import {} from "../../www/element.ts" */
+
+/** @type {string} */
+export let folder;
+/** @type {import("node:http").Server} */
+let server;
+/** @type {import("playwright-core").Browser} */
+let browser;
+/** @type {import("playwright-core").Page} */
+export let page;
+/** What went wrong unseen. @type {string[]} */
+export let problems = [];
+/** The modules that were loaded. @type {string[]} */
+export let modules = [];
+
+const POLICY =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types lit-html";
+
+/** The package in a folder that is served; a problem on a page fails its test. */
+export function setUp() {
+  before(async () => {
+    folder = mkdtempSync(join(tmpdir(), "touchpath-element-"));
+    cpSync(at("dist"), join(folder, "touchpath"), {
+      recursive: true,
+      filter: (source) => !source.startsWith(at("dist", "page")),
+    });
+    server = await serve(0, folder);
+    browser = await launch();
+  });
+  afterEach(async () => {
+    await page?.close();
+    assert.deepEqual(problems, [], "nothing is complained about on the console");
+  });
+  after(async () => {
+    await browser?.close();
+    server?.close();
+    rmSync(folder, { recursive: true });
+  });
+}
+
+/** Where a file of the folder is served. */
+export const address = (/** @type {string} */ name) => `${addressOf(server)}${name}`;
+
+/** A file of the folder in a tab, as it is: nothing is listened to, nothing waited for. */
+export async function visit(/** @type {string} */ name) {
+  page = await browser.newPage();
+  await page.goto(address(name));
+}
+
+/** Opens a page with this body; every element of it is loaded. */
+export async function open(/** @type {string} */ body, script = "") {
+  writeFileSync(join(folder, "page.css"), "html, body { height: 100%; margin: 0 } touch-path { height: 650px }");
+  writeFileSync(join(folder, "page.js"), script);
+  writeFileSync(
+    join(folder, "page.html"),
+    `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${POLICY}"><title>Host</title>
+<link rel="stylesheet" href="page.css"><script src="page.js"></script><script type="module" src="touchpath/element/element.js"></script>${body}</html>`,
+  );
+  problems = [];
+  modules = [];
+  page = await browser.newPage({ viewport: { width: 1300, height: 900 } });
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url()));
+  await page.goto(address("page.html"));
+  await loaded();
+}
+
+const loaded = () =>
+  page.evaluate(async () => {
+    await customElements.whenDefined("touch-path");
+    await Promise.all([...document.querySelectorAll("touch-path")].map((one) => one.ready));
+  });
+
+/**
+ * Works with the first element of the page.
+ * @param {(element: any, arg?: any) => unknown} work
+ * @param {unknown} arg
+ * @returns {Promise<any>}
+ */
+export const on = (work, arg = null) =>
+  page.evaluate(`(${work})(document.querySelector("touch-path"), ${JSON.stringify(arg)})`);
+/** Sets a property of it. */
+export const set = (/** @type {string} */ name, /** @type {unknown} */ value) =>
+  page.evaluate(
+    ([name, value]) =>
+      void Object.assign(/** @type {object} */ (document.querySelector("touch-path")), { [String(name)]: value }),
+    [name, value],
+  );
+
+/** Keeps the events of the first element, by name. */
+export const LISTEN = `
+  window.heard = [];
+  const own = ["job-change", "plan-change", "program-save", "finding"];
+  for (const name of own) document.addEventListener(name, (event) => heard.push([name, structuredClone(event.detail)]));
+`;
+/** @returns {Promise<[string, any][]>} */
+export const heard = () => page.evaluate(() => /** @type {any} */ (window).heard.splice(0));
+export const field = (/** @type {string} */ path, n = 0) =>
+  page.locator("touch-path").nth(n).locator(`[id="f-${path}"]`);

@@ -1,0 +1,340 @@
+// The panels beside the form, as they follow it: the program, its parameters, its results, the checks.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import {
+  boxOf,
+  field,
+  held,
+  openText,
+  PICTURE,
+  page,
+  pixels,
+  problems,
+  program,
+  put,
+  saveButton,
+  settles,
+  setUp,
+  textOf,
+  until,
+} from "./common.mjs";
+
+setUp();
+
+const selected = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
+
+test("pointing at a line, a move or a touch's row lights up the others", async () => {
+  const plain = await pixels();
+  await page.locator("tp-program .line", { hasText: "G38.2 X42" }).hover();
+  assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
+  assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
+  assert.match((await page.locator(".scrub output").textContent()) ?? "", /^touch 1 · contact X37 Y0 Z-10 · F150$/);
+  // A click keeps it lit; one beside the lines changes nothing.
+  await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
+  await page.locator("tp-program .step").nth(3).click();
+  await page.getByRole("tab", { name: "Program" }).hover();
+  assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
+  await page.getByRole("listbox", { name: "Program" }).press("Escape");
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  assert.equal(await page.locator("tp-table tr.lit").count(), 0);
+  await page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-112]" }).hover();
+  assert.match((await page.locator(".scrub output").textContent()) ?? "", /touch 3/);
+  assert.equal(await page.locator("tp-table tr.lit").count(), 12, "six codes used, six original");
+  await page.getByRole("tab", { name: "Program" }).click();
+  // Touch 1 in the picture: between the centre and the wall on the right, near the wall.
+  const box = await boxOf(page.locator(PICTURE));
+  /** @type {string[]} */
+  let found = [];
+  for (let x = box.width * 0.75; x < box.width && !found[0]?.startsWith("G38.2 X42"); x += 4) {
+    await page.mouse.move(box.x + x, box.y + box.height / 2);
+    found = await selected();
+  }
+  assert.deepEqual(found, ["G38.2 X42 Y0 Z-10 F150"]);
+});
+
+test("copy and save with the control's extension", async () => {
+  await field("name").fill("MY POCKET");
+  await page.getByRole("button", { name: "Copy" }).click();
+  await page.getByText("Copied").waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const download = page.waitForEvent("download");
+  await saveButton().click();
+  const saved = await download;
+  assert.equal(saved.suggestedFilename(), "MY_POCKET.ngc");
+  assert.equal(readFileSync(await saved.path(), "utf8"), copied);
+  assert.match(copied, /^\(Job: MY POCKET\)\n[\s\S]*\nM2\n$/);
+  await field("control.post").selectOption("grbl");
+  assert.match(await textOf(saveButton()), /^Save MY_POCKET\.nc$/);
+  assert.doesNotMatch(await program(), /#</);
+});
+
+test("the parameter table is copied as text and saved as CSV", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  await page.getByRole("button", { name: "Copy as text" }).click();
+  await page.getByText("Copied").waitFor();
+  assert.match(
+    await page.evaluate(() => navigator.clipboard.readText()),
+    /^CmdPrm\.Int\[-1\] = 7\n[\s\S]*CmdPrm\.Flt\[-66\] = 0\n$/,
+  );
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save .csv" }).click();
+  assert.match(readFileSync(await (await download).path(), "utf8"), /^code,type,value,meaning\n/);
+});
+
+test("measured points give the same results, and bad ones a plain answer", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("Points that a machine measured").click();
+  const box = page.locator("#measured");
+  await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
+  const own = (/** @type {string} */ code) =>
+    page.locator("tp-results table").first().locator("tr", { hasText: code }).locator(".own").textContent();
+  const before = await pixels();
+  assert.match((await own("center.x")) ?? "", /^0\.100 \+0\.100$/);
+  assert.match((await own("width1")) ?? "", /^80\.000 0\.000$/);
+  const { sum } = await pixels();
+  await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-21,-10");
+  assert.notEqual((await pixels()).sum, sum, "the points are in the picture");
+  assert.ok(before.count > 0);
+  const wide = await page.locator("#panel-results").evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+  assert.equal(wide, 0, "nothing of the table is cut off");
+  await box.fill("37.1,0\n");
+  assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
+  await page.getByRole("button", { name: "Fill in the points shown" }).click();
+  assert.match((await own("width1")) ?? "", /80\.000/);
+});
+
+test("lines that belong to a move stood above the heading of its step", async () => {
+  for (const [post, names] of [
+    ["sinumerik", /TP_MOVE=\d+$/],
+    ["fanuc", /#149=\d+$/],
+    ["linuxcnc", /G38\.|G1 /],
+  ]) {
+    await openText(JSON.stringify({ format: 1, cycle: { type: "internal-rectangle-protected" }, control: { post } }));
+    await until("control.post", String(post));
+    const first = await page
+      .locator("tp-program .step + .line .text")
+      .evaluateAll((rows) => rows.slice(1).map((row) => row.textContent));
+    assert.ok(first.length > 8, String(post));
+    for (const text of first) assert.match(text ?? "", /** @type {RegExp} */ (names), String(post));
+  }
+});
+
+test("words are found in the program, in its folded header too, and stay found while it changes", async () => {
+  const find = page.getByLabel("Find in the program");
+  const here = () => page.locator("tp-program .line.here").textContent();
+  const said = () => page.locator("tp-program .told.found").textContent();
+  await find.fill("g38.2");
+  assert.equal(await page.locator("tp-program .line.match").count(), 4);
+  assert.equal(await said(), "1 of 4");
+  const first = await here();
+  await find.press("Enter");
+  assert.equal(await said(), "2 of 4");
+  await find.press("Shift+Enter");
+  assert.equal(await here(), first);
+  await find.press("Shift+Enter");
+  assert.equal(await said(), "4 of 4");
+  await field("cycle.width1").fill("70");
+  assert.equal(await page.locator("tp-program .line.match").count(), 4);
+  await find.fill("Job: POCKET-70X50");
+  await page.locator("tp-program .line.here", { hasText: "Job: POCKET-70X50" }).waitFor({ state: "visible" });
+  await find.fill("no such words");
+  assert.equal(await said(), "not found");
+  await find.fill("");
+  assert.deepEqual([await said(), await page.locator("tp-program .line.match").count()], ["", 0]);
+});
+
+test("all moves in words, as many as the plan has, each with its place", async () => {
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.getByText("All moves in words").click();
+  const words = page.locator("tp-results .moves li");
+  const { defaultJob, plan } = await import("touchpath");
+  const { moves } = plan(defaultJob("internal-rectangle-protected"));
+  assert.equal(await words.count(), moves.length);
+  const first = moves.findIndex((m) => m.kind === "touch");
+  const [x, y, z] = moves[first]?.to ?? [];
+  assert.equal(await words.nth(first).textContent(), `step ${moves[first]?.step}, touch 1, work, to X${x} Y${y} Z${z}`);
+  await field("cycle.depth").fill("12.5");
+  assert.match((await words.nth(first).textContent()) ?? "", /Z-12\.5$/, "the list is of the form");
+});
+
+test("this job on every control: what each makes of it, and the way there", async () => {
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await page.getByText("This job on every control").click();
+  const rows = page.locator("tp-checks .controls tbody tr:not(.why)");
+  const { catalog, defaultJob, programs } = await import("touchpath");
+  const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
+  const wanted = catalog().posts.flatMap((post) =>
+    ["moves", "cycle"]
+      .filter(
+        (form) =>
+          form === "moves" || post.cycles.some((c) => c.type === job.cycle.type && c.form === form && c.supported),
+      )
+      .map((form) => {
+        const [made] = programs([{ ...job, control: { ...job.control, post: post.id, form } }]);
+        return [
+          post.title,
+          form === "moves" ? "moves" : "own cycle",
+          made?.program ? String(made.program.text.split("\n").length - 1) : "–",
+        ];
+      }),
+  );
+  const shown = await rows.evaluateAll((all) =>
+    all.map((row) => [...row.children].slice(0, 3).map((cell) => cell.textContent?.trim())),
+  );
+  assert.deepEqual(shown, wanted);
+  await rows.getByRole("button", { name: "Choose SINUMERIK 840D sl / 828D, own cycle" }).click();
+  assert.deepEqual([await held("control.post"), await held("control.form")], ["sinumerik", "cycle"]);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await held("control.post"), "linuxcnc");
+});
+
+test("the table: groups that fold, a filter", async () => {
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const rows = page.locator("tp-table tbody tr:not(.group)");
+  assert.deepEqual(
+    (await page.locator("tp-table tr.group button").allTextContents()).map((t) => t.replace(/\s+/g, " ").trim()),
+    ["▾ System 2", "▾ Dimensions 8", "▾ Touches 24", "▾ Original touches 24"],
+  );
+  assert.equal(await rows.count(), 58);
+  await page.getByRole("button", { name: /^▾ Touches/ }).click();
+  assert.equal(await rows.count(), 34);
+  assert.equal(
+    await page
+      .getByRole("button", { name: /Touches 24/ })
+      .first()
+      .getAttribute("aria-expanded"),
+    "false",
+  );
+  const filter = page.getByLabel("Filter the parameters");
+  await filter.fill("clearance");
+  assert.equal(await rows.count(), 3);
+  await filter.fill("[-118]");
+  assert.match((await rows.textContent()) ?? "", /Fourth: touch point, X/);
+  assert.deepEqual(problems, []);
+});
+
+test("a value with a tolerance has a bar: where it lies between its limits, and by how much it may scatter", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await put("cycle.diameter1", "20+0.05-0.05");
+  await page.getByRole("tab", { name: "Results" }).click();
+  const bar = page.locator("tp-results .band");
+  assert.equal(await bar.count(), 1);
+  assert.equal(await bar.getAttribute("aria-label"), "20.000, limits 19.950 and 20.050: good");
+  assert.equal(Number(await bar.locator("circle").getAttribute("cx")), 50, "the nominal size is in the middle");
+  const spread = async () =>
+    Number(await bar.locator("line").getAttribute("x2")) - Number(await bar.locator("line").getAttribute("x1"));
+  const before = await spread();
+  assert.ok(before > 0);
+  await put("stylus.repeatability", 0.002);
+  assert.ok(Math.abs((await spread()) - 2 * before) < 0.1);
+  // Too small: left of what is good, and said to be so.
+  await put("part", { offset: [0, 0, 0], rotation: 0, sizes: { diameter1: -0.08 } });
+  // 0.03 below the limit, where 0.1 are 50 wide.
+  assert.ok(Math.abs(Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15)) < 0.5);
+  assert.match((await bar.getAttribute("class")) ?? "", /bad/);
+  assert.equal(await bar.getAttribute("aria-label"), "19.920, limits 19.950 and 20.050: rework");
+});
+
+test("the words of a program have colours, those of the program that is shown", async () => {
+  const coloured = (/** @type {string} */ kind) =>
+    page.evaluate((kind) => {
+      const ranges = /** @type {StaticRange[]} */ ([
+        .../** @type {any} */ (CSS.highlights.get(`touchpath-${kind}`) ?? []),
+      ]);
+      return ranges.map((range) => (range.startContainer.nodeValue ?? "").slice(range.startOffset, range.endOffset));
+    }, kind);
+  await settles(async () => (await coloured("code")).includes("G38.3"));
+  assert.ok((await coloured("variable")).includes("#5070"));
+  // Of the lines in sight only: those of the folded header and of the end come when they are seen.
+  const all = await coloured("comment");
+  assert.ok(!all.some((text) => text === "(Job: POCKET-80X50)") && !(await coloured("code")).includes("M2"));
+  await page.locator("tp-program .line").last().scrollIntoViewIfNeeded();
+  await settles(async () => (await coloured("code")).includes("M2"));
+  await page.getByRole("button", { name: /header/ }).click();
+  await page.locator("tp-program .line").first().scrollIntoViewIfNeeded();
+  await settles(async () => (await coloured("comment")).includes("(Job: POCKET-80X50)"));
+  await page.getByRole("button", { name: /header/ }).click();
+  // Those of another program take their place: nothing of the first is left.
+  await field("control.post").selectOption("sinumerik");
+  await settles(async () => (await coloured("code")).includes("STOPRE"));
+  assert.ok(!(await coloured("code")).includes("G38.3") && !(await coloured("variable")).includes("#5070"));
+  // Where the list comes to rest other lines may be in sight.
+  await page.waitForTimeout(300);
+  const count = (await coloured("code")).length;
+  await field("cycle.depth").fill("11");
+  await settles(async () => (await program()).includes("Z-11"));
+  await page.waitForTimeout(300);
+  assert.equal((await coloured("code")).length, count, "typing leaves none behind");
+});
+
+test("a program is compared with the one saved last and with that for another control", async () => {
+  const choice = page.getByLabel("Compare the program");
+  const shown = page.locator("tp-program .differences .line");
+  const texts = async (/** @type {string} */ kind) =>
+    page.locator(`tp-program .differences .${kind} .text`).allTextContents();
+  assert.ok(await choice.locator("option[value=saved]").isDisabled(), "nothing was saved yet");
+  const listed = () => page.locator("tp-program .code[role=listbox] .text").allTextContents();
+  const before = await listed();
+  const saved = page.waitForEvent("download");
+  await saveButton().click();
+  await saved;
+  await choice.selectOption("saved");
+  await shown.first().waitFor();
+  assert.deepEqual([await texts("more"), await texts("less")], [[], []]);
+  await field("cycle.width1").fill("82");
+  await settles(async () => (await texts("more")).length > 0);
+  const now = await listed();
+  const [more, less] = [await texts("more"), await texts("less")];
+  assert.ok(less.some((text) => /X42 /.test(text)) && more.some((text) => /X43 /.test(text)), `${less} ${more}`);
+  // Without the lines of the other, each program is whole.
+  const all = await page
+    .locator("tp-program .differences .line")
+    .evaluateAll((lines) => lines.map((line) => [line.className, line.querySelector(".text")?.textContent ?? ""]));
+  const without = (/** @type {string} */ kind) => all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
+  assert.deepEqual(without("less"), now);
+  assert.deepEqual(without("more"), before);
+  assert.match(
+    await textOf(page.locator("tp-program .compared [role=status]")),
+    /^\d+ lines only here, \d+ lines only there$/,
+  );
+  // Another control: its own words are there.
+  await choice.selectOption("grbl");
+  await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
+  // The job for that control itself: nothing is left to compare with, and the program is there.
+  await field("control.post").selectOption("grbl");
+  await page.locator("tp-program .code[role=listbox]").waitFor();
+  assert.equal(await shown.count(), 0);
+  await field("control.post").selectOption("linuxcnc");
+  assert.equal(await choice.inputValue(), "", "the list says that nothing is compared");
+  await choice.selectOption("grbl");
+  await shown.first().waitFor();
+  // Side by side: each column is its whole program, and lines that replace others stand beside them.
+  await page.getByRole("button", { name: "Side by side" }).click();
+  const rows = page.locator("dialog.beside tbody tr");
+  const column = async (/** @type {number} */ n) =>
+    (await rows.locator(`td:nth-child(${n}):not(.none)`).allTextContents()).join("\n");
+  assert.equal(
+    `${await column(4)}\n`,
+    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).plan.program.text),
+  );
+  const { plan } = await import("touchpath");
+  const other = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+  other.control.post = "grbl";
+  assert.equal(`${await column(2)}\n`, plan(other).program.text);
+  assert.ok((await rows.locator("td.less + td + td.more").count()) > 10);
+  await page.keyboard.press("Escape");
+  await settles(async () => (await rows.count()) === 0);
+  // Another control from outside closes it.
+  await page.getByRole("button", { name: "Side by side" }).click();
+  await rows.first().waitFor();
+  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "grbl" }));
+  await settles(async () => (await rows.count()) === 0 && (await choice.inputValue()) === "");
+  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "linuxcnc" }));
+  await choice.selectOption("grbl");
+  // Back to the program.
+  await choice.selectOption("");
+  await page.locator("tp-program .code[role=listbox]").waitFor();
+  assert.equal(await shown.count(), 0);
+  assert.deepEqual(await listed(), now);
+});
