@@ -1,4 +1,4 @@
-import { readBeside } from "./beside.js";
+import { readBeside } from "./read-in-worker.js";
 import "./element.js";
 import { keep, keepOffline } from "./offline.js";
 import type { Unread } from "./parts/intake.js";

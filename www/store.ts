@@ -17,11 +17,11 @@ import {
 import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
+import { Outside } from "./host-inputs.js";
 import { alike, complete, type Draft, formIn, isObject } from "./job.js";
-import { keepFiles, keepSoon, kept, keptFiles } from "./keep.js";
-import { Outside } from "./outside.js";
+import { keepFiles, keepSoon, kept, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
-import type { Reading } from "./reading.js";
+import type { Reading } from "./read-text.js";
 import { type Lang, w } from "./words.js";
 
 export { sizeField, type Units } from "./entries.js";

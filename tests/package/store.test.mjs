@@ -27,7 +27,7 @@ before(async () => {
     logLevel: "silent",
     build: {
       ssr: true,
-      rolldownOptions: { input: ["www/store.ts", "www/number.ts", "www/reading.ts"] },
+      rolldownOptions: { input: ["www/store.ts", "www/number.ts", "www/read-text.ts"] },
       outDir: folder,
       emptyOutDir: true,
     },

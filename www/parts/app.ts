@@ -2,7 +2,7 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Said } from "../core/browser.js";
 import { isObject } from "../job.js";
-import { keepTheme, keptTheme } from "../keep.js";
+import { keepTheme, keptTheme } from "../persistence.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
 import { w } from "../words.js";

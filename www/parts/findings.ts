@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Finding, Said } from "../core/browser.js";
-import { runInWords } from "../in-words.js";
+import { runInWords } from "../sentences.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";

@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
-import { deviations } from "../in-words.js";
+import { deviations } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
 import { FieldPart, type Placed } from "./field.js";

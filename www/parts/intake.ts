@@ -1,5 +1,5 @@
 import { type Finding, JobError, type ProgramMoves } from "../core/browser.js";
-import { type Reading, read } from "../reading.js";
+import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
 

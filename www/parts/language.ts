@@ -1,5 +1,5 @@
 import type { LitElement, ReactiveController } from "lit";
-import { keepLanguage, keptLanguage } from "../keep.js";
+import { keepLanguage, keptLanguage } from "../persistence.js";
 import type { Store } from "../store.js";
 import { type Lang, languageOf, wordsOf } from "../words.js";
 

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
-import { AXES_OF } from "../in-words.js";
 import { readNumber } from "../number.js";
+import { AXES_OF } from "../sentences.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";

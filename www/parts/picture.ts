@@ -1,7 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { PageView, Plan, Vec3 } from "../core/browser.js";
-import { deviations, rateOf } from "../in-words.js";
 import { tidy } from "../number.js";
+import { deviations, rateOf } from "../sentences.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
 import { DrawnPart } from "./drawn.js";
 import { nominal } from "./findings.js";

@@ -9,7 +9,7 @@ import {
   type ResultRow,
   type Said,
 } from "../core/browser.js";
-import { moveInWords, ofRunout, resultInWords } from "../in-words.js";
+import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
 import { copied, copy } from "./hand.js";
 import { Part } from "./part.js";

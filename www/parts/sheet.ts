@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry, PageView } from "../core/browser.js";
-import { deviations, ofRunout, resultInWords } from "../in-words.js";
+import { deviations, ofRunout, resultInWords } from "../sentences.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
 import { Part } from "./part.js";

@@ -1,6 +1,6 @@
 import { html, type TemplateResult } from "lit";
 import type { PageView } from "../core/browser.js";
-import { clockOf, moveInShort, moveInWords, pathInWords, runInWords } from "../in-words.js";
+import { clockOf, moveInShort, moveInWords, pathInWords, runInWords } from "../sentences.js";
 import type { Store } from "../store.js";
 
 /** How many times as fast as the machine the run is played. */

@@ -1,7 +1,7 @@
 // Reads long texts in a worker.
 import { script } from "./offline.js";
+import type { Reading } from "./read-text.js";
 import address from "./reader.js?worker&url";
-import type { Reading } from "./reading.js";
 
 /** Reads a text beside the page. Fails where there can be no worker, what it does breaks, or the signal aborts it. */
 export function readBeside(text: string, signal: AbortSignal): Promise<Reading> {
