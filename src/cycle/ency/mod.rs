@@ -73,7 +73,7 @@ impl Dimensions {
     }
 
     /// Those of a form that says of no place.
-    pub fn still(form: &dyn Values) -> Self {
+    pub fn unmoving(form: &dyn Values) -> Self {
         Dimensions { values: form.values(), ..Dimensions::default() }
     }
 

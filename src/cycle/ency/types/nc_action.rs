@@ -27,5 +27,5 @@ form! {
 }
 
 fn dimensions(section: &mut Section<'_, '_>) -> Dimensions {
-    Dimensions::still(&Form::read(section))
+    Dimensions::unmoving(&Form::read(section))
 }
