@@ -39,7 +39,8 @@ fn the_body_meets_the_top_of_a_deep_pocket() {
     assert_eq!(found(&narrow(5.9), "shank-collision"), []);
     // The touch brings the ball to 3 from the wall: a body of 6.1 meets it then, with 60 the depth of the touch.
     let [finding] = &found(&narrow(6.1), "shank-collision")[..] else { panic!() };
-    assert!(finding.message.starts_with("Move 5 (step 4, touch 1): the probe body"), "{}", finding.message);
+    assert_eq!(finding.path, "stylus.length");
+    assert!(finding.message.starts_with("Move 5 (step 4, touch 1)"), "{}", finding.message);
     assert!(finding.message.contains("X 36.95, Y 0, Z -60"), "{}", finding.message);
 }
 
@@ -49,7 +50,7 @@ fn a_thick_shank_meets_the_wall_first() {
     assert_eq!(found(&pocket(r#""shank": 6"#, ""), "shank-collision"), []);
     let [finding] = &found(&pocket(r#""shank": 6.2"#, ""), "shank-collision")[..] else { panic!() };
     assert_eq!((finding.level, finding.path.as_str()), (Level::Error, "stylus.shank"));
-    assert!(finding.message.starts_with("Move 5 (step 4, touch 1): the shank hits the part"), "{}", finding.message);
+    assert!(finding.message.starts_with("Move 5 (step 4, touch 1)"), "{}", finding.message);
     assert!(finding.message.contains("X 36.9, Y 0, Z -10: it is thicker (6.2 mm) than the ball (6 mm)"), "{}", finding.message);
     // A corner knows no top side: its walls stand at least as high as they are touched, and the shank begins there.
     let corner =
@@ -99,18 +100,20 @@ fn holes_and_bosses() {
             r#"{{ "format": 1, "stylus": {{ "length": 20, "shank": 4, "body": {body} }}, "control": {{ "post": "linuxcnc" }},
                 "cycle": {{ "type": "{cycle}", "diameter": 40, "depth": 30 }} }}"#
         ));
-        found(&own, "shank-collision").into_iter().map(|f| f.message).collect::<Vec<_>>()
+        found(&own, "shank-collision").into_iter().map(|f| (f.path, f.message)).collect::<Vec<_>>()
     };
     // The hole is entered in the middle: 15 < 20; on the way to the wall 5 + 15 = 20.
-    let [message] = &round("hole", 30.0)[..] else { panic!() };
-    assert!(message.contains("touch 1): the probe body") && message.contains("X 5, Y 0, Z -30"), "{message}");
+    let [(path, message)] = &round("hole", 30.0)[..] else { panic!() };
+    assert_eq!(path, "stylus.length");
+    assert!(message.contains("touch 1)") && message.contains("X 5, Y 0, Z -30"), "{message}");
     // Too wide for the hole: it comes down on the plate.
-    let [message] = &round("hole", 41.0)[..] else { panic!() };
-    assert!(message.contains("positioning): the probe body") && message.contains("X 0, Y 0, Z -20"), "{message}");
-    assert_eq!(round("hole", 5.9), [""; 0]);
-    let [message] = &round("boss", 60.0)[..] else { panic!() };
+    let [(path, message)] = &round("hole", 41.0)[..] else { panic!() };
+    assert_eq!(path, "stylus.length");
+    assert!(message.contains("positioning)") && message.contains("X 0, Y 0, Z -20"), "{message}");
+    assert_eq!(round("hole", 5.9), []);
+    let [(_, message)] = &round("boss", 60.0)[..] else { panic!() };
     assert!(message.contains("Z -20"), "{message}");
-    assert_eq!(round("boss", 5.9), [""; 0]);
+    assert_eq!(round("boss", 5.9), []);
 }
 
 /// Turned, in every plane, in inch: the same stylus meets the same part.

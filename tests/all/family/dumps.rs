@@ -149,7 +149,8 @@ fn a_dump_is_placed_whatever_the_ball() {
     assert!((value(&plan, "corner.x") - 10.0).abs() < 0.02 && (value(&plan, "corner.y") - 20.0).abs() < 0.02);
     // A web fits several planes: that is said.
     let web = import(&dump(r#"{ "format": 1, "cycle": { "type": "web" } }"#)).unwrap();
-    assert!(web.findings.iter().any(|f| f.code == "plane-unknown" && f.message.contains("G17 is used")));
+    assert!(web.findings.iter().any(|f| f.code == "plane-unknown" && f.path == "plane"));
+    assert_eq!(web.job.get("plane"), Some(&Value::Text("G17".to_owned())));
     // More than a ball between used and original points: the used ones count.
     let moved: String =
         dump(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "compensateDimensions": true } }"#)
