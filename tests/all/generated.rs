@@ -226,7 +226,7 @@ fn every_code_of_a_finding_is_listed() {
     assert!(CODES.is_sorted_by_key(|(code, _)| *code));
     // Some are reported by the package itself, by the element, and by the command.
     let mut reporting = sources.clone();
-    for file in ["www/core/api.ts", "www/outside.ts", "www/core/cli/tasks.ts"] {
+    for file in ["www/core/api.ts", "www/host-inputs.ts", "www/core/cli/tasks.ts"] {
         reporting.push_str(&std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap());
     }
     for (code, meaning) in CODES {
