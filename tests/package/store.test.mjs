@@ -40,7 +40,7 @@ before(async () => {
     ],
   });
   ({ Store } = await import(pathToFileURL(join(folder, "store.js")).href));
-  ({ read } = await import(pathToFileURL(join(folder, "reading.js")).href));
+  ({ read } = await import(pathToFileURL(join(folder, "read-text.js")).href));
   ({ readNumber } = await import(pathToFileURL(join(folder, "number.js")).href));
 });
 after(() => rmSync(folder, { recursive: true, force: true }));
