@@ -82,6 +82,7 @@ pub const CODES: &[(&str, &str)] = &[
         "not-at-feed",
         "A touch begins so close to its contact that the axes are still accelerating there: the probe was calibrated at the full feed.",
     ),
+    ("not-called", "A subroutine that nothing in its text calls is shown, with arguments that are not known."),
     ("not-finite", "A number is infinite or NaN."),
     ("not-in-dump", "Values that a dump does not give are defaults."),
     ("not-in-program", "Values that a program does not give are defaults."),

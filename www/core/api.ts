@@ -124,8 +124,8 @@ export function importJob(text: string): Imported {
 }
 
 /**
- * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. What jumps, calls or computes, and codes that
- * are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
+ * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. Macros of LinuxCNC (O words) and Fanuc are run with
+ * what they set themselves; what the control alone knows, and codes that are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
  */
 export function readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves {
   if (typeof text !== "string") {

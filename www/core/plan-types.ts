@@ -70,6 +70,7 @@ export type FindingCode =
   | "not-a-number"
   | "not-a-value"
   | "not-at-feed"
+  | "not-called"
   | "not-finite"
   | "not-in-dump"
   | "not-in-program"

@@ -115,6 +115,8 @@ pub(super) struct Block {
     pub name: [usize; 2],
     /// Where the words begin, behind the block's number.
     pub begin: usize,
+    /// It calls a macro, G65, by its number P.
+    pub macros: bool,
     /// It calls a subprogram: 97, 98 or 198.
     pub calls: Option<u8>,
     /// Whether one of these is so, or an axis is a place or a distance by its own.
@@ -157,6 +159,7 @@ pub(super) const EMPTY: Block = Block {
     led: Foreign::No,
     name: [0; 2],
     begin: 0,
+    macros: false,
     calls: None,
     special: false,
 };
@@ -174,6 +177,7 @@ impl Block {
         (self.returns, self.renames, self.twice) = (false, false, false);
         if self.special {
             (self.foreign, self.led, self.calls, self.special) = (Foreign::No, Foreign::No, None, false);
+            self.macros = false;
             (self.placed, self.moved) = (0, 0);
         }
     }

@@ -15,7 +15,7 @@ const MOST_LINES: usize = 500_000;
 const MOST_NUMBERS: usize = 100;
 
 /// Where a line begins, and its number from 0.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub at: usize,
     pub line: usize,
@@ -42,6 +42,11 @@ pub(super) struct Calls<'t> {
 impl<'t> Calls<'t> {
     pub fn new(text: &'t str) -> Self {
         Calls { text, places: Vec::new(), stack: Vec::new(), lines: 0, ran: Vec::new() }
+    }
+
+    /// How many subprograms are under way.
+    pub fn depth(&self) -> usize {
+        self.stack.len()
     }
 
     /// Whether a subprogram is under way.

@@ -1,5 +1,6 @@
 //! Codes whose axis words are no place: they are passed by, and named.
 
+use crate::control::iso::script::Motion;
 use crate::form::printable;
 use crate::import::toolpath::block::{Block, Foreign};
 use crate::import::toolpath::count::{Count, count};
@@ -34,7 +35,27 @@ impl Reader {
         true
     }
 
-    fn named(&mut self, name: &[u8], foreign: Foreign) {
+    /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
+    #[cold]
+    pub(super) fn macro_call(&mut self, block: &mut Block) {
+        let name = |p: f64| "G65P".to_owned() + &crate::num::decimal(p, 0);
+        match block.p {
+            Some(9810.0 | 8810.0) => {
+                (block.elsewhere, block.once) = (false, Some(Motion::Straight));
+                self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
+            }
+            // They switch the probe on and off.
+            Some(p @ (9832.0 | 9833.0)) => self.named(name(p).as_bytes(), Foreign::Sets),
+            Some(p) => {
+                self.forget(7);
+                self.named(name(p).as_bytes(), Foreign::Unknown);
+            }
+            None => self.lose(self.line),
+        }
+    }
+
+    /// Counts a block that is not followed, by the name of its code.
+    pub(super) fn named(&mut self, name: &[u8], foreign: Foreign) {
         const LONGEST: usize = 12;
         let letters = name.iter().filter(|b| !b.is_ascii_whitespace()).take(LONGEST);
         let name: String = letters.map(|b| char::from(b.to_ascii_uppercase())).collect();

@@ -10,9 +10,12 @@ mod findings;
 mod foreign;
 mod guess;
 mod heidenhain;
+mod macros;
 mod moves;
 mod reader;
 mod words;
+
+use std::borrow::Cow;
 
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
@@ -22,6 +25,7 @@ use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
 pub(super) use guess::guessed;
+use macros::{Macros, Step};
 use reader::Reader;
 
 /// The longest program that is read, in UTF-16 units.
@@ -90,38 +94,95 @@ impl Toolpath {
 pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let dialect = dialect.unwrap_or_else(|| guessed(text));
-    let mut reader = Reader::new(text, dialect);
-    let mut block = EMPTY;
-    let mut calls = Calls::new(text);
-    let (bytes, mut at) = (text.as_bytes(), 0);
-    while at < bytes.len() {
-        let (end, next) = line_end(bytes, at);
-        let line = match &bytes[at..end] {
-            line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
-            _ => text[at..end].trim().as_bytes(),
-        };
-        // Below the end, what ran where it was called is not passed over.
-        if !(reader.ended && calls.has_run(reader.line)) {
-            reader.read(line, &mut block);
-        }
-        reader.line += 1;
-        at = next;
-        if reader.turns_off {
-            let next = Place { at, line: reader.line };
-            let next = calls.step(&mut reader, line, next);
-            (at, reader.line) = (next.at, next.line);
-        }
-        while at >= bytes.len() && calls.is_inside() {
-            let next = Place { at, line: reader.line };
-            let next = calls.fall_out(&mut reader, next);
-            (at, reader.line) = (next.at, next.line);
-        }
+    let reader = Reader::new(text, dialect);
+    let macros = if reader.sinumerik { None } else { Macros::of(text) };
+    let mut run = Run { text, reader, calls: Calls::new(text), macros };
+    run.lines(Place { at: 0, line: 0 });
+    // A text of subroutines alone: they are shown, though nothing says what they are called with.
+    let mut shown = Vec::new();
+    while run.reader.path.is_empty() {
+        let end = Place { at: text.len(), line: run.reader.line };
+        let Some((name, begin)) = run.macros.as_mut().and_then(|macros| macros.uncalled(end)) else { break };
+        run.reader.ended = false;
+        run.lines(begin);
+        shown.push(name);
     }
-    let mut path = reader.finish();
+    let mut path = run.reader.finish();
     if path.is_empty() {
         path.findings.push(no_moves(text));
+    } else {
+        path.findings.extend(shown.iter().map(|name| not_called(name)));
     }
     path
+}
+
+/// A program while it is read.
+struct Run<'t> {
+    text: &'t str,
+    reader: Reader,
+    calls: Calls<'t>,
+    macros: Option<Macros>,
+}
+
+impl Run<'_> {
+    /// Reads from a line on, up to the end of the text.
+    fn lines(&mut self, from: Place) {
+        let (bytes, mut block) = (self.text.as_bytes(), EMPTY);
+        let mut at = from.at;
+        self.reader.line = from.line;
+        while at < bytes.len() {
+            let (end, below) = line_end(bytes, at);
+            let line = match &bytes[at..end] {
+                line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
+                _ => self.text[at..end].trim().as_bytes(),
+            };
+            let here = Place { at, line: self.reader.line };
+            match self.step(line, here, below) {
+                Step::Read(line) => self.reader.read(&line, &mut block),
+                Step::Done => {}
+                Step::Go(to) => {
+                    (at, self.reader.line) = (to.at, to.line);
+                    continue;
+                }
+                Step::Stop => return self.reader.lose(here.line),
+            }
+            self.reader.line += 1;
+            at = below;
+            if self.reader.turns_off {
+                let next = self.calls.step(&mut self.reader, line, Place { at, line: here.line + 1 });
+                (at, self.reader.line) = (next.at, next.line);
+            }
+            while at >= bytes.len() && self.calls.is_inside() {
+                let next = Place { at, line: self.reader.line };
+                let next = self.calls.fall_out(&mut self.reader, next);
+                (at, self.reader.line) = (next.at, next.line);
+            }
+        }
+    }
+
+    /// What becomes of a line. Below the end, what ran where it was called is not passed over.
+    #[inline]
+    fn step<'l>(&mut self, line: &'l [u8], here: Place, below: usize) -> Step<'l> {
+        let ended = self.reader.ended;
+        match &mut self.macros {
+            _ if ended && self.calls.has_run(here.line) => Step::Done,
+            Some(macros) if ended && macros.has_run(here.line) => Step::Done,
+            Some(macros) if !ended && !self.reader.heidenhain => {
+                macros.step(line, here, Place { at: below, line: here.line + 1 }, self.calls.depth())
+            }
+            _ => Step::Read(Cow::Borrowed(line)),
+        }
+    }
+}
+
+/// Says that a subroutine is shown though nothing calls it.
+#[cold]
+fn not_called(name: &str) -> Finding {
+    let message = text!(
+        "Nothing in this text calls {name}: it is shown as if it were called with arguments that are not known",
+        crate::form::printable(name)
+    );
+    Finding::new(Level::Info, "not-called", "", message)
 }
 
 /// Says that a text gives no move, and whether that may be because of its semicolons.

@@ -248,7 +248,8 @@ impl Reader {
             self.modes = before;
         }
         self.settle(block, before);
-        let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || self.sinumerik && runs_cycle(line);
+        let cycle = self.sinumerik && runs_cycle(line);
+        let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
         let gone = if lost { 7 } else { block.given };
         self.forget(gone);
         // It is said of the line already.
@@ -258,6 +259,9 @@ impl Reader {
             let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
             let word = &line[block.begin..][..line[block.begin..].iter().take_while(named).count()];
             self.branch(word, self.sinumerik);
+            if cycle {
+                return self.named(word, Foreign::Unknown);
+            }
         }
         count(&mut self.skipped, self.line);
     }
@@ -283,7 +287,9 @@ impl Reader {
             self.shift(block);
         }
         self.settle(block, before);
-        if block.special && self.pass_by(line, block) {
+        if block.macros && block.foreign == Foreign::No {
+            self.macro_call(block);
+        } else if block.special && self.pass_by(line, block) {
             return;
         }
         self.place_of(block);

@@ -190,8 +190,11 @@ impl Reader {
                 block.elsewhere = true;
                 count(&mut self.skipped, self.line);
             }
-            Effect::Macro { takes_feed } => {
-                (block.elsewhere, block.feedless) = (true, takes_feed);
+            Effect::Macro { takes_feed: true } => {
+                (block.elsewhere, block.feedless, block.macros, block.special) = (true, true, true, true);
+            }
+            Effect::Macro { takes_feed: false } => {
+                block.elsewhere = true;
                 self.lose(self.line);
             }
             Effect::Offset(number) => block.offset = Some(number),

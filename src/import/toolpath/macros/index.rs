@@ -1,0 +1,234 @@
+//! Where the lines of a macro are that something jumps to.
+
+use crate::control::iso::lex::{head, line_end, program_number};
+use crate::import::toolpath::calls::Place;
+
+/// What an O word does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keyword {
+    Sub,
+    EndSub,
+    Return,
+    Call,
+    If,
+    ElseIf,
+    Else,
+    EndIf,
+    While,
+    EndWhile,
+    Do,
+    Repeat,
+    EndRepeat,
+    Break,
+    Continue,
+}
+
+const KEYWORDS: [(&str, Keyword); 15] = [
+    ("sub", Keyword::Sub),
+    ("endsub", Keyword::EndSub),
+    ("return", Keyword::Return),
+    ("call", Keyword::Call),
+    ("if", Keyword::If),
+    ("elseif", Keyword::ElseIf),
+    ("else", Keyword::Else),
+    ("endif", Keyword::EndIf),
+    ("while", Keyword::While),
+    ("endwhile", Keyword::EndWhile),
+    ("do", Keyword::Do),
+    ("repeat", Keyword::Repeat),
+    ("endrepeat", Keyword::EndRepeat),
+    ("break", Keyword::Break),
+    ("continue", Keyword::Continue),
+];
+
+/// An O word: its label, what it does, and where in the code the rest begins. A label that is computed is none here.
+pub fn o_word(code: &[u8]) -> Option<(String, Keyword, usize)> {
+    let rest = code.get(1..)?;
+    let length = match rest.first()? {
+        b'<' => rest.iter().position(|b| *b == b'>')? + 1,
+        _ => rest.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count(),
+    };
+    let plain = rest[..length].iter().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_lowercase()));
+    let label: String = plain.collect();
+    let blanks = rest[length..].iter().take_while(|b| b.is_ascii_whitespace()).count();
+    let begin = 1 + length + blanks;
+    let letters = code[begin..].iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    let word = &code[begin..begin + letters];
+    let (_, keyword) = KEYWORDS.iter().find(|(name, _)| word.eq_ignore_ascii_case(name.as_bytes()))?;
+    (!label.is_empty()).then_some((label, *keyword, begin + letters))
+}
+
+/// The label of `DO 1` and `END 1`.
+pub fn do_label(number: f64) -> String {
+    "do".to_owned() + &crate::num::decimal(number.trunc(), 0)
+}
+
+/// An O word of the text, or an END.
+#[derive(Debug)]
+struct Mark {
+    label: String,
+    keyword: Keyword,
+    /// What stands behind an `elseif`.
+    condition: Vec<u8>,
+    line: usize,
+    below: Place,
+}
+
+/// So many O words are looked at for the end of one, and so many programs of a text are known: a search has an end.
+const MOST_LOOKED: usize = 4000;
+
+/// The lines of a text that something jumps to.
+#[derive(Debug, Default)]
+pub struct Index {
+    /// Whether it is LinuxCNC's, by its signs: names, O words, G38.
+    pub linuxcnc: bool,
+    marks: Vec<Mark>,
+    /// Subroutines by label: where their lines begin, and the line of their end.
+    subs: Vec<(String, Place, usize)>,
+    /// Numbers of blocks, by number.
+    blocks: Vec<(u32, Place)>,
+    /// Numbers of programs, and the places below their lines.
+    programs: Vec<(u32, Place)>,
+    lines: usize,
+}
+
+impl Index {
+    pub fn of(text: &str) -> Self {
+        let bytes = text.as_bytes();
+        // Names, and its code of a probing move.
+        let names = memchr::memchr_iter(b'<', bytes).any(|at| at > 0 && bytes[at - 1] == b'#');
+        let linuxcnc = names || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"38"));
+        let mut index = Index { linuxcnc, ..Index::default() };
+        let (mut at, mut line) = (0, 0);
+        while at < bytes.len() {
+            let (end, next) = line_end(bytes, at);
+            index.line(bytes[at..end].trim_ascii(), Place { at, line }, Place { at: next, line: line + 1 });
+            (at, line) = (next, line + 1);
+        }
+        index.lines = line;
+        // By number, and of each by line.
+        index.blocks.sort_by_key(|(number, place)| (*number, place.line));
+        index.programs.truncate(MOST_LOOKED);
+        let subs = index.marks.iter().filter(|mark| mark.keyword == Keyword::Sub);
+        let ends = |sub: &&Mark| {
+            let end = index.below(sub.line).find(|mark| mark.label == sub.label && mark.keyword == Keyword::EndSub)?;
+            Some((sub.label.clone(), sub.below, end.line))
+        };
+        let mut subs: Vec<_> = subs.filter_map(|sub| ends(&sub)).collect();
+        subs.sort_by(|(a, ..), (b, ..)| a.cmp(b));
+        index.subs = subs;
+        index
+    }
+
+    fn line(&mut self, text: &[u8], here: Place, below: Place) {
+        let head = head(text);
+        if let Some(number) = head.number {
+            self.blocks.push((number, here));
+        }
+        let code = &text[head.end..];
+        match code.first().map(u8::to_ascii_uppercase) {
+            Some(b'O') => match o_word(code) {
+                Some((label, keyword, rest)) => {
+                    self.linuxcnc = true;
+                    let condition = if keyword == Keyword::ElseIf { code[rest..].to_vec() } else { Vec::new() };
+                    self.marks.push(Mark { label, keyword, condition, line: here.line, below });
+                }
+                None => self.programs.extend(program_number(code).map(|number| (number, below))),
+            },
+            Some(b'E') if code.len() > 3 && code[..3].eq_ignore_ascii_case(b"END") => {
+                let digits = code[3..].trim_ascii();
+                let digits = &digits[..digits.iter().take_while(|b| b.is_ascii_digit()).count()];
+                let number = std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok());
+                let mark = |number: u32| Mark {
+                    label: do_label(f64::from(number)),
+                    keyword: Keyword::EndWhile,
+                    condition: Vec::new(),
+                    line: here.line,
+                    below,
+                };
+                self.marks.extend(number.map(mark));
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a block is one of a Fanuc's that jump or loop.
+    pub fn is_flow(&self, code: &[u8]) -> bool {
+        let follows = |word: &str, next: fn(u8) -> bool| {
+            code.get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word.as_bytes()))
+                && code[word.len()..].iter().find(|b| **b != b' ').is_some_and(|b| next(*b))
+        };
+        let open = |b: u8| b == b'[';
+        let digit = |b: u8| b.is_ascii_digit() || b == b'#' || b == b'[';
+        follows("IF", open) || follows("WHILE", open) || follows("GOTO", digit) || follows("END", digit) || follows("DO", digit)
+    }
+
+    /// The O words below a line, and the END, as far as is looked.
+    fn below(&self, line: usize) -> impl Iterator<Item = &Mark> {
+        self.marks[self.marks.partition_point(|mark| mark.line <= line)..].iter().take(MOST_LOOKED)
+    }
+
+    /// Those above it, the nearest first.
+    fn above(&self, line: usize) -> impl Iterator<Item = &Mark> {
+        self.marks[..self.marks.partition_point(|mark| mark.line < line)].iter().rev().take(MOST_LOOKED)
+    }
+
+    /// Below the first of these words of a label that comes after a line.
+    pub fn find(&self, label: &str, keywords: &[Keyword], line: usize) -> Option<Place> {
+        let mark = self.below(line).find(|mark| mark.label == label && keywords.contains(&mark.keyword))?;
+        Some(mark.below)
+    }
+
+    /// The next `elseif`, `else` or `endif` of a label: what it is, its condition, and the place below it.
+    pub fn branch_below(&self, label: &str, line: usize) -> Option<(Keyword, Vec<u8>, Place)> {
+        let wanted = [Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
+        let mark = self.below(line).find(|mark| mark.label == label && wanted.contains(&mark.keyword))?;
+        Some((mark.keyword, mark.condition.clone(), mark.below))
+    }
+
+    /// Whether a `while` closes a `do` of its label above it.
+    pub fn closes_do(&self, label: &str, line: usize) -> bool {
+        let begins = |mark: &&Mark| !matches!(mark.keyword, Keyword::Break | Keyword::Continue);
+        let before = self.above(line).filter(|mark| mark.label == label).find(begins);
+        before.is_some_and(|mark| mark.keyword == Keyword::Do)
+    }
+
+    /// Where the lines of a subroutine begin, and the line of its end; none where it is not there once.
+    pub fn subroutine(&self, label: &str) -> Option<(Place, usize)> {
+        let from = self.subs.partition_point(|(own, ..)| own.as_str() < label);
+        let (_, begin, end) = self.subs.get(from).filter(|(own, ..)| own == label)?;
+        let more = self.subs.get(from + 1).is_some_and(|(own, ..)| own == label);
+        (!more).then_some((*begin, *end))
+    }
+
+    /// Every subroutine that is there once, in the order of the text: its label, where its lines begin, and the line of its end.
+    pub fn subroutines(&self) -> Vec<(String, Place, usize)> {
+        let mut all: Vec<_> = self.subs.iter().filter(|(label, ..)| self.subroutine(label).is_some()).cloned().collect();
+        all.sort_by_key(|(_, begin, _)| begin.line);
+        all
+    }
+
+    /// Where the lines of a program begin, and its last line; none where it is not there once.
+    pub fn program(&self, number: u32) -> Option<(Place, usize)> {
+        let mut all = self.programs.iter().filter(|(known, _)| *known == number);
+        let ((_, begin), more) = (all.next()?, all.next());
+        more.is_none().then(|| (*begin, self.end_of_program(begin.line).map_or(self.lines, |line| line.saturating_sub(2))))
+    }
+
+    /// Where the lines of the next program begin.
+    fn end_of_program(&self, line: usize) -> Option<usize> {
+        self.programs.get(self.programs.partition_point(|(_, place)| place.line <= line)).map(|(_, place)| place.line)
+    }
+
+    /// The block of this number that a jump from above `next` goes to: the next one below, or the first of its program.
+    pub fn block(&self, number: u32, next: Place) -> Option<Place> {
+        let begin = self.programs[..self.programs.partition_point(|(_, place)| place.line <= next.line)].last();
+        let begin = begin.map_or(0, |(_, place)| place.line);
+        let end = self.end_of_program(next.line).unwrap_or(usize::MAX);
+        let from = |line: usize| {
+            let at = self.blocks.partition_point(|(own, place)| (*own, place.line) < (number, line));
+            self.blocks.get(at).filter(|(own, place)| *own == number && place.line < end).map(|(_, place)| *place)
+        };
+        from(next.line).or_else(|| from(begin))
+    }
+}

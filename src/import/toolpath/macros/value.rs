@@ -1,0 +1,366 @@
+//! Values of a macro: what an expression comes to, where all in it is known. What the control would know, and the program does not set, is not.
+
+use std::collections::BTreeMap;
+
+use crate::num::read_digits;
+
+/// What a variable or an expression is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    Number(f64),
+    /// Nothing tells it here.
+    Unknown,
+    /// `#0`, or an argument that a call does not give, on a Fanuc: a word with it is left out.
+    Empty,
+}
+
+impl Value {
+    pub fn number(self) -> Option<f64> {
+        if let Value::Number(x) = self { Some(x) } else { None }
+    }
+}
+
+/// A variable.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Key {
+    Number(i32),
+    /// In small letters, without blanks.
+    Name(String),
+    /// `#[…]` of what is not known.
+    Unknown,
+}
+
+/// The variables of one call.
+type Level = BTreeMap<Key, Value>;
+
+/// The variables of a program, as far as it sets them.
+#[derive(Debug)]
+pub struct Variables {
+    /// LinuxCNC's variables and functions, or those of a Fanuc.
+    pub linuxcnc: bool,
+    globals: Level,
+    levels: Vec<Level>,
+}
+
+/// How a block sets something: nothing else is known of what may be left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sure {
+    Yes,
+    No,
+}
+
+impl Variables {
+    pub fn new(linuxcnc: bool) -> Self {
+        Variables { linuxcnc, globals: Level::default(), levels: vec![Level::default()] }
+    }
+
+    /// How many calls are under way.
+    pub fn depth(&self) -> usize {
+        self.levels.len() - 1
+    }
+
+    /// Into a call with these arguments.
+    pub fn enter(&mut self, arguments: Vec<(i32, Value)>) {
+        let mut level = Level::new();
+        for (number, value) in arguments {
+            level.insert(Key::Number(number), value);
+        }
+        self.levels.push(level);
+    }
+
+    pub fn leave(&mut self) {
+        if self.levels.len() > 1 {
+            self.levels.pop();
+        }
+    }
+
+    /// Local to a call: LinuxCNC's arguments are #1 to #30, those of a Fanuc #1 to #33.
+    fn is_local(&self, key: &Key) -> bool {
+        match key {
+            Key::Number(n) => (1..=if self.linuxcnc { 30 } else { 33 }).contains(n),
+            Key::Name(name) => !name.starts_with('_'),
+            Key::Unknown => false,
+        }
+    }
+
+    /// Whether the control changes it by itself.
+    fn is_system(&self, key: &Key) -> bool {
+        match key {
+            Key::Number(n) if self.linuxcnc => *n > 5000,
+            Key::Number(n) => (1000..10_000).contains(n) || *n > 10_999,
+            Key::Name(_) => false,
+            Key::Unknown => true,
+        }
+    }
+
+    pub fn get(&self, key: &Key) -> Value {
+        if self.is_system(key) {
+            return Value::Unknown;
+        }
+        let level = self.levels.last().filter(|_| self.is_local(key)).unwrap_or(&self.globals);
+        if *key == Key::Number(0) && !self.linuxcnc {
+            return Value::Empty;
+        }
+        // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
+        let missing = match key {
+            Key::Number(_) if self.is_local(key) && self.depth() > 0 && self.linuxcnc => Value::Number(0.0),
+            Key::Number(_) if self.is_local(key) && self.depth() > 0 => Value::Empty,
+            _ => Value::Unknown,
+        };
+        level.get(key).copied().unwrap_or(missing)
+    }
+
+    /// Whether a variable was set: none where that cannot be told.
+    fn exists(&self, key: &Key) -> Option<bool> {
+        match key {
+            Key::Name(_) if self.is_local(key) => Some(self.levels.last()?.contains_key(key)),
+            Key::Name(_) => self.globals.contains_key(key).then_some(true),
+            Key::Number(_) => Some(true),
+            Key::Unknown => None,
+        }
+    }
+
+    pub fn set(&mut self, key: Key, value: Value, sure: Sure) {
+        let value = if sure == Sure::Yes { value } else { Value::Unknown };
+        let local = self.is_local(&key);
+        let level = self.levels.last_mut().filter(|_| local).unwrap_or(&mut self.globals);
+        if key == Key::Unknown {
+            // It may be any of them.
+            return self.forget();
+        }
+        level.insert(key, value);
+    }
+
+    /// Nothing is known of any variable.
+    fn forget(&mut self) {
+        for level in self.levels.iter_mut().chain([&mut self.globals]) {
+            level.values_mut().for_each(|value| *value = Value::Unknown);
+        }
+    }
+}
+
+/// Deepest nesting of brackets.
+const DEEPEST: usize = 40;
+
+/// Reads values in a line.
+pub struct Cursor<'a> {
+    pub line: &'a [u8],
+    pub at: usize,
+    pub variables: &'a Variables,
+    depth: usize,
+}
+
+/// What stands between two values, tightest last.
+const OPERATORS: [&[&str]; 5] =
+    [&["AND", "XOR", "OR"], &["EQ", "NE", "GE", "GT", "LE", "LT"], &["+", "-"], &["*", "/", "MOD"], &["**"]];
+
+impl<'a> Cursor<'a> {
+    pub fn new(line: &'a [u8], at: usize, variables: &'a Variables) -> Self {
+        Cursor { line, at, variables, depth: 0 }
+    }
+
+    pub fn peek(&mut self) -> Option<u8> {
+        while matches!(self.line.get(self.at), Some(b' ' | b'\t')) {
+            self.at += 1;
+        }
+        self.line.get(self.at).map(u8::to_ascii_uppercase)
+    }
+
+    /// Goes past a sign or a word where it is next.
+    pub fn eat(&mut self, word: &str) -> bool {
+        self.peek();
+        let next = self.line.get(self.at..self.at + word.len());
+        let eaten = next.is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
+        self.at += if eaten { word.len() } else { 0 };
+        eaten
+    }
+
+    /// A value as a word has it: a number, a variable, brackets, a function, each with a sign.
+    pub fn operand(&mut self) -> Option<Value> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let value = match self.peek()? {
+            b'-' => {
+                self.at += 1;
+                map(self.operand()?, |x| -x)
+            }
+            b'+' => {
+                self.at += 1;
+                self.operand()?
+            }
+            b'#' => {
+                let key = self.key()?;
+                self.variables.get(&key)
+            }
+            b'[' => self.bracketed()?,
+            b'0'..=b'9' | b'.' => {
+                let (number, length) = read_digits(&self.line[self.at..])?;
+                self.at += length;
+                Value::Number(number)
+            }
+            _ => self.function()?,
+        };
+        self.depth -= 1;
+        Some(value)
+    }
+
+    /// Whether what comes next is computed, and no plain number.
+    pub fn computes(&mut self) -> bool {
+        let begin = self.at;
+        let mut next = self.peek();
+        while matches!(next, Some(b'-' | b'+')) {
+            self.at += 1;
+            next = self.peek();
+        }
+        let letters = self.line[self.at..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+        let function = letters > 1 && self.line.get(self.at + letters) == Some(&b'[');
+        self.at = begin;
+        matches!(next, Some(b'#' | b'[')) || function
+    }
+
+    /// A value of operators.
+    pub fn expression(&mut self) -> Option<Value> {
+        self.level(0)
+    }
+
+    pub fn bracketed(&mut self) -> Option<Value> {
+        self.eat("[").then_some(())?;
+        let value = self.level(0)?;
+        self.eat("]").then_some(value)
+    }
+
+    fn level(&mut self, level: usize) -> Option<Value> {
+        let Some(operators) = OPERATORS.get(level) else { return self.operand() };
+        let mut left = self.level(level + 1)?;
+        loop {
+            // `**` is no product.
+            let product = level == 3 && self.peek() == Some(b'*') && self.line.get(self.at + 1) == Some(&b'*');
+            let Some(operator) = operators.iter().find(|operator| !product && self.eat(operator)) else { return Some(left) };
+            let right = self.level(level + 1)?;
+            left = self.combined(operator, left, right);
+        }
+    }
+
+    fn combined(&self, operator: &str, left: Value, right: Value) -> Value {
+        let truth = |holds: bool| Value::Number(f64::from(u8::from(holds)));
+        // Nothing is not 0 where it is asked whether they are the same.
+        if (left == Value::Empty || right == Value::Empty) && matches!(operator, "EQ" | "NE") {
+            let unknown = left == Value::Unknown || right == Value::Unknown;
+            return if unknown { Value::Unknown } else { truth((left == right) == (operator == "EQ")) };
+        }
+        let plain = |value: Value| if value == Value::Empty { Some(0.0) } else { value.number() };
+        let (Some(a), Some(b)) = (plain(left), plain(right)) else { return Value::Unknown };
+        let both = |known: bool, holds: bool| if known { truth(holds) } else { Value::Unknown };
+        let logical = [a, b].iter().all(|x| *x == 0.0 || *x == 1.0);
+        // LinuxCNC takes numbers for the same that differ by less than a ten-thousandth; others by other rules.
+        let (off, near) = ((a - b).abs(), 2e-4);
+        let told = off < 1e-9 || off > near;
+        match operator {
+            "+" => Value::Number(a + b),
+            "-" => Value::Number(a - b),
+            "*" => Value::Number(a * b),
+            "/" if b != 0.0 => Value::Number(a / b),
+            "MOD" if b > 0.0 && a >= 0.0 => Value::Number(a % b),
+            "**" if b.fract() == 0.0 && (0.0..=16.0).contains(&b) => finite(a.powi(b as i32)),
+            "EQ" => both(told, off < 1e-9),
+            "NE" => both(told, off >= 1e-9),
+            "GT" => both(told, a > b && off >= 1e-9),
+            "GE" => both(told, a >= b || off < 1e-9),
+            "LT" => both(told, a < b && off >= 1e-9),
+            "LE" => both(told, a <= b || off < 1e-9),
+            "AND" => both(logical, a * b == 1.0),
+            "OR" => both(logical, a + b > 0.0),
+            "XOR" => both(logical, a != b),
+            _ => Value::Unknown,
+        }
+    }
+
+    /// `ABS[…]`, `ATAN[y]/[x]`, `EXISTS[#<name>]`.
+    fn function(&mut self) -> Option<Value> {
+        let letters = self.line[self.at..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+        let name = self.line[self.at..self.at + letters].to_ascii_uppercase();
+        self.at += letters;
+        if name == b"EXISTS" {
+            self.eat("[").then_some(())?;
+            let key = self.key()?;
+            let known = self.variables.exists(&key);
+            return self.eat("]").then(|| known.map_or(Value::Unknown, |known| Value::Number(f64::from(u8::from(known)))));
+        }
+        let inner = self.bracketed()?;
+        let linuxcnc = self.variables.linuxcnc;
+        let value = match name.as_slice() {
+            b"ABS" => map(inner, f64::abs),
+            b"SIN" => map(inner, |x| x.to_radians().sin()),
+            b"COS" => map(inner, |x| x.to_radians().cos()),
+            b"TAN" => map(inner, |x| x.to_radians().tan()),
+            b"ASIN" => map(inner, |x| x.asin().to_degrees()),
+            b"ACOS" => map(inner, |x| x.acos().to_degrees()),
+            b"SQRT" | b"SQR" => map(inner, f64::sqrt),
+            // What no probing macro was seen to need costs nothing here.
+            b"EXP" | b"LN" => Value::Unknown,
+            b"ROUND" | b"RND" => map(inner, f64::round),
+            // LinuxCNC goes to the next lower and higher whole number, a Fanuc towards 0 and away from it.
+            b"FIX" => map(inner, |x| if linuxcnc { x.floor() } else { x.trunc() }),
+            b"FUP" => map(inner, |x| if linuxcnc { x.ceil() } else { x.abs().ceil().copysign(x) }),
+            b"ATAN" if self.eat("/") => {
+                let x = self.bracketed()?;
+                match (inner, x) {
+                    // On a Fanuc a parameter says whether the other half turn is below 0 or above 180.
+                    (Value::Number(y), Value::Number(x)) if linuxcnc || y >= 0.0 => Value::Number(y.atan2(x).to_degrees()),
+                    _ => Value::Unknown,
+                }
+            }
+            _ => return None,
+        };
+        Some(value)
+    }
+
+    /// A variable: `#5`, `#<name>`, `#[#1+4]`, `##2`.
+    pub fn key(&mut self) -> Option<Key> {
+        self.eat("#").then_some(())?;
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let whole = |value: Value| match value {
+            Value::Number(x) if x.fract() == 0.0 && (0.0..1e6).contains(&x) => Key::Number(x as i32),
+            _ => Key::Unknown,
+        };
+        let key = match self.peek()? {
+            b'<' => {
+                let length = self.line[self.at..].iter().position(|b| *b == b'>')?;
+                let name = &self.line[self.at + 1..self.at + length];
+                self.at += length + 1;
+                let plain = name.iter().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_lowercase()));
+                Key::Name(plain.collect())
+            }
+            b'[' => whole(self.bracketed()?),
+            b'#' => {
+                let inner = self.key()?;
+                whole(self.variables.get(&inner))
+            }
+            _ => {
+                let (number, length) = read_digits(&self.line[self.at..])?;
+                self.at += length;
+                whole(Value::Number(number))
+            }
+        };
+        self.depth -= 1;
+        Some(key)
+    }
+}
+
+fn finite(x: f64) -> Value {
+    if x.is_finite() { Value::Number(x) } else { Value::Unknown }
+}
+
+/// A function of what is known; nothing counts as 0.
+fn map(value: Value, of: impl Fn(f64) -> f64) -> Value {
+    match value {
+        Value::Number(x) => finite(of(x)),
+        Value::Empty => finite(of(0.0)),
+        Value::Unknown => Value::Unknown,
+    }
+}
