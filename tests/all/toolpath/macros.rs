@@ -33,7 +33,7 @@ fn o_words_run_as_the_interpreter_runs_them() {
             .replace("#<along_name>", "#<alongname>")
             .as_str(),
         // Assignments in one block take effect after it.
-        "G21 G90\nG0 X0 Y0 Z0\n#1=1 #2=2\n#1=#2 #2=#1 G1 X#1 F100\nG1 X#1 Y#2\nM2\n",
+        "G21 G90\nG0 X0 Y0 Z0\n#<own>=3\n#1=1 #2=2\n#1=#2 #2=#1 G1 X#1 F100\nG1 X#1 Y#2\nM2\n",
         // Relative moves in a loop, and a subroutine below the end.
         "G21 G90\nG0 X1 Y1 Z1\no7 repeat [3]\nG91\nG1 X5 F100\nG90\no7 endrepeat\no<end> call\nG1 Y8\nM2\no<end> sub\nG1 Z3\no<end> endsub\n",
     ] {
@@ -127,6 +127,33 @@ fn what_is_not_known_stays_unknown() {
         "O1\nG21 G90\nG0 X0. Y0. Z0.\n#101=5.\nIF[#5061 GT 3.]GOTO 10\n#101=6.\nN10 G1 X#101 F100.\n#101=8.\nG1 X#101\nM30\n";
     let ends = places(&read_program(jump, None));
     assert!(ends[1][0].is_nan() && ends[2][0] == 8.0, "{ends:?}");
+    // A jump back that may be made repeats what it repeats; a block that may be left out sets nothing for sure.
+    for body in [
+        "#101=1.\nN10 #101=#101+1.\nIF[#5061 GT 3.]GOTO 10\n",
+        "#101=1.\n/#101=2.\n",
+        "#101=1.\n/GOTO 20\n#101=2.\n",
+        "#101=1. #102=#101\n",
+        "#101=1.\nGOTO #5061\n#101=2.\n",
+        "#101=1.\nWHILE[#5061 GT 3.]DO1\n#101=#101+1.\nEND1\n",
+        "#101=1.\nIF[#5061 GT 3.]THEN #101=2.\n",
+    ] {
+        let ends = places(&read_program(&format!("O1\nG21 G90\nG0 X0. Y0. Z0.\n{body}G1 X#101 F100.\nG1 Y1.\nM30\n"), None));
+        assert!(ends[1][0].is_nan(), "{body}{ends:?}");
+    }
+    for body in [
+        "#1 = 1\no1 do\n#1 = [#1 + 1]\no1 while [#5070 EQ 0]\n",
+        "#1 = 1\no1 while [#1 LT 5]\no2 if [#5070 EQ 0]\no1 break\no2 endif\n#1 = [#1 + 1]\no1 endwhile\n",
+        "o<s> sub\no1 if [#5070 EQ 0]\no<s> return\no1 endif\n#100 = 2\no<s> endsub\n#100 = 1\no<s> call\n#1 = #100\n",
+        "#1 = 1\no1 repeat [#5063]\n#1 = 2\no1 endrepeat\n",
+        "#1 = 1\no1 if [#5063]\n#1 = 2\no1 elseif [1]\n#1 = 3\no1 else\n#1 = 4\no1 endif\n",
+        "#1 = 1\no1 if [0]\n#1 = 2\no1 elseif [#5063]\n#1 = 3\no1 else\n#1 = 4\no1 endif\n",
+    ] {
+        let path = read_program(&format!("G21 G90\nG0 X0 Y0 Z0\n{body}G1 X#1 F100\nG1 Y1\nM2\n"), None);
+        assert!(places(&path)[1][0].is_nan(), "{body}{:?}", places(&path));
+    }
+    // What the program sets again is known again.
+    let again = "G21 G90\nG0 X0 Y0 Z0\n#1 = 1\no1 do\n#1 = [#1 + 1]\no1 while [#5070 EQ 0]\n#1 = 8\nG1 X#1 F100\nM2\n";
+    assert_eq!(places(&read_program(again, None))[1][0], 8.0);
     // An indirect write may be to any variable.
     let any = read_program("G21 G90\nG0 X0 Y0 Z0\n#31 = 5\n#[#5063] = 1\nG1 X#31 F100\nM2\n", None);
     assert!(places(&any)[1][0].is_nan());

@@ -20,6 +20,9 @@ const MOST_BLOCKS: usize = 500_000;
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
 
+/// The number of no block.
+const NOWHERE: u32 = u32::MAX;
+
 /// The letters of the arguments of a G65, and the variables that they set.
 const ARGUMENTS: [(u8, i32); 21] = [
     (b'A', 1),
@@ -63,6 +66,8 @@ struct Frame {
     open: usize,
     inside: usize,
     linuxcnc: bool,
+    /// How many unknown conditions may have gone back from it: what follows in it is not sure.
+    left: usize,
 }
 
 /// What becomes of a line.
@@ -125,7 +130,7 @@ impl Macros {
         let (label, begin, last) = subs[self.shown - 1].clone();
         self.runs(begin, last);
         (self.open, self.frames, self.unsure) = (Vec::new(), Vec::new(), 0);
-        self.frames.push(Frame { back: end, open: 0, inside: 0, linuxcnc: true });
+        self.frames.push(Frame { back: end, open: 0, inside: 0, linuxcnc: true, left: 0 });
         self.variables.enter((1..=30).map(|number| (number, Value::Unknown)).collect());
         Some((label, begin))
     }
@@ -159,6 +164,25 @@ impl Macros {
             self.leaps.retain(|leap| *leap != number);
         }
         let code = &line[head.end..];
+        if head.skips {
+            // With block skip on, the control leaves it out.
+            self.unsure += 1;
+            let step = match self.index.is_flow(code) {
+                true => Step::Read(Cow::Borrowed(line)),
+                false => self.block(line, head.end, here, next, inside),
+            };
+            self.unsure -= 1;
+            if self.index.is_flow(code) {
+                self.leap(None, next);
+            }
+            return step;
+        }
+        self.block(line, head.end, here, next, inside)
+    }
+
+    /// What becomes of a block, whose words begin at `begin`.
+    fn block<'l>(&mut self, line: &'l [u8], begin: usize, here: Place, next: Place, inside: usize) -> Step<'l> {
+        let code = &line[begin..];
         match code.first().map(u8::to_ascii_uppercase) {
             Some(b'O') => self.o_word(line, code, here, next),
             Some(b'I' | b'W' | b'G' | b'E' | b'D') if self.index.is_flow(code) => self.flow(line, code, here, next),
@@ -166,7 +190,7 @@ impl Macros {
             Some(b'(' | b';' | b'%') | None => Step::Read(Cow::Borrowed(line)),
             _ => match self.macro_call(code, next, inside) {
                 Some(step) => step,
-                None => self.words(line, head.end),
+                None => self.words(line, begin),
             },
         }
     }
@@ -182,6 +206,7 @@ impl Macros {
         let Some(frame) = self.frames.pop() else { return Step::Done };
         self.variables.leave();
         self.open.truncate(frame.open);
+        self.unsure = self.unsure.saturating_sub(frame.left);
         Step::Go(frame.back)
     }
 
@@ -215,7 +240,7 @@ impl Macros {
             return None;
         }
         self.runs(begin, end);
-        let frame = Frame { back: next, open: self.open.len(), inside, linuxcnc: false };
+        let frame = Frame { back: next, open: self.open.len(), inside, linuxcnc: false, left: 0 };
         Some(self.enter(begin, frame, arguments))
     }
 
@@ -257,6 +282,8 @@ impl Macros {
         }
         let (sure, known) = (self.sure(), sets.iter().all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown));
         let assigns = !sets.is_empty();
+        // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
+        let sure = if sets.len() > 1 && !self.variables.linuxcnc { Sure::No } else { sure };
         sets.into_iter().for_each(|(key, value)| self.variables.set(key, value, sure));
         match out[begin..].trim_ascii().is_empty() {
             // Of what gets no known value the reader says that it computes.
@@ -275,8 +302,13 @@ impl Macros {
                 self.index.find(&label, &[Keyword::EndSub], here.line).map_or(Step::Read(Cow::Borrowed(line)), Step::Go)
             }
             Keyword::EndSub | Keyword::Return => {
-                let ends = keyword == Keyword::EndSub || self.unsure == 0;
-                if !ends || !self.frames.last().is_some_and(|frame| frame.linuxcnc) {
+                let Some(frame) = self.frames.last_mut().filter(|frame| frame.linuxcnc) else {
+                    return Step::Read(Cow::Borrowed(line));
+                };
+                // It may go back here.
+                if keyword == Keyword::Return && self.unsure > frame.left {
+                    frame.left += 1;
+                    self.unsure += 1;
                     return Step::Read(Cow::Borrowed(line));
                 }
                 let given = value(self).unwrap_or(Value::Unknown);
@@ -322,9 +354,10 @@ impl Macros {
                     self.open.pop();
                     Step::Done
                 }
-                // What it moves by a distance is somewhere else after the next round: the reader knows that of the end of a loop.
+                // What it sets and what it moves by a distance may be another after the next round: the reader knows that of the end of a loop.
                 (Some(_), _) => {
                     self.open.pop();
+                    self.variables.forget();
                     Step::Read(Cow::Borrowed(b"o1 endwhile"))
                 }
                 (None, _) => as_written,
@@ -351,7 +384,11 @@ impl Macros {
                 }
                 _ => as_written,
             },
-            _ => as_written,
+            // It may leave the loop here, or a round of it.
+            _ => {
+                self.leaps.push(NOWHERE);
+                as_written
+            }
         }
     }
 
@@ -366,7 +403,7 @@ impl Macros {
             arguments.push((arguments.len() as i32 + 1, value));
         }
         self.runs(begin, end);
-        let frame = Frame { back: next, open: self.open.len(), inside: 0, linuxcnc: true };
+        let frame = Frame { back: next, open: self.open.len(), inside: 0, linuxcnc: true, left: 0 };
         self.enter(begin, frame, arguments)
     }
 
@@ -518,13 +555,16 @@ impl Macros {
                 (Some(false), _) => Step::Done,
                 (Some(true), Some(label)) => self.index.block(label as u32, next).map_or(as_written, Step::Go),
                 (_, label) => {
-                    self.leaps.push(label.map_or(u32::MAX, |label| label as u32));
+                    self.leap(label, next);
                     as_written
                 }
             };
         }
         if cursor.eat("GOTO") {
             let label = cursor.operand().and_then(Value::number);
+            if label.is_none() {
+                self.leap(None, next);
+            }
             return label.and_then(|label| self.index.block(label as u32, next)).map_or(as_written, Step::Go);
         }
         if cursor.eat("END") {
@@ -538,6 +578,17 @@ impl Macros {
         let does = cursor.eat("DO");
         let Some(label) = cursor.operand().and_then(Value::number).filter(|_| does) else { return as_written };
         self.while_(line, index::do_label(label), condition, here, &[Keyword::EndWhile])
+    }
+
+    /// It may continue at a block: up to that nothing is sure. What a jump back repeats may set any variable again.
+    fn leap(&mut self, label: Option<f64>, next: Place) {
+        let below = label
+            .map(|label| label as u32)
+            .filter(|label| self.index.block(*label, next).is_some_and(|place| place.line >= next.line));
+        if below.is_none() {
+            self.variables.forget();
+        }
+        self.leaps.push(below.unwrap_or(NOWHERE));
     }
 
     /// What stands behind THEN, so many signs from the end of the line.

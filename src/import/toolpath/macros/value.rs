@@ -132,7 +132,7 @@ impl Variables {
     }
 
     /// Nothing is known of any variable.
-    fn forget(&mut self) {
+    pub fn forget(&mut self) {
         for level in self.levels.iter_mut().chain([&mut self.globals]) {
             level.values_mut().for_each(|value| *value = Value::Unknown);
         }
