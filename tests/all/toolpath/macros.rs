@@ -112,6 +112,16 @@ fn arguments_of_a_macro_are_its_variables() {
     assert_eq!(ends[1..], [[1.0, 1.0, 0.0], [1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [2.0, 2.0, 0.0], [2.0, 2.0, 1.0]]);
 }
 
+/// A loop that was left by a jump is over; a THEN may jump; a return below a call that is not sure is one.
+#[test]
+fn jumps_leave_what_they_leave() {
+    let loops = "O1\nG21 G90\nG0 X0. Y0. Z0.\n#101=0.\nWHILE[#101 LT 5.]DO1\n#101=#101+1.\nIF[#101 EQ 2.]THEN GOTO 50\nG1 X#101 F9.\nEND1\nN50 #101=10.\nWHILE[#101 LT 12.]DO1\nG1 Y#101\n#101=#101+1.\nEND1\nG1 Z1.\nM30\n";
+    let ends = places(&read_program(loops, None));
+    assert_eq!(ends[1..], [[1.0, 0.0, 0.0], [1.0, 10.0, 0.0], [1.0, 11.0, 0.0], [1.0, 11.0, 1.0]]);
+    let guarded = "G21 G90\nG0 X0 Y0 Z0\no<s> sub\nG1 X5 F100\no<s> return\nG1 X9\no<s> endsub\no1 if [#5070 EQ 0]\no<s> call\no1 endif\nG1 Y1\nM2\n";
+    assert_eq!(places(&read_program(guarded, None))[1..], [[5.0, 0.0, 0.0], [5.0, 1.0, 0.0]]);
+}
+
 /// What the control would know is not guessed, and what it guards is not sure from there on.
 #[test]
 fn what_is_not_known_stays_unknown() {
@@ -129,6 +139,8 @@ fn what_is_not_known_stays_unknown() {
     assert!(ends[1][0].is_nan() && ends[2][0] == 8.0, "{ends:?}");
     // A jump back that may be made repeats what it repeats; a block that may be left out sets nothing for sure.
     for body in [
+        "#101=1.\nG65 P9811 X5.\n",
+        "#101=1.\nM98 P77\n",
         "#101=1.\nN10 #101=#101+1.\nIF[#5061 GT 3.]GOTO 10\n",
         "#101=1.\n/#101=2.\n",
         "#101=1.\n/GOTO 20\n#101=2.\n",
@@ -141,6 +153,8 @@ fn what_is_not_known_stays_unknown() {
         assert!(ends[1][0].is_nan(), "{body}{ends:?}");
     }
     for body in [
+        "#1 = 1\n#1 = WHAT[3]\n",
+        "#1 = 1\n#100 = 5\no<not_here> call\n#1 = #100\n",
         "#1 = 1\no1 do\n#1 = [#1 + 1]\no1 while [#5070 EQ 0]\n",
         "#1 = 1\no1 while [#1 LT 5]\no2 if [#5070 EQ 0]\no1 break\no2 endif\n#1 = [#1 + 1]\no1 endwhile\n",
         "o<s> sub\no1 if [#5070 EQ 0]\no<s> return\no1 endif\n#100 = 2\no<s> endsub\n#100 = 1\no<s> call\n#1 = #100\n",

@@ -66,7 +66,9 @@ struct Frame {
     open: usize,
     inside: usize,
     linuxcnc: bool,
-    /// How many unknown conditions may have gone back from it: what follows in it is not sure.
+    /// How many unknown conditions guarded the call.
+    unsure: usize,
+    /// How many may have gone back from it: what follows in it is not sure.
     left: usize,
 }
 
@@ -130,7 +132,7 @@ impl Macros {
         let (label, begin, last) = subs[self.shown - 1].clone();
         self.runs(begin, last);
         (self.open, self.frames, self.unsure) = (Vec::new(), Vec::new(), 0);
-        self.frames.push(Frame { back: end, open: 0, inside: 0, linuxcnc: true, left: 0 });
+        self.frames.push(Frame { back: end, open: 0, inside: 0, linuxcnc: true, unsure: 0, left: 0 });
         self.variables.enter((1..=30).map(|number| (number, Value::Unknown)).collect());
         Some((label, begin))
     }
@@ -190,9 +192,26 @@ impl Macros {
             Some(b'(' | b';' | b'%') | None => Step::Read(Cow::Borrowed(line)),
             _ => match self.macro_call(code, next, inside) {
                 Some(step) => step,
-                None => self.words(line, begin),
+                None => {
+                    let step = self.words(line, begin);
+                    if self.calls_out(code) {
+                        self.variables.forget();
+                    }
+                    step
+                }
             },
         }
+    }
+
+    /// Whether a block calls what is not in this text: that may set any variable.
+    fn calls_out(&self, code: &[u8]) -> bool {
+        let called = |word: &str| code.windows(word.len()).any(|code| code.eq_ignore_ascii_case(word.as_bytes()));
+        let number = || {
+            let at = code.iter().position(|b| b.eq_ignore_ascii_case(&b'P'))?;
+            Cursor::new(code, at + 1, &self.variables).operand()?.number()
+        };
+        ["G65", "G66", "M198"].into_iter().any(called)
+            || called("M98") && number().is_none_or(|number| self.index.program(number as u32 % 10_000).is_none())
     }
 
     /// Whether a block goes back from a macro that G65 called.
@@ -240,7 +259,7 @@ impl Macros {
             return None;
         }
         self.runs(begin, end);
-        let frame = Frame { back: next, open: self.open.len(), inside, linuxcnc: false, left: 0 };
+        let frame = Frame { back: next, open: self.open.len(), inside, linuxcnc: false, unsure: self.unsure, left: 0 };
         Some(self.enter(begin, frame, arguments))
     }
 
@@ -259,7 +278,7 @@ impl Macros {
                 b'(' => cursor.at = line[from..].iter().position(|b| *b == b')').map_or(line.len(), |length| from + length + 1),
                 b'#' => match assignment(&mut cursor) {
                     Some(set) => sets.push(set),
-                    None => return Step::Read(Cow::Borrowed(line)),
+                    None => return self.not_understood(line),
                 },
                 letter if letter.is_ascii_alphabetic() => {
                     cursor.at += 1;
@@ -271,7 +290,7 @@ impl Macros {
                         Some(Value::Number(x)) => number(&mut out, x),
                         Some(Value::Empty) => drop(out.pop()),
                         Some(Value::Unknown) => out.extend_from_slice(&line[from + 1..cursor.at]),
-                        None => return Step::Read(Cow::Borrowed(line)),
+                        None => return self.not_understood(line),
                     }
                 }
                 sign => {
@@ -293,6 +312,14 @@ impl Macros {
         }
     }
 
+    /// A block that is not understood is read as it is written; what it assigns may be to any variable.
+    fn not_understood<'l>(&mut self, line: &'l [u8]) -> Step<'l> {
+        if line.contains(&b'=') {
+            self.variables.forget();
+        }
+        Step::Read(Cow::Borrowed(line))
+    }
+
     /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.
     fn o_word<'l>(&mut self, line: &'l [u8], code: &[u8], here: Place, next: Place) -> Step<'l> {
         let Some((label, keyword, rest)) = o_word(code) else { return Step::Read(Cow::Borrowed(line)) };
@@ -306,7 +333,7 @@ impl Macros {
                     return Step::Read(Cow::Borrowed(line));
                 };
                 // It may go back here.
-                if keyword == Keyword::Return && self.unsure > frame.left {
+                if keyword == Keyword::Return && self.unsure > frame.unsure + frame.left {
                     frame.left += 1;
                     self.unsure += 1;
                     return Step::Read(Cow::Borrowed(line));
@@ -394,6 +421,7 @@ impl Macros {
 
     fn call<'l>(&mut self, line: &'l [u8], code: &[u8], label: &str, rest: usize, next: Place) -> Step<'l> {
         let Some((begin, end)) = self.index.subroutine(label).filter(|_| self.frames.len() < DEEPEST) else {
+            self.variables.forget();
             return Step::Read(Cow::Borrowed(line));
         };
         let mut arguments = Vec::new();
@@ -403,7 +431,7 @@ impl Macros {
             arguments.push((arguments.len() as i32 + 1, value));
         }
         self.runs(begin, end);
-        let frame = Frame { back: next, open: self.open.len(), inside: 0, linuxcnc: true, left: 0 };
+        let frame = Frame { back: next, open: self.open.len(), inside: 0, linuxcnc: true, unsure: self.unsure, left: 0 };
         self.enter(begin, frame, arguments)
     }
 
@@ -463,8 +491,13 @@ impl Macros {
 
     /// A loop begins, and runs so many times.
     fn begins<'l>(&mut self, label: String, begin: Place, times: usize) -> Step<'l> {
-        if self.loop_of(&label).is_none() {
-            self.open.push(Open::Loop(label, begin, times));
+        match self.loop_around(&label) {
+            Some((own, known, _)) if known == begin => self.open.truncate(own + 1),
+            around => {
+                // One of the same label that was left by a jump is over.
+                self.open.truncate(around.map_or(self.open.len(), |(own, ..)| own));
+                self.open.push(Open::Loop(label, begin, times));
+            }
         }
         Step::Done
     }
@@ -547,7 +580,7 @@ impl Macros {
             let Some(condition) = cursor.bracketed() else { return as_written };
             let holds = condition.number().map(|truth| truth != 0.0);
             if cursor.eat("THEN") {
-                return self.then(line, code.len() - cursor.at, holds);
+                return self.then(line, code.len() - cursor.at, holds, here, next);
             }
             let goes = cursor.eat("GOTO");
             let label = cursor.operand().and_then(Value::number).filter(|_| goes);
@@ -592,13 +625,23 @@ impl Macros {
     }
 
     /// What stands behind THEN, so many signs from the end of the line.
-    fn then<'l>(&mut self, line: &'l [u8], left: usize, holds: Option<bool>) -> Step<'l> {
+    fn then<'l>(&mut self, line: &'l [u8], left: usize, holds: Option<bool>, here: Place, next: Place) -> Step<'l> {
         if holds == Some(false) {
             return Step::Done;
         }
+        let rest = line[line.len() - left..].trim_ascii_start();
+        if self.index.is_flow(rest) {
+            return match holds {
+                Some(_) => self.flow(rest, rest, here, next),
+                None => {
+                    self.leap(None, next);
+                    Step::Read(Cow::Borrowed(line))
+                }
+            };
+        }
         let inside = usize::from(holds.is_none());
         self.unsure += inside;
-        let step = self.words(&line[line.len() - left..], 0);
+        let step = self.words(rest, 0);
         self.unsure -= inside;
         match step {
             Step::Done => Step::Done,
