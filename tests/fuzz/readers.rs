@@ -62,7 +62,7 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
         let path = read_program(&text, None);
         if path.to.len() != 3 * path.len()
             || path.to.iter().any(|x| x.is_infinite())
-            || path.line.windows(2).any(|w| w[0] > w[1])
+            || path.line.iter().any(|line| *line as usize > text.len())
         {
             return Err(format!("the columns of this program do not fit together:\n{text}"));
         }
