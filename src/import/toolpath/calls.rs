@@ -108,6 +108,7 @@ impl<'t> Calls<'t> {
                 begin
             }
             None => {
+                reader.called_out = true;
                 reader.lose(next.line - 1);
                 next
             }
@@ -159,7 +160,10 @@ impl Reader {
                 self.take_up(Call { local: code == 97, number: number % 10_000, times: number / 10_000 });
             }
             (Some(number), Some(times)) => self.take_up(Call { local: code == 97, number, times }),
-            _ => self.lose(self.line),
+            _ => {
+                self.called_out = true;
+                self.lose(self.line);
+            }
         }
     }
 

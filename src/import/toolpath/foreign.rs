@@ -38,6 +38,7 @@ impl Reader {
     /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
     #[cold]
     pub(super) fn macro_call(&mut self, block: &mut Block) {
+        self.called_out = true;
         let name = |p: f64| "G65P".to_owned() + &crate::num::decimal(p, 0);
         match block.p {
             Some(9810.0 | 8810.0) => {

@@ -15,8 +15,6 @@ mod moves;
 mod reader;
 mod words;
 
-use std::borrow::Cow;
-
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
@@ -98,15 +96,7 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let macros = if reader.sinumerik { None } else { Macros::of(text) };
     let mut run = Run { text, reader, calls: Calls::new(text), macros };
     run.lines(Place { at: 0, line: 0 });
-    // A text of subroutines alone: they are shown, though nothing says what they are called with.
-    let mut shown = Vec::new();
-    while run.reader.path.is_empty() {
-        let end = Place { at: text.len(), line: run.reader.line };
-        let Some((name, begin)) = run.macros.as_mut().and_then(|macros| macros.uncalled(end)) else { break };
-        run.reader.ended = false;
-        run.lines(begin);
-        shown.push(name);
-    }
+    let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
     let mut path = run.reader.finish();
     if path.is_empty() {
         path.findings.push(no_moves(text));
@@ -138,12 +128,15 @@ impl Run<'_> {
             };
             let here = Place { at, line: self.reader.line };
             match self.step(line, here, below) {
+                Step::AsWritten => self.reader.read(line, &mut block),
                 Step::Read(line) => self.reader.read(&line, &mut block),
                 Step::Done => {}
                 Step::Go(to) => {
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
                 }
+                Step::Condition => self.reader.condition_begins(),
+                Step::LoopEnds => self.reader.loop_ends(),
                 Step::Stop => return self.reader.lose(here.line),
             }
             self.reader.line += 1;
@@ -152,17 +145,41 @@ impl Run<'_> {
                 let next = self.calls.step(&mut self.reader, line, Place { at, line: here.line + 1 });
                 (at, self.reader.line) = (next.at, next.line);
             }
+            if std::mem::take(&mut self.reader.called_out)
+                && let Some(macros) = &mut self.macros
+            {
+                macros.forget();
+            }
             while at >= bytes.len() && self.calls.is_inside() {
                 let next = Place { at, line: self.reader.line };
                 let next = self.calls.fall_out(&mut self.reader, next);
                 (at, self.reader.line) = (next.at, next.line);
             }
+            while at >= bytes.len()
+                && let Some(back) = self.macros.as_mut().and_then(|macros| macros.fall_out(true))
+            {
+                (at, self.reader.line) = (back.at, back.line);
+            }
         }
+    }
+
+    /// In a text of subroutines alone these are shown, though nothing says what they are called with: their names.
+    fn subroutines(&mut self) -> Vec<String> {
+        let mut shown = Vec::new();
+        let end = Place { at: self.text.len(), line: self.reader.line };
+        while let Some((name, begin)) = self.macros.as_mut().and_then(|macros| macros.uncalled(end)) {
+            self.reader.ended = false;
+            self.reader.forget(7);
+            let before = self.reader.path.len();
+            self.lines(begin);
+            shown.extend((self.reader.path.len() > before).then_some(name));
+        }
+        shown
     }
 
     /// What becomes of a line. Below the end, what ran where it was called is not passed over.
     #[inline]
-    fn step<'l>(&mut self, line: &'l [u8], here: Place, below: usize) -> Step<'l> {
+    fn step(&mut self, line: &[u8], here: Place, below: usize) -> Step {
         let ended = self.reader.ended;
         match &mut self.macros {
             _ if ended && self.calls.has_run(here.line) => Step::Done,
@@ -170,7 +187,7 @@ impl Run<'_> {
             Some(macros) if !ended && !self.reader.heidenhain => {
                 macros.step(line, here, Place { at: below, line: here.line + 1 }, self.calls.depth())
             }
-            _ => Step::Read(Cow::Borrowed(line)),
+            _ => Step::AsWritten,
         }
     }
 }

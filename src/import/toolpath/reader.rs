@@ -66,6 +66,8 @@ pub(super) struct Reader {
     pub ended: bool,
     /// The subprogram that the block calls: where it is followed, whoever gives the lines gives its lines next.
     pub call: Option<Call>,
+    /// Whether something was called that is not in this text, or not known: it may set any variable.
+    pub called_out: bool,
     /// Whether the block goes back to where its subprogram was called from.
     pub returned: bool,
     /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
@@ -135,6 +137,7 @@ impl Reader {
             begun: false,
             ended: false,
             call: None,
+            called_out: false,
             returned: false,
             turns_off: false,
             feed: f64::NAN,
@@ -458,6 +461,20 @@ impl Reader {
             self.loops = self.loops.saturating_sub(1);
             self.forget(self.relative);
         }
+    }
+
+    /// A condition that is not known begins.
+    #[cold]
+    pub fn condition_begins(&mut self) {
+        self.conditions += 1;
+        count(&mut self.skipped, self.line);
+    }
+
+    /// A loop ends of which it is not known how often it runs: what it moves by a distance is somewhere else after the next round.
+    #[cold]
+    pub fn loop_ends(&mut self) {
+        self.forget(self.relative);
+        count(&mut self.skipped, self.line);
     }
 
     /// These axes are somewhere else.

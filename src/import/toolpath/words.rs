@@ -152,7 +152,11 @@ impl Reader {
 
     /// Takes in what a code does. Axis words are a position under those codes alone that leave them one.
     fn code(&mut self, effect: Option<Effect>, block: &mut Block) -> Foreign {
-        let Some(effect) = effect else { return Foreign::Unknown };
+        let Some(effect) = effect else {
+            // It may run a macro of the control's own.
+            self.called_out = true;
+            return Foreign::Unknown;
+        };
         match effect {
             Effect::Motion(motion) => self.go(motion, block),
             Effect::Curve { stays: true } => {

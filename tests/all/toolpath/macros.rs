@@ -32,6 +32,13 @@ fn o_words_run_as_the_interpreter_runs_them() {
         "G21 G90\nG0 X0 Y0 Z0\no<r> sub\no1 if [#1 LT 5]\no<r> return [1]\no1 endif\nG1 X9 F100\no<r> endsub [2]\n#40 = 41\n#41 = 7\nG1 X##40 F90\nG1 X#[#40 - 1 + 1]\n#<A Long Name> = 4\nG1 Y#<along_name> Z[#<alongname>]\no<r> call [3]\nG1 Y#<_value>\no<r> call [6]\nG1 Y#<_value>\nM2\n"
             .replace("#<along_name>", "#<alongname>")
             .as_str(),
+        // Comparisons as they are, and equality within a ten-thousandth: ten tenths are less than 1.
+        "G21 G90\nG0 X0 Y0 Z0\n#<t> = 0\no1 while [#<t> LT 1]\n#<t> = [#<t> + 0.1]\nG1 X#<t> F100\no1 endwhile\no2 if [1.00005 EQ 1]\nG1 Y1\no2 endif\no3 if [1.0002 NE 1]\nG1 Y2\no3 endif\no4 if [0.3 GE [0.1 + 0.2]]\nG1 Y3\no4 endif\nM2\n",
+        // Out of a do, and a round of one that is left out.
+        "G21 G90\nG0 X0 Y0 Z0\n#1 = 0\no1 do\n#1 = [#1 + 1]\no2 if [#1 EQ 3]\no1 break\no2 endif\nG1 X#1 F100\no1 while [#1 LT 9]\nG1 Y1\nM2\n",
+        "G21 G90\nG0 X0 Y0 Z0\n#1 = 0\no1 do\n#1 = [#1 + 1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nG1 X#1 F100\no1 while [#1 LT 4]\nG1 Y1\nM2\n",
+        // Numbered and named signs of existence in a call; arguments that are not given.
+        "G21 G90\nG0 X0 Y0 Z0\no<e> sub\n#<here> = 1\no1 if [EXISTS[#<here>] AND EXISTS[#<there>]]\nG1 X1 F100\no1 else\nG1 X2 F100\no1 endif\nG1 Y[#2 + 4]\no<e> endsub\no<e> call [7]\nM2\n",
         // Assignments in one block take effect after it.
         "G21 G90\nG0 X0 Y0 Z0\n#<own>=3\n#1=1 #2=2\n#1=#2 #2=#1 G1 X#1 F100\nG1 X#1 Y#2\nM2\n",
         // Relative moves in a loop, and a subroutine below the end.
@@ -122,6 +129,27 @@ fn jumps_leave_what_they_leave() {
     assert_eq!(places(&read_program(guarded, None))[1..], [[5.0, 0.0, 0.0], [5.0, 1.0, 0.0]]);
 }
 
+/// A return to a block of the caller; a macro that ends at the next program; an `elseif` that is not known below one that is.
+#[test]
+fn ways_back_and_branches_below() {
+    let block = "O1\nG21 G90\nG0 X0. Y0. Z0.\nG65 P9300 A4.\nG1 X9. F9.\nN30 G1 Y1. F9.\nM30\nO9300\nG1 X#1 F9.\nM99 P30\n";
+    assert_eq!(places(&read_program(block, None))[1..], [[4.0, 0.0, 0.0], [4.0, 1.0, 0.0]]);
+    let open = "O1\nG21 G90\nG0 X0. Y0. Z0.\nG65 P9300\nG1 Y1. F9.\nM30\nO9300\nG1 X4. F9.\nO9400\nG1 Z9. F9.\nM99\n";
+    assert_eq!(places(&read_program(open, None))[1..], [[4.0, 0.0, 0.0], [4.0, 1.0, 0.0]]);
+    let nested = "G21 G90\nG0 X0 Y0 Z0\no1 if [#5070 EQ 0]\no2 if [0]\no2 elseif [#5070 EQ 0]\nG1 X1 F9\no2 endif\nM2\no1 endif\nG1 Y1 F9\nM2\n";
+    assert_eq!(
+        places(&read_program(nested, None)).last().unwrap()[1],
+        1.0,
+        "an end in a branch that is not known ends nothing"
+    );
+    // Each subroutine begins where nobody knows; one that is called by another is not shown by itself.
+    let library = "o<a> sub\nG90 G1 X1 F9\no<b> call [2]\no<a> endsub\no<b> sub\nG1 Y#1 F9\no<b> endsub\no<c> sub\nG91 G1 Z1 F9\nG90\no<c> endsub\n";
+    let path = read_program(library, None);
+    let names = |finding: &&crate::form::Finding| finding.code == "not-called";
+    assert_eq!((path.len(), path.findings.iter().filter(names).count()), (3, 2));
+    assert!(path.end(1).y == 2.0 && path.end(2).x.is_nan() && path.end(2).y.is_nan(), "{:?}", places(&path));
+}
+
 /// What the control would know is not guessed, and what it guards is not sure from there on.
 #[test]
 fn what_is_not_known_stays_unknown() {
@@ -139,6 +167,17 @@ fn what_is_not_known_stays_unknown() {
     assert!(ends[1][0].is_nan() && ends[2][0] == 8.0, "{ends:?}");
     // A jump back that may be made repeats what it repeats; a block that may be left out sets nothing for sure.
     for body in [
+        // A branch that jumps over the other one.
+        "IF[#5061 GT 3.]GOTO 10\n#101=1.\nGOTO 20\nN10 #101=2.\nN20 G4 P1.\n",
+        // Blocks of the same number in another program are no targets.
+        "#101=1.\nIF[#5061 GT 3.]GOTO 20\nG65 P9300\n#101=2.\nN20 G4 P1.\n",
+        // What another round may set in a branch that this one does not run.
+        "#101=1.\n#102=0.\nWHILE[#5061 GT 3.]DO1\nIF[#102 EQ 1.]THEN #101=5.\n#102=1.\nEND1\n",
+        "#101=1.\nM463\n",
+        "#101=1.\nG65 P9810 X2.\n",
+        "#101=1.\n/G65 P9300\n",
+        "#101=ROUND[1.4]\n#101=-#0\n",
+        "#102=1.\nIF[#102 EQ 1. AND #102 EQ 1.]THEN #101=3.\n",
         "#101=1.\nG65 P9811 X5.\n",
         "#101=1.\nM98 P77\n",
         "#101=1.\nN10 #101=#101+1.\nIF[#5061 GT 3.]GOTO 10\n",
@@ -149,10 +188,14 @@ fn what_is_not_known_stays_unknown() {
         "#101=1.\nWHILE[#5061 GT 3.]DO1\n#101=#101+1.\nEND1\n",
         "#101=1.\nIF[#5061 GT 3.]THEN #101=2.\n",
     ] {
-        let ends = places(&read_program(&format!("O1\nG21 G90\nG0 X0. Y0. Z0.\n{body}G1 X#101 F100.\nG1 Y1.\nM30\n"), None));
-        assert!(ends[1][0].is_nan(), "{body}{ends:?}");
+        let ends = places(&read_program(
+            &format!("O1\nG21 G90\nG0 X0. Y0. Z0.\n{body}G0 Y1.\nG1 X#101 F100.\nM30\nO9300\nN20 #103=1.\nM99\n"),
+            None,
+        ));
+        assert!(ends.last().unwrap()[0].is_nan(), "{body}{ends:?}");
     }
     for body in [
+        "#<a> = 1\no<m> sub\n#[#5063] = 2\n#<r> = #7\no<m> endsub [#7]\no<m> call\n#1 = #<_value>\n",
         "#1 = 1\n#1 = WHAT[3]\n",
         "#1 = 1\n#100 = 5\no<not_here> call\n#1 = #100\n",
         "#1 = 1\no1 do\n#1 = [#1 + 1]\no1 while [#5070 EQ 0]\n",
@@ -165,6 +208,12 @@ fn what_is_not_known_stays_unknown() {
         let path = read_program(&format!("G21 G90\nG0 X0 Y0 Z0\n{body}G1 X#1 F100\nG1 Y1\nM2\n"), None);
         assert!(places(&path)[1][0].is_nan(), "{body}{:?}", places(&path));
     }
+    // A word rounds to the smallest step of its axis on a Fanuc, whichever that is.
+    let rounds = places(&read_program(
+        "O1\nG21 G90\nG0 X0. Y0. Z0.\n#101=ROUND[1.4]\nG1 X#101 F9.\nG1 Y[ROUND[1.4]]\nG31 Z-1.\nM30\n",
+        None,
+    ));
+    assert!(rounds[1][0] == 1.0 && rounds[2][1].is_nan(), "{rounds:?}");
     // What the program sets again is known again.
     let again = "G21 G90\nG0 X0 Y0 Z0\n#1 = 1\no1 do\n#1 = [#1 + 1]\no1 while [#5070 EQ 0]\n#1 = 8\nG1 X#1 F100\nM2\n";
     assert_eq!(places(&read_program(again, None))[1][0], 8.0);

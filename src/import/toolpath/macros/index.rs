@@ -63,15 +63,22 @@ pub fn do_label(number: f64) -> String {
     "do".to_owned() + &crate::num::decimal(number.trunc(), 0)
 }
 
+impl Keyword {
+    /// Whether the program may continue elsewhere for it, and not only in a structure.
+    pub fn jumps(self) -> bool {
+        matches!(self, Keyword::Call | Keyword::Return | Keyword::Break | Keyword::Continue)
+    }
+}
+
 /// An O word of the text, or an END.
 #[derive(Debug)]
-struct Mark {
+pub struct Mark {
     label: String,
-    keyword: Keyword,
+    pub keyword: Keyword,
     /// What stands behind an `elseif`.
-    condition: Vec<u8>,
-    line: usize,
-    below: Place,
+    pub condition: Vec<u8>,
+    pub here: Place,
+    pub below: Place,
 }
 
 /// So many O words are looked at for the end of one, and so many programs of a text are known: a search has an end.
@@ -80,8 +87,6 @@ const MOST_LOOKED: usize = 4000;
 /// The lines of a text that something jumps to.
 #[derive(Debug, Default)]
 pub struct Index {
-    /// Whether it is LinuxCNC's, by its signs: names, O words, G38.
-    pub linuxcnc: bool,
     marks: Vec<Mark>,
     /// Subroutines by label: where their lines begin, and the line of their end.
     subs: Vec<(String, Place, usize)>,
@@ -95,10 +100,7 @@ pub struct Index {
 impl Index {
     pub fn of(text: &str) -> Self {
         let bytes = text.as_bytes();
-        // Names, and its code of a probing move.
-        let names = memchr::memchr_iter(b'<', bytes).any(|at| at > 0 && bytes[at - 1] == b'#');
-        let linuxcnc = names || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"38"));
-        let mut index = Index { linuxcnc, ..Index::default() };
+        let mut index = Index::default();
         let (mut at, mut line) = (0, 0);
         while at < bytes.len() {
             let (end, next) = line_end(bytes, at);
@@ -111,8 +113,8 @@ impl Index {
         index.programs.truncate(MOST_LOOKED);
         let subs = index.marks.iter().filter(|mark| mark.keyword == Keyword::Sub);
         let ends = |sub: &&Mark| {
-            let end = index.below(sub.line).find(|mark| mark.label == sub.label && mark.keyword == Keyword::EndSub)?;
-            Some((sub.label.clone(), sub.below, end.line))
+            let end = index.below(sub.here.line).find(|mark| mark.label == sub.label && mark.keyword == Keyword::EndSub)?;
+            Some((sub.label.clone(), sub.below, end.here.line))
         };
         let mut subs: Vec<_> = subs.filter_map(|sub| ends(&sub)).collect();
         subs.sort_by(|(a, ..), (b, ..)| a.cmp(b));
@@ -129,9 +131,8 @@ impl Index {
         match code.first().map(u8::to_ascii_uppercase) {
             Some(b'O') => match o_word(code) {
                 Some((label, keyword, rest)) => {
-                    self.linuxcnc = true;
                     let condition = if keyword == Keyword::ElseIf { code[rest..].to_vec() } else { Vec::new() };
-                    self.marks.push(Mark { label, keyword, condition, line: here.line, below });
+                    self.marks.push(Mark { label, keyword, condition, here, below });
                 }
                 None => self.programs.extend(program_number(code).map(|number| (number, below))),
             },
@@ -143,7 +144,7 @@ impl Index {
                     label: do_label(f64::from(number)),
                     keyword: Keyword::EndWhile,
                     condition: Vec::new(),
-                    line: here.line,
+                    here,
                     below,
                 };
                 self.marks.extend(number.map(mark));
@@ -165,12 +166,12 @@ impl Index {
 
     /// The O words below a line, and the END, as far as is looked.
     fn below(&self, line: usize) -> impl Iterator<Item = &Mark> {
-        self.marks[self.marks.partition_point(|mark| mark.line <= line)..].iter().take(MOST_LOOKED)
+        self.marks[self.marks.partition_point(|mark| mark.here.line <= line)..].iter().take(MOST_LOOKED)
     }
 
     /// Those above it, the nearest first.
     fn above(&self, line: usize) -> impl Iterator<Item = &Mark> {
-        self.marks[..self.marks.partition_point(|mark| mark.line < line)].iter().rev().take(MOST_LOOKED)
+        self.marks[..self.marks.partition_point(|mark| mark.here.line < line)].iter().rev().take(MOST_LOOKED)
     }
 
     /// Below the first of these words of a label that comes after a line.
@@ -179,11 +180,21 @@ impl Index {
         Some(mark.below)
     }
 
-    /// The next `elseif`, `else` or `endif` of a label: what it is, its condition, and the place below it.
-    pub fn branch_below(&self, label: &str, line: usize) -> Option<(Keyword, Vec<u8>, Place)> {
+    /// The line that closes the loop of a label around a line: its `endwhile` or `endrepeat`, or the `while` of its `do`.
+    pub fn closing_word(&self, label: &str, line: usize) -> Option<Place> {
+        let ends = [Keyword::EndWhile, Keyword::EndRepeat, Keyword::While];
+        self.below(line).find(|mark| mark.label == label && ends.contains(&mark.keyword)).map(|mark| mark.here)
+    }
+
+    /// Below that line.
+    pub fn end_of_loop(&self, label: &str, line: usize) -> Option<Place> {
+        self.find(label, &[Keyword::EndWhile, Keyword::EndRepeat, Keyword::While], line)
+    }
+
+    /// The next `elseif`, `else` or `endif` of a label.
+    pub fn branch_below(&self, label: &str, line: usize) -> Option<&Mark> {
         let wanted = [Keyword::ElseIf, Keyword::Else, Keyword::EndIf];
-        let mark = self.below(line).find(|mark| mark.label == label && wanted.contains(&mark.keyword))?;
-        Some((mark.keyword, mark.condition.clone(), mark.below))
+        self.below(line).find(|mark| mark.label == label && wanted.contains(&mark.keyword))
     }
 
     /// Whether a `while` closes a `do` of its label above it.
@@ -201,10 +212,17 @@ impl Index {
         (!more).then_some((*begin, *end))
     }
 
-    /// Every subroutine that is there once, in the order of the text: its label, where its lines begin, and the line of its end.
-    pub fn subroutines(&self) -> Vec<(String, Place, usize)> {
-        let mut all: Vec<_> = self.subs.iter().filter(|(label, ..)| self.subroutine(label).is_some()).cloned().collect();
+    /// The first subroutines that nothing in the text calls, the last first: label, where the lines begin, and the line of the end.
+    pub fn uncalled(&self) -> Vec<(String, Place, usize)> {
+        const MOST_SHOWN: usize = 100;
+        let mut called: Vec<&str> =
+            self.marks.iter().filter(|mark| mark.keyword == Keyword::Call).map(|mark| mark.label.as_str()).collect();
+        called.sort_unstable();
+        let own = |label: &str| called.binary_search(&label).is_err() && self.subroutine(label).is_some();
+        let mut all: Vec<_> = self.subs.iter().filter(|(label, ..)| own(label)).cloned().collect();
         all.sort_by_key(|(_, begin, _)| begin.line);
+        all.truncate(MOST_SHOWN);
+        all.reverse();
         all
     }
 

@@ -30,8 +30,13 @@ pub enum Key {
     Unknown,
 }
 
-/// The variables of one call.
-type Level = BTreeMap<Key, Value>;
+/// The variables of one call, or those of all.
+#[derive(Debug, Default)]
+struct Level {
+    set: BTreeMap<Key, Value>,
+    /// Something else may have set any of them since.
+    lost: bool,
+}
 
 /// The variables of a program, as far as it sets them.
 #[derive(Debug)]
@@ -42,28 +47,16 @@ pub struct Variables {
     levels: Vec<Level>,
 }
 
-/// How a block sets something: nothing else is known of what may be left out.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sure {
-    Yes,
-    No,
-}
-
 impl Variables {
     pub fn new(linuxcnc: bool) -> Self {
         Variables { linuxcnc, globals: Level::default(), levels: vec![Level::default()] }
     }
 
-    /// How many calls are under way.
-    pub fn depth(&self) -> usize {
-        self.levels.len() - 1
-    }
-
     /// Into a call with these arguments.
     pub fn enter(&mut self, arguments: Vec<(i32, Value)>) {
-        let mut level = Level::new();
+        let mut level = Level::default();
         for (number, value) in arguments {
-            level.insert(Key::Number(number), value);
+            level.set.insert(Key::Number(number), value);
         }
         self.levels.push(level);
     }
@@ -103,38 +96,45 @@ impl Variables {
         }
         // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
         let missing = match key {
-            Key::Number(_) if self.is_local(key) && self.depth() > 0 && self.linuxcnc => Value::Number(0.0),
-            Key::Number(_) if self.is_local(key) && self.depth() > 0 => Value::Empty,
+            Key::Number(_) if !level.lost && self.is_local(key) && self.levels.len() > 1 => {
+                if self.linuxcnc {
+                    Value::Number(0.0)
+                } else {
+                    Value::Empty
+                }
+            }
             _ => Value::Unknown,
         };
-        level.get(key).copied().unwrap_or(missing)
+        level.set.get(key).copied().unwrap_or(missing)
     }
 
-    /// Whether a variable was set: none where that cannot be told.
-    fn exists(&self, key: &Key) -> Option<bool> {
-        match key {
-            Key::Name(_) if self.is_local(key) => Some(self.levels.last()?.contains_key(key)),
-            Key::Name(_) => self.globals.contains_key(key).then_some(true),
-            Key::Number(_) => Some(true),
-            Key::Unknown => None,
+    /// Whether a variable was set: 1 or 0, where that is known.
+    fn exists(&self, key: &Key) -> Value {
+        let local = self.is_local(key);
+        let level = self.levels.last().filter(|_| local).unwrap_or(&self.globals);
+        match (key, level.set.get(key)) {
+            (Key::Number(_), _) => Value::Number(1.0),
+            // Of one without a known value it is not known whether it was set at all.
+            (Key::Name(_), Some(Value::Number(_))) => Value::Number(1.0),
+            (Key::Name(_), None) if local && !level.lost => Value::Number(0.0),
+            _ => Value::Unknown,
         }
     }
 
-    pub fn set(&mut self, key: Key, value: Value, sure: Sure) {
-        let value = if sure == Sure::Yes { value } else { Value::Unknown };
+    pub fn set(&mut self, key: Key, value: Value) {
         let local = self.is_local(&key);
         let level = self.levels.last_mut().filter(|_| local).unwrap_or(&mut self.globals);
         if key == Key::Unknown {
             // It may be any of them.
             return self.forget();
         }
-        level.insert(key, value);
+        level.set.insert(key, value);
     }
 
     /// Nothing is known of any variable.
     pub fn forget(&mut self) {
         for level in self.levels.iter_mut().chain([&mut self.globals]) {
-            level.values_mut().for_each(|value| *value = Value::Unknown);
+            *level = Level { set: BTreeMap::new(), lost: true };
         }
     }
 }
@@ -146,8 +146,12 @@ const DEEPEST: usize = 40;
 pub struct Cursor<'a> {
     pub line: &'a [u8],
     pub at: usize,
-    pub variables: &'a Variables,
+    variables: &'a Variables,
     depth: usize,
+    /// How many operators were read outside of brackets.
+    operators: usize,
+    /// Whether it is the value of a word, and no part of a macro's own statement.
+    word: bool,
 }
 
 /// What stands between two values, tightest last.
@@ -156,7 +160,7 @@ const OPERATORS: [&[&str]; 5] =
 
 impl<'a> Cursor<'a> {
     pub fn new(line: &'a [u8], at: usize, variables: &'a Variables) -> Self {
-        Cursor { line, at, variables, depth: 0 }
+        Cursor { line, at, variables, depth: 0, operators: 0, word: false }
     }
 
     pub fn peek(&mut self) -> Option<u8> {
@@ -184,7 +188,11 @@ impl<'a> Cursor<'a> {
         let value = match self.peek()? {
             b'-' => {
                 self.at += 1;
-                map(self.operand()?, |x| -x)
+                match self.operand()? {
+                    Value::Number(x) => Value::Number(-x),
+                    // Whether a word with it is left out is not known.
+                    _ => Value::Unknown,
+                }
             }
             b'+' => {
                 self.at += 1;
@@ -220,19 +228,32 @@ impl<'a> Cursor<'a> {
         matches!(next, Some(b'#' | b'[')) || function
     }
 
-    /// A value of operators.
-    pub fn expression(&mut self) -> Option<Value> {
-        self.level(0)
+    /// The value of a word.
+    pub fn in_word(&mut self) -> Option<Value> {
+        self.word = true;
+        let value = self.operand();
+        self.word = false;
+        value
+    }
+
+    /// `#5=…`: the variable and its value.
+    pub fn assignment(&mut self) -> Option<(Key, Value)> {
+        let key = self.key()?;
+        self.eat("=").then_some(())?;
+        Some((key, self.level(0)?))
     }
 
     pub fn bracketed(&mut self) -> Option<Value> {
         self.eat("[").then_some(())?;
+        let before = self.operators;
         let value = self.level(0)?;
+        self.operators = before;
         self.eat("]").then_some(value)
     }
 
     fn level(&mut self, level: usize) -> Option<Value> {
         let Some(operators) = OPERATORS.get(level) else { return self.operand() };
+        let before = self.operators;
         let mut left = self.level(level + 1)?;
         loop {
             // `**` is no product.
@@ -240,6 +261,11 @@ impl<'a> Cursor<'a> {
             let Some(operator) = operators.iter().find(|operator| !product && self.eat(operator)) else { return Some(left) };
             let right = self.level(level + 1)?;
             left = self.combined(operator, left, right);
+            // On a Fanuc AND binds as a product: without brackets around what it joins it does something else.
+            if level == 0 && !self.variables.linuxcnc && self.operators > before {
+                left = Value::Unknown;
+            }
+            self.operators += 1;
         }
     }
 
@@ -254,22 +280,27 @@ impl<'a> Cursor<'a> {
         let (Some(a), Some(b)) = (plain(left), plain(right)) else { return Value::Unknown };
         let both = |known: bool, holds: bool| if known { truth(holds) } else { Value::Unknown };
         let logical = [a, b].iter().all(|x| *x == 0.0 || *x == 1.0);
-        // LinuxCNC takes numbers for the same that differ by less than a ten-thousandth; others by other rules.
-        let (off, near) = ((a - b).abs(), 2e-4);
-        let told = off < 1e-9 || off > near;
+        // LinuxCNC takes numbers for equal that differ by less than a ten-thousandth, and compares others as they are. How near numbers may be on a
+        // Fanuc is not known here.
+        const SAME: f64 = 1e-4;
+        let off = (a - b).abs();
+        let (same, told) = match self.variables.linuxcnc {
+            true => (off < SAME, (off - SAME).abs() > 1e-9 || matches!(operator, "GT" | "GE" | "LT" | "LE")),
+            false => (off == 0.0, off == 0.0 || off > 2.0 * SAME),
+        };
         match operator {
-            "+" => Value::Number(a + b),
-            "-" => Value::Number(a - b),
-            "*" => Value::Number(a * b),
-            "/" if b != 0.0 => Value::Number(a / b),
-            "MOD" if b > 0.0 && a >= 0.0 => Value::Number(a % b),
+            "+" => finite(a + b),
+            "-" => finite(a - b),
+            "*" => finite(a * b),
+            "/" if b != 0.0 => finite(a / b),
+            "MOD" if b > 0.0 && a >= 0.0 => finite(a % b),
             "**" if b.fract() == 0.0 && (0.0..=16.0).contains(&b) => finite(a.powi(b as i32)),
-            "EQ" => both(told, off < 1e-9),
-            "NE" => both(told, off >= 1e-9),
-            "GT" => both(told, a > b && off >= 1e-9),
-            "GE" => both(told, a >= b || off < 1e-9),
-            "LT" => both(told, a < b && off >= 1e-9),
-            "LE" => both(told, a <= b || off < 1e-9),
+            "EQ" => both(told, same),
+            "NE" => both(told, !same),
+            "GT" => both(told, a > b),
+            "GE" => both(told, a >= b),
+            "LT" => both(told, a < b),
+            "LE" => both(told, a <= b),
             "AND" => both(logical, a * b == 1.0),
             "OR" => both(logical, a + b > 0.0),
             "XOR" => both(logical, a != b),
@@ -285,8 +316,8 @@ impl<'a> Cursor<'a> {
         if name == b"EXISTS" {
             self.eat("[").then_some(())?;
             let key = self.key()?;
-            let known = self.variables.exists(&key);
-            return self.eat("]").then(|| known.map_or(Value::Unknown, |known| Value::Number(f64::from(u8::from(known)))));
+            let exists = self.variables.exists(&key);
+            return self.eat("]").then_some(exists);
         }
         let inner = self.bracketed()?;
         let linuxcnc = self.variables.linuxcnc;
@@ -300,6 +331,8 @@ impl<'a> Cursor<'a> {
             b"SQRT" | b"SQR" => map(inner, f64::sqrt),
             // What no probing macro was seen to need costs nothing here.
             b"EXP" | b"LN" => Value::Unknown,
+            // In a word a Fanuc rounds to the smallest step of its axis.
+            b"ROUND" | b"RND" if self.word && !linuxcnc => Value::Unknown,
             b"ROUND" | b"RND" => map(inner, f64::round),
             // LinuxCNC goes to the next lower and higher whole number, a Fanuc towards 0 and away from it.
             b"FIX" => map(inner, |x| if linuxcnc { x.floor() } else { x.trunc() }),
