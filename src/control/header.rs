@@ -110,7 +110,7 @@ impl Words {
             Value::List(items) => {
                 self.write(value);
                 let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
-                // A list that is too long for a line is said value by value.
+                // A list that is too long for a line is written value by value.
                 if items.is_empty() || (!nested && self.word.len() + JOB_LINE.len() <= self.width) {
                     return self.keep();
                 }

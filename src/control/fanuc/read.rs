@@ -112,7 +112,7 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
         block(script, line, code, grammar, &mut targets)
     });
     if !semicolons.is_empty() {
-        // Of a line with a semicolon nothing else is said.
+        // A line with a semicolon is reported once.
         let mut troubles = semicolons;
         let lines: Vec<usize> = troubles.iter().map(|trouble| trouble.line).collect();
         troubles.extend(read.err().into_iter().flatten().filter(|trouble| lines.binary_search(&trouble.line).is_err()));

@@ -1,4 +1,4 @@
-//! Reads Klartext and its DIN/ISO form: blocks, their words, and what stands behind `Q…=`.
+//! Reads Klartext and its DIN/ISO form: blocks, their words, and the values of `Q…=`.
 
 use crate::control::iso::lex::{code, lines_of, without_count, without_number};
 use crate::form::{Value, printable};
@@ -104,7 +104,7 @@ pub fn blocks(text: &str) -> Vec<String> {
     blocks
 }
 
-/// What stands behind `Q…=`.
+/// The value of `Q…=`.
 #[derive(Debug)]
 pub enum Given {
     /// A number, or a text in quotes.

@@ -40,7 +40,7 @@ pub enum Effect {
     Diameter(bool),
     /// Whether the spindle turns.
     Spindle(bool),
-    /// Every position is come to exactly, or only near.
+    /// Every position is reached exactly, or only nearly.
     Exact(bool),
     /// The length of the tool counts, or no longer.
     Length(bool),

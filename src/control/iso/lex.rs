@@ -38,7 +38,7 @@ pub fn trimmed(text: &str) -> &str {
     }
 }
 
-/// What stands after a beginning, in small letters or capitals.
+/// The rest of a text behind a beginning, in small letters or capitals.
 pub fn after<'t>(text: &'t str, beginning: &str) -> Option<&'t str> {
     let same = text.get(..beginning.len())?.eq_ignore_ascii_case(beginning);
     same.then(|| &text[beginning.len()..])
@@ -70,7 +70,7 @@ pub fn code(line: &str, round: bool) -> &str {
     &line[..comment_at(line.as_bytes(), round).unwrap_or(line.len())]
 }
 
-/// What stands in front of the words of a block.
+/// The head of a block: what precedes its words.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Head {
     /// `/`: where block skip is on, the control leaves the block out.
@@ -81,7 +81,7 @@ pub struct Head {
     pub end: usize,
 }
 
-/// What stands in front of the words of a block. An `N` without digits, or with a point behind them, is a word.
+/// The head of a block. An `N` without digits, or with a point behind them, is a word.
 pub fn head(line: &[u8]) -> Head {
     let mut head = Head::default();
     while let Some(sign @ (b'/' | b':' | b'N' | b'n')) = line.get(head.end) {
@@ -156,7 +156,7 @@ pub fn tokens(code: &str) -> Vec<Token> {
     tokens
 }
 
-/// Whether nothing but blanks and comments stands in front of a word.
+/// Whether only blanks and comments precede a word.
 pub fn leads(line: &[u8], begin: usize, at: usize) -> bool {
     let mut before = line[begin..at].trim_ascii();
     while before.first() == Some(&b'(') {
@@ -199,7 +199,7 @@ pub fn end_of_value(line: &[u8], at: usize) -> usize {
     line.len()
 }
 
-/// Where the next word begins behind something that is none: a letter with a value, outside of brackets and comments.
+/// Where the next word begins after something that is no word: a letter with a value, outside of brackets and comments.
 pub fn next_word(line: &[u8], at: usize) -> usize {
     let mut depth = 0usize;
     for n in at + 1..line.len() {
@@ -217,7 +217,7 @@ pub fn next_word(line: &[u8], at: usize) -> usize {
     line.len()
 }
 
-/// Whether what may be a value stands after a letter.
+/// Whether what follows a letter may be a value.
 pub fn valued(line: &[u8], at: usize) -> bool {
     line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
 }

@@ -109,7 +109,7 @@ pub fn hidden() -> Text {
 pub fn with_semicolons(text: &str) -> Vec<Trouble> {
     let mut troubles = Vec::new();
     let mut rest = text;
-    // Nearly always there is none.
+    // Most texts have none.
     for line in 0.. {
         if memchr::memchr(b';', rest.as_bytes()).is_none() || troubles.len() == MOST_TROUBLES {
             break;

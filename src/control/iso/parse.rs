@@ -24,7 +24,7 @@ pub struct Grammar {
     /// What the control knows under a name, where it is no variable of the program.
     pub system: fn(&[u8]) -> Option<System>,
     pub family: Family,
-    /// The codes that this reader takes, by letter and ten times the number, and the letters that may stand beside each.
+    /// The codes that this reader takes, by letter and ten times the number, and the letters allowed beside each.
     pub takes: fn(u8, i32) -> Option<&'static str>,
 }
 

@@ -5,7 +5,7 @@ use crate::control::iso::parse::{Cursor, Grammar, Parsed, fault};
 use crate::control::iso::script::{Modes, Motion, NodeId, Script, What, Words};
 use crate::text::text;
 
-/// The codes that every strict reader takes, and the letters that may stand beside each: none.
+/// The codes that every strict reader takes; no letters are allowed beside them.
 pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
         (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => Some(""),
@@ -107,7 +107,7 @@ impl Block {
         }
     }
 
-    /// Takes in what a code does; `letters` may stand beside it.
+    /// Takes in what a code does; `letters` are allowed beside it.
     fn code(&mut self, effect: Effect, letters: &'static str) -> Parsed<()> {
         let modes = &mut self.words.modes;
         match effect {

@@ -167,7 +167,7 @@ fn block<'t>(
     Ok(())
 }
 
-/// What stands behind `MEAS=1`.
+/// The words after `MEAS=1`.
 fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<What> {
     match words::words(cursor, &GRAMMAR, script)? {
         What::Words(mut words) if words.motion == Some(Motion::Straight) => {

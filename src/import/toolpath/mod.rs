@@ -177,7 +177,7 @@ impl Run<'_> {
         shown
     }
 
-    /// What becomes of a line. Below the end, what ran where it was called is not passed over.
+    /// What becomes of a line. Below the end, what ran where it was called is not reported.
     #[inline]
     fn step(&mut self, line: &[u8], here: Place, below: usize) -> Step {
         let ended = self.reader.ended;

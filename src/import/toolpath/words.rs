@@ -8,7 +8,7 @@ use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::{Given, Reader};
 use crate::num::read_digits;
 
-/// What stands behind a letter.
+/// What follows a letter.
 enum Value {
     /// A value, and where it ends.
     Is(Word, usize),
@@ -79,7 +79,7 @@ impl Reader {
         Some(end)
     }
 
-    /// What stands behind the letter of a word; none where that is no value.
+    /// What follows the letter of a word; none where that is no value.
     #[inline]
     fn value(&self, line: &[u8], at: usize, letter: u8) -> Option<Value> {
         let mut next = at + 1;

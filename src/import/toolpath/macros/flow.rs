@@ -67,7 +67,8 @@ impl Macros {
         label.map_or(Step::AsWritten, |label| self.while_(do_label(label), condition, here))
     }
 
-    /// A jump to a block under a condition. One that is not known, or that is come to under one, is not made: the lines are read in their order.
+    /// A jump to a block under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in
+    /// their order.
     fn goto(&mut self, label: Option<f64>, holds: Option<bool>, next: Place) -> Step {
         if holds == Some(false) {
             return Step::Done;
@@ -89,7 +90,7 @@ impl Macros {
         self.leaps.push(below.map_or(NOWHERE, |place| place.line));
     }
 
-    /// What stands behind THEN.
+    /// The statement after THEN.
     fn then(&mut self, rest: &[u8], holds: Option<bool>, here: Place, next: Place) -> Step {
         if holds == Some(false) {
             return Step::Done;

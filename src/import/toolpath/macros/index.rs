@@ -41,7 +41,7 @@ const KEYWORDS: [(&str, Keyword); 15] = [
     ("continue", Keyword::Continue),
 ];
 
-/// An O word: its label, what it does, and where in the code the rest begins. A label that is computed is none here.
+/// An O word: its label, what it does, and where in the code the rest begins. None with a computed label.
 pub fn o_word(code: &[u8]) -> Option<(String, Keyword, usize)> {
     let rest = code.get(1..)?;
     let length = match rest.first()? {
@@ -75,7 +75,7 @@ impl Keyword {
 pub struct Mark {
     label: String,
     pub keyword: Keyword,
-    /// What stands behind an `elseif`.
+    /// The condition of an `elseif`.
     pub condition: Vec<u8>,
     pub here: Place,
     pub below: Place,

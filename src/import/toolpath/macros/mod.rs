@@ -21,8 +21,11 @@ const MOST_BLOCKS: usize = 500_000;
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
 
-/// A line that is never come to.
+/// A line that is never reached.
 const NOWHERE: usize = usize::MAX;
+
+/// What a block assigns.
+type Assigned = Vec<(Key, Value)>;
 
 /// A structure that is open.
 #[derive(Clone, Debug, PartialEq)]
@@ -154,7 +157,7 @@ impl Macros {
         self.unsure == 0 && self.leaps.is_empty()
     }
 
-    /// Whether it is not known if a block is come to where its call runs: what it jumps over may be run all the same.
+    /// Whether an unknown condition of this call guards the block: a jump in it may not be made, and what it jumps over may run.
     fn is_guarded(&self) -> bool {
         let (unsure, leaps) = self.frames.last().map_or((0, 0), |frame| (frame.unsure + frame.left, frame.leaps));
         self.unsure > unsure || self.leaps.len() > leaps
@@ -202,7 +205,7 @@ impl Macros {
         self.frames.push(Frame { back, linuxcnc, open, inside, unsure, leaps, left: 0 });
     }
 
-    /// Back from a call; none where there is none.
+    /// Back from a call; none outside of calls.
     fn leave(&mut self) -> Option<Place> {
         let frame = self.frames.pop()?;
         self.variables.leave();
@@ -255,7 +258,7 @@ impl Macros {
     }
 
     /// A block with numbers in place of what is known, and what it assigns; none where it is not understood.
-    fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Vec<(Key, Value)>)> {
+    fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned)> {
         let (mut out, mut sets) = (line[..begin].to_vec(), Vec::new());
         let mut cursor = Cursor::new(line, begin, &self.variables);
         while let Some(sign) = line.get(cursor.at).copied() {

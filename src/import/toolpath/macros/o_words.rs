@@ -42,7 +42,7 @@ impl Macros {
         }
     }
 
-    /// The words of loops, with the condition or count that stands behind.
+    /// The words of loops, with their condition or count.
     fn loop_word(&mut self, label: String, keyword: Keyword, value: Option<Value>, here: Place, next: Place) -> Step {
         match keyword {
             Keyword::Do => self.begins(label, here, usize::MAX),

@@ -8,7 +8,7 @@ use crate::num::read_digits;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     Number(f64),
-    /// Nothing tells it here.
+    /// It cannot be known here.
     Unknown,
     /// `#0`, or an argument that a call does not give, on a Fanuc: a word with it is left out.
     Empty,
@@ -154,7 +154,7 @@ pub struct Cursor<'a> {
     word: bool,
 }
 
-/// What stands between two values, tightest last.
+/// Operators between two values, tightest last.
 const OPERATORS: [&[&str]; 5] =
     [&["AND", "XOR", "OR"], &["EQ", "NE", "GE", "GT", "LE", "LT"], &["+", "-"], &["*", "/", "MOD"], &["**"]];
 
@@ -284,7 +284,7 @@ impl<'a> Cursor<'a> {
         // Fanuc is not known here.
         const SAME: f64 = 1e-4;
         let off = (a - b).abs();
-        let (same, told) = match self.variables.linuxcnc {
+        let (same, decided) = match self.variables.linuxcnc {
             true => (off < SAME, (off - SAME).abs() > 1e-9 || matches!(operator, "GT" | "GE" | "LT" | "LE")),
             false => (off == 0.0, off == 0.0 || off > 2.0 * SAME),
         };
@@ -295,12 +295,12 @@ impl<'a> Cursor<'a> {
             "/" if b != 0.0 => finite(a / b),
             "MOD" if b > 0.0 && a >= 0.0 => finite(a % b),
             "**" if b.fract() == 0.0 && (0.0..=16.0).contains(&b) => finite(a.powi(b as i32)),
-            "EQ" => both(told, same),
-            "NE" => both(told, !same),
-            "GT" => both(told, a > b),
-            "GE" => both(told, a >= b),
-            "LT" => both(told, a < b),
-            "LE" => both(told, a <= b),
+            "EQ" => both(decided, same),
+            "NE" => both(decided, !same),
+            "GT" => both(decided, a > b),
+            "GE" => both(decided, a >= b),
+            "LT" => both(decided, a < b),
+            "LE" => both(decided, a <= b),
             "AND" => both(logical, a * b == 1.0),
             "OR" => both(logical, a + b > 0.0),
             "XOR" => both(logical, a != b),
