@@ -25,10 +25,13 @@ pub trait Moves {
     /// Everything before the first move: the header, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
 
-    /// The moves that a cycle of the control makes by itself, and the block that calls it; it computes and writes the results, too.
-    fn own_cycle(&self, _w: &Writer<'_>) -> Option<(Range<usize>, String)> {
+    /// The moves that a cycle of the control makes by itself; it computes and writes the results, too.
+    fn own_cycle(&self) -> Option<Range<usize>> {
         None
     }
+
+    /// The blocks that call that cycle.
+    fn call(&self, _w: &mut Writer<'_>) {}
 
     /// To the first place, from wherever the stylus stands.
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
@@ -90,15 +93,17 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let used = formula.used();
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
-    let own = hooks.own_cycle(&w);
+    let own = hooks.own_cycle();
     let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
     let (mut made, mut computed) = (0, 0);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
         match step.purpose {
-            _ if own.as_ref().is_some_and(|(range, _)| range.contains(&index)) => {
-                own.iter().filter(|(range, _)| range.start == index).for_each(|(_, call)| w.line(call));
+            _ if own.as_ref().is_some_and(|own| own.contains(&index)) => {
+                if own.as_ref().is_some_and(|own| own.start == index) {
+                    hooks.call(&mut w);
+                }
                 w.leaves_move();
             }
             Purpose::Position if start_unknown(request, index, step) => hooks.approach(&mut w, step),
@@ -116,8 +121,11 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
         }
         from = Some(step.to);
     }
-    if own.is_none() {
-        conclude(&mut w, request, hooks, computed);
+    match &own {
+        None => conclude(&mut w, request, hooks, computed),
+        // Of given points alone a cycle computes without a move.
+        Some(own) if own.start == path.moves.len() => hooks.call(&mut w),
+        Some(_) => {}
     }
     hooks.end(&mut w);
     w.finish()

@@ -6,12 +6,15 @@
 
 pub mod read;
 
-use crate::control::iso::writer::{Dialect, PLAIN, stated_start, wrapped};
-use crate::control::{BASE, Form, PostDef, Program, Request, check_orientation, does, header};
+use std::ops::Range;
+
+use crate::control::iso::writer::{Dialect, PLAIN, Writer, stated_start};
+use crate::control::moves::{self, Moves, Step};
+use crate::control::{BASE, Form, PostDef, Program, Request, check_orientation, does};
 use crate::form::Checker;
-use crate::geom::{AXIS_NAMES, Plane};
+use crate::geom::Plane;
 use crate::num::decimal;
-use crate::path::{ParameterValue, Subject};
+use crate::path::{Move, ParameterValue, Setting, Subject, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
@@ -25,7 +28,7 @@ pub static DEF: PostDef = PostDef {
         "cycle 1411 orients the probe itself, as the probe table says (TRACK): the orientation of the job is not used"
     )),
     watches: false,
-    dialect: &Dialect { decimals_inch: 4, comment: ("; ", ""), ..PLAIN },
+    dialect: &Dialect { comment: ("; ", ""), comment_width: 72, numbered: true, ..PLAIN },
     unused: &["orient", "report", "number"],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
@@ -54,77 +57,91 @@ fn program_name(name: &str) -> String {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    let unit = if request.scale == 1.0 { "MM" } else { "INCH" };
-    let name = program_name(request.name);
-    let axis = match request.plane {
-        Plane::G17 => "Z",
-        Plane::G18 => "Y",
-        Plane::G19 => "X",
-    };
-    let mut text = format!("0 BEGIN PGM {name} {unit}\n");
-    let mut number = 1;
-    for comment in comments(request, &name, axis) {
-        text.push_str(&format!("{number} ; {comment}\n"));
-        number += 1;
-    }
-    if let Some(tool) = request.tool {
-        text.push_str(&format!("{number} TOOL CALL {tool} {axis} S50\n"));
-        number += 1;
-    }
-    let circles = request.path.feature.two_circles();
-    let blocks = circles.map(|c| [("1493 EXTRUSION PROBING", &c.extrusion), ("1411 PROBING TWO CIRCLES", &c.settings)]);
-    for (head, settings) in blocks.into_iter().flatten() {
-        if settings.is_empty() {
-            continue;
-        }
-        text.push_str(&format!("{number} TCH PROBE {head}"));
-        for setting in settings {
-            text.push_str(&format!(" ~\n    {} ;{}", word(setting.number, &setting.value, request.scale), setting.dialog));
-        }
-        text.push('\n');
-        number += 1;
-    }
-    text.push_str(&format!("{number} END PGM {name} {unit}\n"));
-    header::seal(&mut text);
-    // The control makes every move by itself.
-    Program { text, move_lines: vec![None; request.path.moves.len()] }
+    moves::write(request, &mut Klartext { request, name: program_name(request.name) })
 }
 
-/// The most characters of a comment: a whole line stays below 80.
-const COMMENT_WIDTH: usize = 70;
+/// The program of one request.
+struct Klartext<'a> {
+    request: &'a Request<'a>,
+    name: String,
+}
 
-/// What will happen, as comments. None ends in the sign that continues a block.
-fn comments(request: &Request<'_>, name: &str, axis: &str) -> Vec<String> {
-    let places = if request.scale == 1.0 { 4 } else { 5 };
-    let number = |mm: f64| decimal(mm / request.scale, places);
-    let mut lines = vec![
-        format!("Job: {name}"),
-        format!("{}: {}", request.source, request.title),
-        format!(
+impl Klartext<'_> {
+    /// The first and the last block.
+    fn frame(&self, w: &mut Writer<'_>, word: &str) {
+        w.parts(&[word, " PGM ", &self.name, if self.request.scale == 1.0 { " MM" } else { " INCH" }]);
+    }
+}
+
+impl Moves for Klartext<'_> {
+    fn begin(&mut self, w: &mut Writer<'_>) {
+        let request = self.request;
+        let axis = match request.plane {
+            Plane::G17 => "Z",
+            Plane::G18 => "Y",
+            Plane::G19 => "X",
+        };
+        self.frame(w, "BEGIN");
+        w.comment(&format!("Job: {}", self.name));
+        w.comment(&format!("{}: {}", request.source, request.title));
+        w.comment(&format!(
             "Units {}, plane {}, stylus ball diameter {}",
             if request.scale == 1.0 { "mm" } else { "inch" },
             request.plane.word(),
-            number(2.0 * request.setup.radius)
-        ),
-    ];
-    lines.push(does::line(request, ""));
-    match request.tool {
-        Some(tool) => lines.push(format!("Before the start: tool {tool} is the probe, it is called")),
-        None => {
-            lines.push(format!("Before the start: the probe is in the spindle and active, tool axis {axis}. No tool is called"))
+            w.number(2.0 * request.setup.radius)
+        ));
+        w.comment(&does::line(request, ""));
+        w.comment(&match request.tool {
+            Some(tool) => format!("Before the start: tool {tool} is the probe, it is called"),
+            None => format!("Before the start: the probe is in the spindle and active, tool axis {axis}. No tool is called"),
+        });
+        if let Some(start) = request.path.start {
+            let text = stated_start(request, &w.place_words(start));
+            w.comment(&format!("{text} The control moves from there by itself"));
+        }
+        w.comment(
+            "Reset every coordinate transformation first, such as cycles 8, 11, 26 and TRANS MIRROR; FUNCTION MODE MILL only",
+        );
+        w.comment("Not verified on a control: run it with a hand on the feed override");
+        w.says_job();
+        if let Some(tool) = request.tool {
+            w.line(&format!("TOOL CALL {tool} {axis} S50"));
         }
     }
-    if let Some(start) = request.path.start {
-        let place: Vec<String> = (0..3).map(|i| format!("{}{}", AXIS_NAMES[i], number(start[i]))).collect();
-        lines.push(format!("{} The control moves from there by itself", stated_start(request, &place.join(" "))));
+
+    fn own_cycle(&self) -> Option<Range<usize>> {
+        Some(0..self.request.path.moves.len())
     }
-    lines.push(
-        "Reset every coordinate transformation first, such as cycles 8, 11, 26 and TRANS MIRROR; FUNCTION MODE MILL only"
-            .to_owned(),
-    );
-    lines.push("Not verified on a control: run it with a hand on the feed override".to_owned());
-    lines.extend(header::lines(request, COMMENT_WIDTH, false));
-    lines.iter().flat_map(|line| wrapped(line, COMMENT_WIDTH)).collect()
+
+    fn call(&self, w: &mut Writer<'_>) {
+        let Some(circles) = self.request.path.feature.two_circles() else { return };
+        for (head, settings) in
+            [("1493 EXTRUSION PROBING", &circles.extrusion), ("1411 PROBING TWO CIRCLES", &circles.settings)]
+        {
+            if settings.is_empty() {
+                continue;
+            }
+            w.parts(&["TCH PROBE ", head, " ~"]);
+            for (i, Setting { number, value, dialog }) in settings.iter().enumerate() {
+                let continues = if i + 1 < settings.len() { " ~" } else { "" };
+                w.continued(&format!("    {} ;{dialog}{continues}", word(*number, value, w)));
+            }
+        }
+    }
+
+    // The cycle makes every move.
+
+    fn approach(&mut self, _: &mut Writer<'_>, _: &Move) {}
+
+    fn position(&mut self, _: &mut Writer<'_>, _: Step<'_>) {}
+
+    fn touch(&mut self, _: &mut Writer<'_>, _: Step<'_>, _: &Touch) {}
+
+    fn back(&mut self, _: &mut Writer<'_>, _: Step<'_>) {}
+
+    fn end(&mut self, w: &mut Writer<'_>) {
+        self.frame(w, "END");
+    }
 }
 
 /// Angles have three decimals on the control.
@@ -142,19 +159,14 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 }
 
 /// `Q1116=+10`, or `QS1116="10H7"`.
-fn word(code: i32, value: &ParameterValue, scale: f64) -> String {
-    let places = if scale == 1.0 { 4 } else { 5 };
-    // Q325 and Q1119 have three decimals.
-    let places = if matches!(value, ParameterValue::Number(_)) { 3 } else { places };
-    let signed = |x: f64| {
-        let text = decimal(x, places);
-        if text.starts_with('-') { text } else { format!("+{text}") }
-    };
+fn word(code: i32, value: &ParameterValue, w: &Writer<'_>) -> String {
+    let signed = |text: &str| format!("Q{code}={}{text}", if text.starts_with('-') { "" } else { "+" });
     match value {
-        ParameterValue::Length(mm) => format!("Q{code}={}", signed(mm / scale)),
-        ParameterValue::Number(x) => format!("Q{code}={}", signed(*x)),
-        ParameterValue::Whole(n) => format!("Q{code}={}", signed(f64::from(*n))),
-        ParameterValue::Flag(on) => format!("Q{code}={}", signed(f64::from(u8::from(*on)))),
+        ParameterValue::Length(mm) => signed(&w.number(*mm)),
+        // Q325 and Q1119 have three decimals.
+        ParameterValue::Number(x) => signed(&decimal(*x, 3)),
+        ParameterValue::Whole(n) => signed(&n.to_string()),
+        ParameterValue::Flag(on) => signed(if *on { "1" } else { "0" }),
         ParameterValue::Word(word) => format!("Q{code}={word}"),
         ParameterValue::Text(text) => format!("QS{code}=\"{}\"", text.replace(',', ".")),
     }

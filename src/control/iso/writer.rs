@@ -2,7 +2,7 @@
 
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::num::Digits;
+use crate::num::{Digits, count};
 use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
@@ -22,6 +22,8 @@ pub struct Dialect {
     pub points: bool,
     /// Whether comments are in capitals.
     pub capitals: bool,
+    /// Whether blocks are numbered, from 0.
+    pub numbered: bool,
     /// The words for mm and inch.
     pub units: (&'static str, &'static str),
     /// Exact stop, and everything modal that must not leak in, but for plane and units.
@@ -42,6 +44,7 @@ pub const PLAIN: Dialect = Dialect {
     longest_block: 255,
     points: false,
     capitals: false,
+    numbered: false,
     units: ("G21", "G20"),
     modes: "G40 G80 G90",
     exact_stop: false,
@@ -55,6 +58,7 @@ pub struct Writer<'a> {
     dialect: &'static Dialect,
     text: String,
     lines: usize,
+    blocks: usize,
     move_lines: Vec<Option<usize>>,
     /// Of each axis, the number of where the ball stands, as a block has named it last or the job states it.
     last: [Digits; 3],
@@ -74,6 +78,7 @@ impl<'a> Writer<'a> {
             dialect: request.post.dialect,
             text: String::with_capacity(2048 + 40 * request.path.formula.assignments.len() + 160 * request.path.moves.len()),
             lines: 0,
+            blocks: 0,
             move_lines,
             last: [const { Digits::NONE }; 3],
             last_mm: Vec3::NAN,
@@ -98,6 +103,20 @@ impl<'a> Writer<'a> {
 
     /// One line, as it is written at the end of the program.
     pub fn build(&mut self, write: impl FnOnce(&mut String)) {
+        if self.dialect.numbered {
+            self.text.push_str(&count(self.blocks));
+            self.text.push(' ');
+        }
+        self.blocks += 1;
+        self.push_line(write);
+    }
+
+    /// A line that continues the block of the last one.
+    pub fn continued(&mut self, text: &str) {
+        self.push_line(|line| line.push_str(text));
+    }
+
+    fn push_line(&mut self, write: impl FnOnce(&mut String)) {
         let begin = self.text.len();
         write(&mut self.text);
         debug_assert!(!self.text[begin..].contains(['\n', '\r']), "a line is one line");
@@ -376,15 +395,8 @@ pub fn stated_start(request: &Request<'_>, place: &str) -> String {
     format!("The stylus is taken to be at {place} before the start, {first}.")
 }
 
-/// A text in lines of at most `width` characters, parted at spaces where there are any.
-pub fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = Vec::new();
-    each_line(text, width, |line| lines.push(line.to_owned()));
-    lines
-}
-
-/// Passes such lines on one by one, without a list.
-pub fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
+/// Passes on the lines of a text one by one, each at most `width` characters, parted at spaces where there are any.
+fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     let mut rest = text;
     while rest.len() > width {
         // The last space that leaves no more than a line; else the first one after it.
@@ -464,7 +476,13 @@ pub fn start_unknown(request: &Request<'_>, index: usize, step: &Move) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::wrapped;
+    use super::each_line;
+
+    fn wrapped(text: &str, width: usize) -> Vec<String> {
+        let mut lines = Vec::new();
+        each_line(text, width, |line| lines.push(line.to_owned()));
+        lines
+    }
 
     #[test]
     fn long_comments_are_parted_at_spaces_and_nothing_is_lost() {

@@ -113,19 +113,27 @@ pub fn notes(request: &Request<'_>) -> Vec<&'static str> {
 }
 
 /// The moves to the start are the program's, then the cycle does the rest, and the program lifts.
-pub fn of(request: &Request<'_>, w: &Writer<'_>) -> Option<(Range<usize>, String)> {
-    let rectangle = Rectangle::of(request)?;
+pub fn moves(request: &Request<'_>) -> Option<Range<usize>> {
+    Rectangle::of(request)?;
     let moves = &request.path.moves;
     // The approach: every move before the first that leaves the start.
     let approach = moves.iter().take_while(|m| m.step <= 1).count();
-    Some((approach..moves.len() - 1, call(w, request, &rectangle)))
+    Some(approach..moves.len() - 1)
+}
+
+/// Writes the block that calls it.
+pub fn call(request: &Request<'_>, w: &mut Writer<'_>) {
+    if let Some(rectangle) = Rectangle::of(request) {
+        let block = block(w, request, &rectangle);
+        w.line(&block);
+    }
 }
 
 /// The sign of the infeed, argument 11. Not settled: a generator for the control's own editor writes it positive, two others negative.
 const INFEED_SIGN: f64 = 1.0;
 
 /// CYCLE977 for an inside rectangle with a protection zone: 29 arguments, by position as in real calls.
-fn call(w: &Writer<'_>, request: &Request<'_>, rectangle: &Rectangle) -> String {
+fn block(w: &Writer<'_>, request: &Request<'_>, rectangle: &Rectangle) -> String {
     let [w1, w2] = rectangle.widths.map(|x| w.number(x));
     let [za, zo] = rectangle.zone.map(|x| w.number(x));
     let path = w.number(rectangle.path);

@@ -166,8 +166,12 @@ impl Sinumerik<'_> {
 }
 
 impl Moves for Sinumerik<'_> {
-    fn own_cycle(&self, w: &Writer<'_>) -> Option<(Range<usize>, String)> {
-        if self.request.form == Form::Cycle { cycle977::of(self.request, w) } else { None }
+    fn own_cycle(&self) -> Option<Range<usize>> {
+        if self.request.form == Form::Cycle { cycle977::moves(self.request) } else { None }
+    }
+
+    fn call(&self, w: &mut Writer<'_>) {
+        cycle977::call(self.request, w);
     }
 
     fn begin(&mut self, w: &mut Writer<'_>) {
