@@ -19,6 +19,8 @@ mod picture;
 mod plan;
 mod rows;
 mod sections;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod stretch;
 mod stylus;
 mod units;
 
@@ -52,6 +54,8 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::minutes;
 pub(crate) use plan::{Planned, plan_with_path, planned};
 pub(crate) use sections::{Job, SECTIONS, size_reach};
+#[cfg(target_arch = "wasm32")]
+pub(crate) use stretch::{NumberField, with_number};
 
 /// What `npm run bench` times. Nothing of it is promised.
 #[doc(hidden)]

@@ -64,10 +64,10 @@ export class PageView extends raw.View implements View {
     return this.showLentoaxCoded(codes, text);
   }
 
-  /** The lines of the dimensions of another job, as they would be seen here: `[field, x, y, x, y]` each. Nothing for a job with errors. */
-  dimensionLinesOf(job: unknown): [string, number, number, number, number][] {
+  /** Grips an end of the line of a field's dimension at a pixel; the job is the one that is shown. False where no drag moves it. */
+  gripEnd(job: unknown, field: string, end: 0 | 1, x: number, y: number): boolean {
     const { codes, text } = coded(job);
-    return this.dimensionLinesCoded(codes, text) as [string, number, number, number, number][];
+    return this.gripEndCoded(codes, text, field, end, x, y);
   }
 
   /** Nothing is left to free of a View whose instance is gone. */

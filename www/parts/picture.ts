@@ -15,13 +15,10 @@ type Line = [string, number, number, number, number];
 /** How many times as large as they are deviations can be drawn. */
 const MAGNIFIED = [1, 10, 100] as const;
 
-/** The end of a dimension's line, and where it moves as its value grows: pixels a unit. */
+/** An end of the line of a field's dimension. */
 interface End {
   field: string;
-  value: number;
-  /** Where the pointer gripped it. */
-  at: Spot;
-  slope: Spot;
+  index: 0 | 1;
 }
 
 /** How near a handle and the end of a dimension's line are gripped, pixels: by a finger they are targets of 44. */
@@ -41,8 +38,8 @@ class PicturePart extends DrawnPart {
   private pointers = new Map<number, Spot>();
   /** The handle that is dragged, and how far beside its middle it was gripped. */
   private grip: { handle: string; x: number; y: number } | null = null;
-  /** The end of a dimension that is dragged. */
-  private end: End | null = null;
+  /** The end of a dimension that is dragged, and where the pointer gripped it. */
+  private end: (End & { at: Spot }) | null = null;
   private dragged = false;
   /** The frame until which a drag has made its plan, and where the pointer has been moved to since. */
   private planned = 0;
@@ -346,7 +343,7 @@ class PicturePart extends DrawnPart {
       return;
     }
     this.planned = requestAnimationFrame(() => this.caughtUp());
-    if (this.end) this.stretch(this.end, at);
+    if (this.end) this.stretch(this.end.field, at);
     else if (this.grip) this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
   }
 
@@ -360,7 +357,7 @@ class PicturePart extends DrawnPart {
   }
 
   /** The end of a dimension's line at a pixel: its field, and which end it is. */
-  private endAt(view: PageView, at: Spot): { field: string; index: 0 | 1 } | null {
+  private endAt(view: PageView, at: Spot): End | null {
     if (this.look === "isometric" || (this.store.stale && !this.live)) return null;
     const ends = (view.dimensionLines() as Line[]).flatMap(([field, ...line]) =>
       ([0, 1] as const).map((index) => {
@@ -387,44 +384,15 @@ class PicturePart extends DrawnPart {
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
-  private gripped(view: PageView, at: Spot): End | null {
+  private gripped(view: PageView, at: Spot): (End & { at: Spot }) | null {
     const end = this.endAt(view, at);
-    const value = end && this.store.get(end.field);
-    if (!end || typeof value !== "number") return null;
-    // Where the end lies with a value a little larger, or smaller where that is none: the job itself knows how its dimensions hang together.
-    const little = Math.max(Math.abs(value) * 0.01, this.store.units === "inch" ? 0.004 : 0.1);
-    const [section, key] = end.field.split(".") as [string, string];
-    const line = (lines: Line[]) => lines.find(([field]) => field === end.field);
-    const other = (change: number) => {
-      const job = structuredClone(this.store.draft);
-      (job[section] as Record<string, unknown>)[key] = value + change;
-      return line(view.dimensionLinesOf(job));
-    };
-    const now = line(view.dimensionLines() as Line[]);
-    const larger = other(little);
-    const then = larger ?? other(-little);
-    const more = larger ? little : -little;
-    if (!now || !then) return null;
-    const along = { x: now[3] - now[1], y: now[4] - now[2] };
-    const length = Math.hypot(along.x, along.y);
-    const [x, y] = [1 + 2 * end.index, 2 + 2 * end.index] as [1 | 3, 2 | 4];
-    // Beside its own direction a line only makes room for others.
-    const moved = ((then[x] - now[x]) * along.x + (then[y] - now[y]) * along.y) / length / more;
-    if (!(Math.abs(moved) > 0.05)) return null;
-    return { field: end.field, value, at, slope: { x: (moved * along.x) / length, y: (moved * along.y) / length } };
+    return end && view.gripEnd(this.store.draft, end.field, end.index, at.x, at.y) ? { ...end, at } : null;
   }
 
-  /** The end of a dimension is dragged: it stays under the pointer, and the value is as exact as a pixel. */
-  private stretch({ field, value, at: from, slope }: End, at: Spot): void {
-    const square = slope.x ** 2 + slope.y ** 2;
-    const change = ((at.x - from.x) * slope.x + (at.y - from.y) * slope.y) / square;
-    const step = 10 ** Math.floor(-Math.log10(Math.sqrt(square)));
-    const entry = this.store.fieldAt(field);
-    const scale = this.store.units === "inch" ? 25.4 : 1;
-    const [least, most] = (entry?.range ?? [-Infinity, Infinity]).map((end) => end / scale) as [number, number];
-    const rounded = Math.round((value + change) / step) * step;
-    const within = Math.min(most, Math.max(least + (entry?.above ? step : 0), rounded));
-    this.store.set(field, tidy(within));
+  /** The end of a dimension is dragged: it stays under the pointer. */
+  private stretch(field: string, at: Spot): void {
+    const value = this.drawing?.use((view) => view.dragEnd(at.x, at.y));
+    if (value !== undefined) this.store.set(field, value);
   }
 
   /** A handle is dragged: the form follows. */

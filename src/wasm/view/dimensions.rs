@@ -3,11 +3,17 @@
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
+use std::rc::Rc;
+
 use super::View;
+use crate::border::coded::decoded;
+use crate::form::Value;
 use crate::geom::Vec2;
+use crate::job::{self, NumberField};
 use crate::view::layout::Placed;
 use crate::view::plate::Plate;
 use crate::view::scene::{Projection, Scene};
+use crate::wasm::Last;
 
 #[wasm_bindgen]
 impl View {
@@ -40,15 +46,54 @@ impl View {
         self.shown.as_ref().map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
     }
 
-    /// The same of another coded job, as it would be seen here: where they would move to. Nothing for a job with errors.
-    #[wasm_bindgen(js_name = dimensionLinesCoded)]
-    pub fn dimension_lines_of(&self, codes: &[f64], text: &str) -> Array {
-        let other = crate::wasm::planned(codes, text).map(|last| self.build(last));
-        other.map_or_else(Array::new, |other| self.lines_of(&other.scene))
+    /// Grips an end, 0 or 1, of the line of a field's dimension at a pixel; the coded job is the one that is shown. False where no drag moves it:
+    /// of some dimensions only one end moves.
+    #[wasm_bindgen(js_name = gripEndCoded)]
+    pub fn grip_end(&mut self, codes: &[f64], text: &str, field: &str, end: usize, x: f64, y: f64) -> bool {
+        self.end = self.end_of(&decoded(codes, text), field, end.min(1), Vec2::new(x, y));
+        self.end.is_some()
+    }
+
+    /// The value that the field of the gripped dimension has with its end under a pixel, as exact as a pixel, in the job's units.
+    #[wasm_bindgen(js_name = dragEnd)]
+    pub fn drag_end(&self, x: f64, y: f64) -> Option<f64> {
+        let End { field, at, slope } = self.end.as_ref()?;
+        let change = (Vec2::new(x, y) - *at).dot(*slope) / slope.length_squared();
+        Some(field.changed(change, slope.length()))
     }
 }
 
+/// The end of a dimension's line that is gripped.
+#[derive(Debug)]
+pub(super) struct End {
+    field: NumberField,
+    /// Where the pointer gripped it.
+    at: Vec2,
+    /// How it moves as the value grows, pixels a unit.
+    slope: Vec2,
+}
+
 impl View {
+    /// The end of a line, and how it moves: the job itself knows how its dimensions hang together, so it is planned with a value a little larger,
+    /// or smaller where that has errors.
+    fn end_of(&self, job: &Value, path: &str, end: usize, at: Vec2) -> Option<End> {
+        let field = NumberField::of(job, path)?;
+        let line = |scene: &Scene| {
+            let layout = self.camera.layout(scene, self.field.as_deref());
+            layout.dimensions.iter().find(|placed| placed.drawn.field == path).map(|placed| placed.line)
+        };
+        let now = line(&self.shown.as_ref()?.scene)?;
+        let moved = |change: f64| {
+            let planned = job::planned(&job::with_number(job, path, field.value + change))?;
+            let other = self.build(Rc::new(Last { codes: Vec::new(), text: String::new(), planned }));
+            Some((line(&other.scene)?[end] - now[end]) / change)
+        };
+        let moved = moved(field.little()).or_else(|| moved(-field.little()))?;
+        // Beside its own direction a line only makes room for others.
+        let slope = moved.project_onto(now[1] - now[0]);
+        (slope.length() > 0.05).then_some(End { field, at, slope })
+    }
+
     fn lines_of(&self, scene: &Scene) -> Array {
         let list = |placed: Placed<'_>| {
             let list = Array::of1(&JsValue::from_str(placed.drawn.field));

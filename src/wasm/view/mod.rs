@@ -48,6 +48,8 @@ pub struct View {
     moved: bool,
     /// Whether the picture must stay where it is, since something in it is being dragged.
     held: bool,
+    /// The end of a dimension's line that is dragged.
+    end: Option<dimensions::End>,
     /// What `paint` draws; none where every change is drawn at once.
     due: Option<Cell<Due>>,
 }
@@ -110,6 +112,7 @@ impl View {
             comma: false,
             moved: false,
             held: false,
+            end: None,
             due: None,
         })
     }

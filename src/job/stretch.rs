@@ -1,0 +1,101 @@
+//! A number of a job that is changed by dragging: its value a little larger, and what a drag makes of it.
+
+use crate::cycle;
+use crate::form::{Field, Kind, Value};
+use crate::job::sections::{SECTIONS, Units};
+
+/// A field of a job that holds a number.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberField {
+    field: &'static Field,
+    units: Units,
+    /// What it holds, in the job's units.
+    pub value: f64,
+}
+
+impl NumberField {
+    /// By its path, such as `cycle.width1`; none where no field of that path holds a number.
+    pub fn of(job: &Value, path: &str) -> Option<Self> {
+        let (section, key) = path.split_once('.')?;
+        let place = job.get(section)?;
+        let fields = match place.get("type") {
+            Some(Value::Text(cycle)) if section == "cycle" => cycle::find(cycle)?.fields,
+            _ => SECTIONS.iter().find(|(path, _)| *path == section)?.1,
+        };
+        let field = fields.iter().find(|field| field.key == key)?;
+        match place.get(key)? {
+            Value::Number(value) => Some(NumberField { field, units: Units::of(job), value: *value }),
+            _ => None,
+        }
+    }
+
+    /// How much a trial changes it, in its units.
+    pub fn little(&self) -> f64 {
+        let least = match self.units {
+            Units::Mm => 0.1,
+            Units::Inch => 0.004,
+        };
+        (self.value.abs() * 0.01).max(least)
+    }
+
+    /// What it becomes by a change, where a step of a tenth, ten, … is as fine as a pixel: a multiple of that step, within the field's range.
+    pub fn changed(&self, change: f64, pixels_a_unit: f64) -> f64 {
+        let decimals = pixels_a_unit.log10().floor();
+        let step = 10f64.powf(-decimals);
+        let scale = match self.field.kind {
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => self.units.scale(),
+            _ => 1.0,
+        };
+        let range = self.field.hard;
+        let least = range.min / scale + if range.above { step } else { 0.0 };
+        let value = crate::num::within(((self.value + change) / step).round() * step, least, range.max / scale);
+        // Without the noise of the last digits.
+        (value * 1e6).round() / 1e6
+    }
+}
+
+/// The job with another number in a field.
+pub fn with_number(job: &Value, path: &str, number: f64) -> Value {
+    let mut job = job.clone();
+    let entry = path.split('.').try_fold(&mut job, |place, key| match place {
+        Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, value)| value),
+        _ => None,
+    });
+    if let Some(entry) = entry {
+        *entry = Value::Number(number);
+    }
+    job
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn job(units: &str, width: &str) -> Value {
+        let text = format!(r#"{{ "units": "{units}", "cycle": {{ "type": "web", "width": {width} }} }}"#);
+        crate::job::from_json(&text).unwrap()
+    }
+
+    #[test]
+    fn a_drag_gives_round_values_within_the_range_of_the_field() {
+        let web = job("mm", "30");
+        let width = NumberField::of(&web, "cycle.width").unwrap();
+        assert_eq!((width.value, width.little()), (30.0, 0.3));
+        assert_eq!(width.changed(1.26, 4.0), 31.0);
+        assert_eq!(width.changed(1.26, 40.0), 31.3);
+        assert_eq!(width.changed(-99.0, 40.0), 0.001);
+        let inch = job("inch", "0.1");
+        let width = NumberField::of(&inch, "cycle.width").unwrap();
+        assert_eq!(width.little(), 0.004);
+        assert_eq!(width.changed(1e9, 40.0), 393.700787);
+    }
+
+    #[test]
+    fn only_a_number_of_a_known_field_is_dragged() {
+        let web = job("mm", "\"30H7\"");
+        for path in ["cycle.width", "cycle.depths", "cycle", "part.sizes.width", "nowhere.at", ""] {
+            assert!(NumberField::of(&web, path).is_none(), "{path}");
+        }
+        assert_eq!(with_number(&job("mm", "30"), "cycle.width", 31.0), job("mm", "31"));
+    }
+}
