@@ -4,7 +4,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::program_number;
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, BlockKind, Part, Script, System, Trouble};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -130,28 +130,28 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
     if cursor.eat("N") {
         targets.known.push((cursor.label().ok_or_else(|| text!("a label without its number"))?, here));
         if cursor.is_done() {
-            script.push(line, What::Nothing);
+            script.push(line, BlockKind::Nothing);
             return Ok(());
         }
     }
     let what = if cursor.eat("POPEN") || cursor.eat("PCLOS") {
-        What::Nothing
+        BlockKind::Nothing
     } else if let Some(printed) = code.strip_prefix("DPRNT[") {
         return printing(script, line, printed);
     } else if cursor.eat("IF") {
         let condition = cursor.bracketed(grammar, script)?;
         if cursor.eat("THEN") {
-            script.push(line, What::JumpUnless(condition, here + 2));
+            script.push(line, BlockKind::JumpUnless(condition, here + 2));
             let name = cursor.variable(Names::Hash).ok_or_else(|| text!("a condition without an action"))?;
             assignment(name, &mut cursor, grammar, script)?
         } else {
             cursor.expect("GOTO")?;
             targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
-            What::JumpIf(condition, 0)
+            BlockKind::JumpIf(condition, 0)
         }
     } else if cursor.eat("GOTO") {
         targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
-        What::Jump(0)
+        BlockKind::Jump(0)
     } else if let Some(name) = cursor.variable(Names::Hash) {
         assignment(name, &mut cursor, grammar, script)?
     } else {
@@ -176,21 +176,21 @@ fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
     if !printed.ends_with("]]") || !printed.chars().all(plain) {
         return fault(text!("\"{left}\" is not understood", crate::form::printable(printed)));
     }
-    script.push(line, What::Nothing);
+    script.push(line, BlockKind::Nothing);
     Ok(())
 }
 
 /// What stands after the name of a variable: its value, or an alarm.
-fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
+fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<BlockKind> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
     match system(name) {
-        _ if name == b"#3000" && script.number(value).is_some() => Ok(What::Alarm),
+        _ if name == b"#3000" && script.number(value).is_some() => Ok(BlockKind::Alarm),
         // A message: the program continues when the operator starts it again.
-        _ if name == b"#3006" && script.number(value).is_some() => Ok(What::Nothing),
-        None if !own(name) => Ok(What::SetOther(script.slot(name), value)),
-        None => Ok(What::Set(script.slot(name), value)),
-        Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
+        _ if name == b"#3006" && script.number(value).is_some() => Ok(BlockKind::Nothing),
+        None if !own(name) => Ok(BlockKind::SetOther(script.slot(name), value)),
+        None => Ok(BlockKind::Set(script.slot(name), value)),
+        Some(System::Offset(part)) => Ok(BlockKind::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values must not be written")),
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::control::iso::lex::{self, Comment, comment_at, hides, lines_of, next_line, trimmed};
 use crate::control::iso::parse::{Parsed, fault};
-use crate::control::iso::script::{Script, Trouble, What};
+use crate::control::iso::script::{BlockKind, Script, Trouble};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
 
@@ -149,8 +149,11 @@ impl Targets<'_> {
                 Some(&TWICE) => text!("the target of this jump exists more than once"),
                 Some(&to) if below && to as usize <= *from => text!("a forward jump whose label is only above it"),
                 Some(&to) => {
-                    match &mut script.blocks[*from].what {
-                        What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _) => {
+                    match &mut script.blocks[*from].kind {
+                        BlockKind::Jump(target)
+                        | BlockKind::JumpIf(_, target)
+                        | BlockKind::JumpUnless(_, target)
+                        | BlockKind::Call(target, _) => {
                             *target = to as usize;
                         }
                         _ => {}

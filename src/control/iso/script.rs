@@ -107,12 +107,12 @@ pub enum Part {
 pub struct Block {
     /// 0-based line.
     pub line: usize,
-    pub what: What,
+    pub kind: BlockKind,
 }
 
 /// What a block says. Targets are places in [`Script::blocks`].
 #[derive(Clone, Debug, PartialEq)]
-pub enum What {
+pub enum BlockKind {
     /// Nothing that matters here: a label, a declaration, a wait.
     Nothing,
     /// Modes, and a motion where it has axis words.
@@ -359,11 +359,14 @@ impl<'t> Script<'t> {
     }
 
     /// Puts blocks in before the one at `at`; whatever jumps there comes to them first.
-    pub fn insert(&mut self, at: usize, line: usize, blocks: Vec<What>) {
+    pub fn insert(&mut self, at: usize, line: usize, blocks: Vec<BlockKind>) {
         let more = blocks.len();
         for block in &mut self.blocks {
-            match &mut block.what {
-                What::Jump(target) | What::JumpIf(_, target) | What::JumpUnless(_, target) | What::Call(target, _)
+            match &mut block.kind {
+                BlockKind::Jump(target)
+                | BlockKind::JumpIf(_, target)
+                | BlockKind::JumpUnless(_, target)
+                | BlockKind::Call(target, _)
                     if *target > at =>
                 {
                     *target += more;
@@ -371,23 +374,23 @@ impl<'t> Script<'t> {
                 _ => {}
             }
         }
-        self.blocks.splice(at..at, blocks.into_iter().map(|what| Block { line, what }));
+        self.blocks.splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
     }
 
     /// The results go out where they stand at the end.
     pub fn give_results(&mut self) {
-        let end = self.blocks.iter().position(|block| block.what == What::End).unwrap_or(self.blocks.len());
+        let end = self.blocks.iter().position(|block| block.kind == BlockKind::End).unwrap_or(self.blocks.len());
         let line = self.blocks.get(end).map_or(0, |block| block.line);
         let results = std::mem::take(&mut self.results);
         let outputs =
-            results.into_iter().map(|(code, slot)| What::Output(code.to_owned(), self.keep(Node::Slot(slot)))).collect();
+            results.into_iter().map(|(code, slot)| BlockKind::Output(code.to_owned(), self.keep(Node::Slot(slot)))).collect();
         self.insert(end, line, outputs);
     }
 
     /// The variables whose values go out as results, each with its code.
     pub fn outputs(&self) -> impl Iterator<Item = (&str, Slot)> {
-        self.blocks.iter().filter_map(|block| match &block.what {
-            What::Output(code, value) => match self.node(*value) {
+        self.blocks.iter().filter_map(|block| match &block.kind {
+            BlockKind::Output(code, value) => match self.node(*value) {
                 Node::Slot(slot) => Some((code.as_str(), slot)),
                 _ => None,
             },
@@ -395,8 +398,8 @@ impl<'t> Script<'t> {
         })
     }
 
-    pub fn push(&mut self, line: usize, what: What) {
-        self.blocks.push(Block { line, what });
+    pub fn push(&mut self, line: usize, kind: BlockKind) {
+        self.blocks.push(Block { line, kind });
     }
 }
 

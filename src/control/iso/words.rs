@@ -2,7 +2,7 @@
 
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::parse::{Cursor, Grammar, Parsed, fault};
-use crate::control::iso::script::{Modes, Motion, NodeId, Script, What, Words};
+use crate::control::iso::script::{BlockKind, Modes, Motion, NodeId, Script, Words};
 use crate::text::text;
 
 /// The codes that every strict reader takes; no letters are allowed beside them.
@@ -42,10 +42,10 @@ struct Block {
 /// The letters whose values matter in a block without a motion.
 const VALUED: [u8; 3] = [b'L', b'P', b'R'];
 
-pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<What> {
+pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<BlockKind> {
     let mut block = Block::default();
     if cursor.is_done() {
-        return Ok(What::Nothing);
+        return Ok(BlockKind::Nothing);
     }
     while let Some(letter) = cursor.next() {
         let letter = letter.to_ascii_uppercase();
@@ -145,7 +145,7 @@ impl Block {
         self.values[VALUED.iter().position(|known| *known == letter)?]
     }
 
-    fn finish(mut self, script: &mut Script<'_>) -> Parsed<What> {
+    fn finish(mut self, script: &mut Script<'_>) -> Parsed<BlockKind> {
         if let Some(from) = self.extended {
             let number = self.value(b'P').and_then(|node| script.number(node));
             let number =
@@ -167,8 +167,8 @@ impl Block {
                 .filter(|n| (1..=999).contains(n))
                 .ok_or_else(|| text!("G10 without the number of a work offset"))?;
             return match whole(b'L') {
-                Some(20) if self.value(b'R').is_none() => Ok(What::Reading(number, self.words.to)),
-                Some(2) => Ok(What::Origin(number, self.words.to, self.value(b'R'))),
+                Some(20) if self.value(b'R').is_none() => Ok(BlockKind::Reading(number, self.words.to)),
+                Some(2) => Ok(BlockKind::Origin(number, self.words.to, self.value(b'R'))),
                 _ => fault(text!("G10 is understood with L2 and L20")),
             };
         }
@@ -176,12 +176,12 @@ impl Block {
             (true, None) => fault(text!("a block with axis words must name its motion")),
             (false, Some(_)) => fault(text!("a motion without axis words")),
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
-            (false, None) if self.ends => Ok(What::End),
-            (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(What::Halt),
-            (true, _) if self.halts => Ok(What::Elsewhere(self.words.to.map(|node| node.is_some()))),
+            (false, None) if self.ends => Ok(BlockKind::End),
+            (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(BlockKind::Halt),
+            (true, _) if self.halts => Ok(BlockKind::Elsewhere(self.words.to.map(|node| node.is_some()))),
             _ if self.halts => fault(text!("this code must be alone in its block")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
-            _ => Ok(What::Words(self.words)),
+            _ => Ok(BlockKind::Words(self.words)),
         }
     }
 }

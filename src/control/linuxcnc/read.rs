@@ -4,7 +4,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, after, trimmed};
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Node, NodeId, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, BlockKind, Node, NodeId, Part, Script, System, Trouble};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -95,7 +95,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
                 Some(number) => number <= 5000 || number == 5599,
                 None => name.starts_with(b"#<"),
             };
-            script.push(line, if own { What::Set(slot, value) } else { What::SetOther(slot, value) });
+            script.push(line, if own { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) });
             return Ok(());
         }
         let what = words::words(&mut cursor, &GRAMMAR, script)?;
@@ -146,7 +146,7 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
-        script.push(line, What::Output(code.to_owned(), value));
+        script.push(line, BlockKind::Output(code.to_owned(), value));
     } else if let Some((code, value)) =
         ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)).and_then(|rest| rest.split_once('='))
     {
@@ -155,10 +155,10 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         if let Ok(value) = cursor.operand(&GRAMMAR, script)
             && cursor.is_done()
         {
-            script.push(line, What::Output(code.to_owned(), value));
+            script.push(line, BlockKind::Output(code.to_owned(), value));
         }
     } else if after(text, "ABORT,").is_some() {
-        script.push(line, What::Alarm);
+        script.push(line, BlockKind::Alarm);
     }
     Ok(())
 }
@@ -180,12 +180,12 @@ fn o_word<'t>(
     match known.unwrap_or_default() {
         "sub" => {
             // The main program passes by.
-            script.push(line, What::Jump(0));
+            script.push(line, BlockKind::Jump(0));
             targets.known.push((label, here + 1));
             open.push(Open::Sub(label, here));
         }
         "endsub" => {
-            script.push(line, What::Return);
+            script.push(line, BlockKind::Return);
             match open.pop() {
                 Some(Open::Sub(own, begin)) if own == label => jump_to(script, begin, here + 1),
                 _ => return fault(text!("an endsub without its sub")),
@@ -193,16 +193,16 @@ fn o_word<'t>(
         }
         "call" => {
             let arguments = arguments(script, cursor)?;
-            script.push(line, What::Call(0, arguments));
+            script.push(line, BlockKind::Call(0, arguments));
             targets.wanted.push((here, label));
         }
         "if" => {
             let condition = cursor.bracketed(&GRAMMAR, script)?;
-            script.push(line, What::JumpUnless(condition, 0));
+            script.push(line, BlockKind::JumpUnless(condition, 0));
             open.push(Open::If(label, here, None));
         }
         "else" => {
-            script.push(line, What::Jump(0));
+            script.push(line, BlockKind::Jump(0));
             match open.last_mut() {
                 Some(Open::If(own, begin, middle @ None)) if *own == label => {
                     jump_to(script, *begin, here + 1);
@@ -212,7 +212,7 @@ fn o_word<'t>(
             }
         }
         "endif" => {
-            script.push(line, What::Nothing);
+            script.push(line, BlockKind::Nothing);
             match open.pop() {
                 Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
                 _ => return fault(text!("an endif without its if")),
@@ -236,7 +236,7 @@ fn arguments<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Vec
 }
 
 fn jump_to(script: &mut Script<'_>, from: usize, to: usize) {
-    if let What::Jump(target) | What::JumpUnless(_, target) = &mut script.blocks[from].what {
+    if let BlockKind::Jump(target) | BlockKind::JumpUnless(_, target) = &mut script.blocks[from].kind {
         *target = to;
     }
 }

@@ -4,7 +4,7 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, trimmed};
 use crate::control::iso::lines::{self, Targets};
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, Motion, Part, Script, System, Trouble, What};
+use crate::control::iso::script::{Ahead, BlockKind, Motion, Part, Script, System, Trouble};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
@@ -121,31 +121,31 @@ fn block<'t>(
             return fault(text!("this is not a label"));
         }
         targets.known.push((label.as_bytes(), here));
-        script.push(line, What::Nothing);
+        script.push(line, BlockKind::Nothing);
         return Ok(());
     }
     let mut cursor = Cursor::new(code);
     let what = if cursor.eat_name("STOPRE") {
-        What::Halt
+        BlockKind::Halt
     } else if cursor.eat_name("TRANS") {
-        What::Nothing
+        BlockKind::Nothing
     } else if cursor.eat("DEF INT ") {
         let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
         let slot = script.slot(name) as usize;
         declared.resize(declared.len().max(slot + 1), false);
         declared[slot] = true;
-        What::Nothing
+        BlockKind::Nothing
     } else if cursor.eat("SPOS=") {
         cursor.number()?;
-        What::Nothing
+        BlockKind::Nothing
     } else if cursor.eat("GOTOF ") {
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
-        What::Jump(0)
+        BlockKind::Jump(0)
     } else if cursor.eat("IF ") {
         let condition = cursor.value(&GRAMMAR, script)?;
         cursor.expect("GOTOF ")?;
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
-        What::JumpIf(condition, 0)
+        BlockKind::JumpIf(condition, 0)
     } else if cursor.eat("MEAS=1 ") {
         measured(script, &mut cursor)?
     } else if let Some((name, arguments)) =
@@ -156,7 +156,7 @@ fn block<'t>(
         assignment(script, code, &mut cursor, declared)?
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
-            What::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
+            BlockKind::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
                 return fault(text!("arcs are not understood"));
             }
             what => what,
@@ -168,18 +168,18 @@ fn block<'t>(
 }
 
 /// The words after `MEAS=1`.
-fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<What> {
+fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<BlockKind> {
     match words::words(cursor, &GRAMMAR, script)? {
-        What::Words(mut words) if words.motion == Some(Motion::Straight) => {
+        BlockKind::Words(mut words) if words.motion == Some(Motion::Straight) => {
             words.motion = Some(Motion::MayTouch);
-            Ok(What::Words(words))
+            Ok(BlockKind::Words(words))
         }
         _ => fault(text!("MEAS=1 belongs in a block with G1")),
     }
 }
 
 /// `R1=5`, `TP_MOVE=3`, `$P_UIFR[1,X,TR]=…`.
-fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>, declared: &[bool]) -> Parsed<What> {
+fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>, declared: &[bool]) -> Parsed<BlockKind> {
     let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
     if !cursor.eat("=") {
         return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
@@ -191,9 +191,9 @@ fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t
         None => {
             let slot = script.slot(name);
             let own = is_register(name) || declared.get(slot as usize).is_some_and(|own| *own);
-            Ok(if own { What::Set(slot, value) } else { What::SetOther(slot, value) })
+            Ok(if own { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) })
         }
-        Some(System::Offset(part)) => Ok(What::SetOffset(part, value)),
+        Some(System::Offset(part)) => Ok(BlockKind::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values must not be written")),
     }
 }
@@ -204,7 +204,7 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
     let what = match name {
         "MSG" => {
             message(&mut cursor, script)?;
-            What::Nothing
+            BlockKind::Nothing
         }
         // Into a file of the control: what went wrong with it, the file, a text.
         "WRITE" => {
@@ -215,19 +215,19 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
             }
             cursor.expect(",")?;
             message(&mut cursor, script)?;
-            What::Nothing
+            BlockKind::Nothing
         }
         // Alarms of other numbers may stop nothing.
         "SETAL" => {
             cursor.expect("65000")?;
-            What::Warned
+            BlockKind::Warned
         }
         "CYCLE977" => {
             let inner = arguments.strip_suffix(')').ok_or_else(|| text!("a bracket is not closed"))?;
             if inner.split(',').count() != 29 || inner.contains(['(', ')']) {
                 return fault(text!("this call is not known, or not with so many arguments"));
             }
-            script.push(line, What::Native);
+            script.push(line, BlockKind::Native);
             return Ok(());
         }
         _ => return fault(text!("this call is not known, or not with so many arguments")),

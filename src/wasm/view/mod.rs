@@ -67,12 +67,12 @@ enum Due {
 #[derive(Debug)]
 struct Shown {
     scene: Scene,
-    what: What,
+    content: Content,
 }
 
 /// What a scene is of.
 #[derive(Debug)]
-enum What {
+enum Content {
     Job(Box<Held>),
     Program(Rc<Toolpath>),
 }
@@ -390,9 +390,9 @@ impl View {
 
     /// The scene again, of what is shown.
     fn rebuild(&mut self) {
-        self.shown = self.shown.take().map(|shown| match shown.what {
-            What::Job(held) => self.build(held.last),
-            What::Program(path) => self.of_program(path),
+        self.shown = self.shown.take().map(|shown| match shown.content {
+            Content::Job(held) => self.build(held.last),
+            Content::Program(path) => self.of_program(path),
         });
     }
 
@@ -407,20 +407,20 @@ impl View {
         }
         scene.name(&names);
         let plane = last.planned.job.setup.plane;
-        Shown { scene, what: What::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
+        Shown { scene, content: Content::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
     }
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
         let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane, scale };
-        Shown { scene: program::scene(&moves, self.projection), what: What::Program(path) }
+        Shown { scene: program::scene(&moves, self.projection), content: Content::Program(path) }
     }
 
     /// The job that is shown, where it is one.
     fn held(&self) -> Option<&Held> {
-        match &self.shown.as_ref()?.what {
-            What::Job(held) => Some(held),
-            What::Program(_) => None,
+        match &self.shown.as_ref()?.content {
+            Content::Job(held) => Some(held),
+            Content::Program(_) => None,
         }
     }
 

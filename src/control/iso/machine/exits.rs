@@ -1,7 +1,7 @@
 //! Where a program goes where a probing move, or the probe itself, does not do as on the path: to an exit, or on.
 
 use super::{Flow, Machine, Run, State};
-use crate::control::iso::script::{Motion, Script, Trouble, What};
+use crate::control::iso::script::{BlockKind, Motion, Script, Trouble};
 use crate::control::trace::{Ending, Place};
 
 /// The most blocks that are followed after a probing move that went the other way: an exit is short.
@@ -58,7 +58,7 @@ impl Machine<'_, '_> {
         for _ in 0..most_blocks {
             let Some(block) = self.script.blocks.get(self.state.pc) else { break };
             let line = block.line;
-            if let What::Set(_, value) = block.what {
+            if let BlockKind::Set(_, value) = block.kind {
                 computed += usize::from(self.script.number(value).is_none());
             }
             let flow = match self.step() {

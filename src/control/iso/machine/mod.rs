@@ -9,7 +9,7 @@ pub use tail::{Tail, restarted};
 
 use std::cell::Cell;
 
-use crate::control::iso::script::{Ahead, Block, Modes, Motion, NodeId, Part, Script, Slot, Trouble, What, Words};
+use crate::control::iso::script::{Ahead, Block, BlockKind, Modes, Motion, NodeId, Part, Script, Slot, Trouble, Words};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace};
 use crate::geom::Plane;
 use crate::text::{Text, text};
@@ -165,17 +165,17 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     // The alarm after which the other way was gone.
     let mut implausible: Option<usize> = None;
     while let Some(block) = script.blocks.get(machine.state.pc) {
-        if matches!(block.what, What::Words(_)) {
+        if matches!(block.kind, BlockKind::Words(_)) {
             machine.spend(MOTION + script.slots / 8);
         }
         let (line, at) = (machine.line(block.line), machine.state.pc);
         let flow = machine.step()?;
-        match &block.what {
-            What::Set(slot, _) if marks.contains(slot) => {
+        match &block.kind {
+            BlockKind::Set(slot, _) if marks.contains(slot) => {
                 machine.spend(1 + script.slots / 8);
                 tail.keep(&machine.state);
             }
-            What::JumpIf(_, target) | What::JumpUnless(_, target) => {
+            BlockKind::JumpIf(_, target) | BlockKind::JumpUnless(_, target) => {
                 machine.spend(1 + script.slots / 8);
                 fork.opens(&machine.state, if machine.state.pc == at + 1 { *target } else { at + 1 });
             }
@@ -221,9 +221,9 @@ fn stops() -> Text {
     text!("the program stops here with an alarm though nothing is wrong")
 }
 
-fn not_in_a_proof(what: &What) -> Text {
-    match what {
-        What::SetOther(..) => text!("the control's own values must not be written"),
+fn not_in_a_proof(kind: &BlockKind) -> Text {
+    match kind {
+        BlockKind::SetOther(..) => text!("the control's own values must not be written"),
         _ => text!("this goes to a place of the machine's own system"),
     }
 }
@@ -251,8 +251,8 @@ impl<'s, 't> Machine<'s, 't> {
             deflected: run.deflected,
             ..State::default()
         };
-        let units = script.blocks.iter().find_map(|block| match &block.what {
-            What::Words(words) => words.modes.metric,
+        let units = script.blocks.iter().find_map(|block| match &block.kind {
+            BlockKind::Words(words) => words.modes.metric,
             _ => None,
         });
         Machine {
@@ -362,10 +362,10 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// What a block does, whether or not it may here.
     fn carry_out(&mut self, block: &'s Block) -> Result<Flow<'s>, Trouble> {
-        match &block.what {
-            What::Nothing => {}
-            What::Halt => self.state.ahead = false,
-            What::Words(words) => {
+        match &block.kind {
+            BlockKind::Nothing => {}
+            BlockKind::Halt => self.state.ahead = false,
+            BlockKind::Words(words) => {
                 self.state.modes = self.state.modes.then(words.modes);
                 if words.modes.spindle == Some(true) {
                     self.spun.get_or_insert(block.line);
@@ -374,15 +374,15 @@ impl<'s, 't> Machine<'s, 't> {
                     return Ok(Flow::Moved(words, motion));
                 }
             }
-            What::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::SetOther(..) | What::Elsewhere(_) if self.run.strict => {
-                return Err(self.refuse(block.line, not_in_a_proof(&block.what)));
+            BlockKind::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            BlockKind::SetOther(..) | BlockKind::Elsewhere(_) if self.run.strict => {
+                return Err(self.refuse(block.line, not_in_a_proof(&block.kind)));
             }
-            What::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
-            What::Elsewhere(axes) => {
+            BlockKind::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            BlockKind::Elsewhere(axes) => {
                 (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
             }
-            What::SetOffset(part, node) => {
+            BlockKind::SetOffset(part, node) => {
                 let value = self.value(*node);
                 self.set_part(*part, value);
                 return Ok(match part {
@@ -390,33 +390,33 @@ impl<'s, 't> Machine<'s, 't> {
                     Part::Turn(number, _) => Flow::Wrote(*number, [false; 3], true),
                 });
             }
-            What::Jump(target) => self.state.pc = *target,
-            What::JumpIf(node, target) => {
+            BlockKind::Jump(target) => self.state.pc = *target,
+            BlockKind::JumpIf(node, target) => {
                 if self.holds(*node, block.line)? {
                     self.state.pc = *target;
                 }
             }
-            What::JumpUnless(node, target) => {
+            BlockKind::JumpUnless(node, target) => {
                 if !self.holds(*node, block.line)? {
                     self.state.pc = *target;
                 }
             }
-            What::Call(target, arguments) => self.call(block.line, *target, arguments)?,
-            What::Return => self.give_back(block.line)?,
-            What::Output(code, node) => return Ok(Flow::Output(code, self.value(*node))),
-            What::Reading(number, axes) => {
+            BlockKind::Call(target, arguments) => self.call(block.line, *target, arguments)?,
+            BlockKind::Return => self.give_back(block.line)?,
+            BlockKind::Output(code, node) => return Ok(Flow::Output(code, self.value(*node))),
+            BlockKind::Reading(number, axes) => {
                 self.state.reading = Some(axes.map(|node| node.map(|node| self.value(node))));
                 return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), false));
             }
-            What::Origin(number, axes, turn) => {
+            BlockKind::Origin(number, axes, turn) => {
                 self.set_origin(*number, axes, *turn);
                 return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), turn.is_some()));
             }
-            What::Alarm => return Ok(Flow::Alarm),
-            What::Warned => self.state.warned = true,
-            What::Native => return Ok(Flow::Native),
-            What::End if self.state.warned => return Ok(Flow::Alarm),
-            What::End => return Ok(Flow::End),
+            BlockKind::Alarm => return Ok(Flow::Alarm),
+            BlockKind::Warned => self.state.warned = true,
+            BlockKind::Native => return Ok(Flow::Native),
+            BlockKind::End if self.state.warned => return Ok(Flow::Alarm),
+            BlockKind::End => return Ok(Flow::End),
         }
         Ok(Flow::Next)
     }

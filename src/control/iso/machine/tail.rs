@@ -1,7 +1,7 @@
 //! What comes after the motions: the end of a program with other results than were measured, and a program that is started in its middle.
 
 use super::{Flow, Machine, Run, State};
-use crate::control::iso::script::{Motion, Script, Slot, What};
+use crate::control::iso::script::{BlockKind, Motion, Script, Slot};
 use crate::control::trace::{Place, Trace};
 
 /// A program at the place where its results have their values, and what its variables hold at its end.
@@ -99,7 +99,7 @@ impl Machine<'_, '_> {
             let line = machine.line(own.line);
             let flow = machine.step();
             // A variable that nothing has set is an error where the control does not keep them.
-            if let What::Set(slot, _) = own.what
+            if let BlockKind::Set(slot, _) = own.kind
                 && script.vacant.is_none()
                 && machine.state.slots[slot as usize].is_nan()
             {
