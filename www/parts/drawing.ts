@@ -101,7 +101,7 @@ export class Drawing {
   /** Draws what has changed since the last frame. */
   private paint(): void {
     this.rest();
-    if (this.view) this.with((view) => view.paint());
+    if (this.view) this.with((view) => view.render());
   }
 
   /** No frame is waited for. */
@@ -123,7 +123,7 @@ export class Drawing {
     this.view = new PageView(this.canvas);
     if (this.over) {
       this.view.setOverlay(this.over);
-      this.view.gather();
+      this.view.defer();
     }
     this.fit(this.view);
     this.show(this.view);

@@ -180,7 +180,7 @@ class PicturePart extends DrawnPart {
   /** Turns to where the dimension of a field is seen. */
   private face(path: string | null): void {
     this.turnedFor = path;
-    const look = path === null ? undefined : this.drawing?.use((view) => view.lookFor(path));
+    const look = path === null ? undefined : this.drawing?.use((view) => view.viewOf(path));
     if (look && look !== this.look && this.look !== "isometric") this.turn(look as (typeof VIEWS)[number]);
   }
 
@@ -262,7 +262,7 @@ class PicturePart extends DrawnPart {
       const [x, y] = (handle && view.handleSpot(handle)) || [];
       if (handle && x !== undefined && y !== undefined) this.grip = { handle, x: at.x - x, y: at.y - y };
       else this.end = this.store.readonly ? null : this.gripped(view, at);
-      if (this.grip || this.end) view.hold(true);
+      if (this.grip || this.end) view.pin(true);
       view.focus(this.lit);
     });
     // Messages that come and go must not move the canvas under the pointer.
@@ -286,7 +286,7 @@ class PicturePart extends DrawnPart {
     this.store.settle();
     this.frame().style.cssText = "";
     this.drawing?.use((view) => {
-      view.hold(false);
+      view.pin(false);
       view.focus(this.lit);
     });
   }

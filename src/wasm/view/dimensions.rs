@@ -19,8 +19,8 @@ use crate::wasm::Last;
 impl View {
     /// The view that shows a field's dimension in true length, or the position, height or turn that it gives: the present view where that does;
     /// nothing for any other field.
-    #[wasm_bindgen(js_name = lookFor)]
-    pub fn look_for(&self, field: &str) -> Option<String> {
+    #[wasm_bindgen(js_name = viewOf)]
+    pub fn view_of(&self, field: &str) -> Option<String> {
         let planned = &self.held()?.last.planned;
         let names = ["top", "front", "side"];
         let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));

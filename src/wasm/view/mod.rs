@@ -50,7 +50,7 @@ pub struct View {
     held: bool,
     /// The end of a dimension's line that is dragged.
     end: Option<dimensions::End>,
-    /// What `paint` draws; none where every change is drawn at once.
+    /// What `render` draws; none where every change is drawn at once.
     due: Option<Cell<Due>>,
 }
 
@@ -135,13 +135,13 @@ impl View {
         self.painter.still = true;
     }
 
-    /// From here on changes are drawn by `paint`, all at once, and not one by one.
-    pub fn gather(&mut self) {
+    /// From here on changes are drawn by `render`, all at once, and not one by one.
+    pub fn defer(&mut self) {
         self.due.get_or_insert_default();
     }
 
     /// Draws what has changed since the last time.
-    pub fn paint(&self) {
+    pub fn render(&self) {
         match self.due.as_ref().map_or(Due::Nothing, |due| due.replace(Due::Nothing)) {
             Due::Nothing => {}
             Due::Lit => self.paint_lit(),
@@ -266,9 +266,9 @@ impl View {
         self.moved = false;
     }
 
-    /// While held, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
+    /// While pinned, neither another job nor another size of the canvas moves the picture: a dragged handle stays under the
     /// pointer. Let go, it is not fitted again until the next job or size.
-    pub fn hold(&mut self, on: bool) {
+    pub fn pin(&mut self, on: bool) {
         self.held = on;
     }
 
