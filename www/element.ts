@@ -157,7 +157,7 @@ export class TouchPath extends Base {
     } else if (name === "lang") this.app?.reword();
     else {
       if (isWordy(name)) this.word(name, value);
-      this.dress();
+      this.applyOptions();
     }
   }
 
@@ -285,7 +285,7 @@ export class TouchPath extends Base {
   }
 
   formDisabledCallback(): void {
-    this.dress();
+    this.applyOptions();
   }
 
   /** The browser puts back what a form held before the page was left. */
@@ -339,7 +339,7 @@ export class TouchPath extends Base {
       // The words are there before anything is shown; where they do not come, English is shown until they do.
       await Promise.race([app.reword(), new Promise((done) => setTimeout(done, 3000))]);
       this.app = app;
-      this.dress();
+      this.applyOptions();
       this.shadow.replaceChildren(app);
       this.follow(store, app);
       // One that was taken out meanwhile is drawn when it is put in again.
@@ -424,12 +424,12 @@ export class TouchPath extends Base {
   }
 
   /** What is shown, and how. */
-  private dress(): void {
+  private applyOptions(): void {
     const { app, store } = this;
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
     const words = this.panels.split(/\s+/);
-    app.dress(
+    app.applyOptions(
       this.theme,
       PANEL_NAMES.filter((name) => words.includes(name)),
     );

@@ -165,7 +165,7 @@ export class App extends LitElement {
   }
 
   /** What is shown, and in which colours. */
-  dress(theme: Theme, panels: PanelName[]): void {
+  applyOptions(theme: Theme, panels: PanelName[]): void {
     this.theme = theme;
     this.wanted = panels;
     this.recolour();

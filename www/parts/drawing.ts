@@ -36,7 +36,7 @@ export class Drawing {
     canvas.addEventListener("contextrestored", this.restored);
   }
 
-  private readonly restored = () => this.dress();
+  private readonly restored = () => this.restyle();
 
   /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
   use<T>(work: (view: PageView) => T): T {
@@ -45,7 +45,7 @@ export class Drawing {
   }
 
   /** The canvas' size and the page's colours, as the style sheet has them now. A canvas of another size is empty: it is drawn at once. */
-  dress(): void {
+  restyle(): void {
     this.with((view) => this.fit(view));
     this.paint();
   }

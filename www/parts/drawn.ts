@@ -6,16 +6,16 @@ import { Part } from "./part.js";
 /** A part with a canvas, and what that needs while the part is there. */
 export abstract class CanvasPart extends Part {
   protected drawing?: Drawing;
-  protected readonly observer = new ResizeObserver(() => this.dress());
+  protected readonly observer = new ResizeObserver(() => this.restyle());
 
   /** The canvas has another size, or the page other colours. */
-  protected dress = (): void => {
-    this.drawing?.dress();
+  protected restyle = (): void => {
+    this.drawing?.restyle();
   };
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.store.addEventListener("recolour", this.dress);
+    this.store.addEventListener("recolour", this.restyle);
     // Moved to another place of the page, it has lost its drawing.
     this.requestUpdate();
   }
@@ -23,7 +23,7 @@ export abstract class CanvasPart extends Part {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.observer.disconnect();
-    this.store.removeEventListener("recolour", this.dress);
+    this.store.removeEventListener("recolour", this.restyle);
     this.drawing?.free();
     this.drawing = undefined;
   }

@@ -149,7 +149,7 @@ class GalleryPart extends Part {
       if (!canvas) continue;
       const drawing = this.drawings.get(type) ?? new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
       this.drawings.set(type, drawing);
-      drawing.dress();
+      drawing.restyle();
     }
   };
 }

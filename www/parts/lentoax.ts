@@ -62,7 +62,7 @@ class LentoaxPart extends CanvasPart {
   }
 
   protected override updated(): void {
-    this.dress();
+    this.restyle();
   }
 
   override render(): TemplateResult {
@@ -277,7 +277,7 @@ class LentoaxPart extends CanvasPart {
     this.requestUpdate();
   }
 
-  protected override dress = (): void => {
+  protected override restyle = (): void => {
     const canvas = this.querySelector("canvas");
     if (!canvas || !this.isConnected) return;
     if (!this.drawing) {
@@ -285,7 +285,7 @@ class LentoaxPart extends CanvasPart {
       this.observer.observe(canvas);
     }
     if (canvas.clientWidth === 0) return;
-    this.drawing.dress();
+    this.drawing.restyle();
     this.drawing.use((view) => view.showLentoax(this.query));
   };
 

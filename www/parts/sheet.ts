@@ -122,7 +122,7 @@ class SheetPart extends Part {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.store.removeEventListener("recolour", this.dress);
+    this.store.removeEventListener("recolour", this.restyle);
     this.drawing?.free();
     this.drawing = undefined;
     this.drawn = { form: "" };
@@ -130,7 +130,7 @@ class SheetPart extends Part {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.store.addEventListener("recolour", this.dress);
+    this.store.addEventListener("recolour", this.restyle);
     // Moved to another place of the page, it has lost its drawing.
     this.requestUpdate();
   }
@@ -141,7 +141,7 @@ class SheetPart extends Part {
     view.show(this.store.shown);
   }
 
-  private readonly dress = () => this.drawing?.dress();
+  private readonly restyle = () => this.drawing?.restyle();
 
   protected override updated(): void {
     const canvas = this.querySelector("canvas");
@@ -153,7 +153,7 @@ class SheetPart extends Part {
       this.drawing = new Drawing(canvas, (view) => this.show(view));
     } else if (this.drawn.form !== form) this.drawing?.use((view) => this.show(view));
     this.drawn = { canvas, form };
-    this.drawing?.dress();
+    this.drawing?.restyle();
     const { text } = this.store.plan.program;
     if (this.hash.of !== text) this.sum(text);
   }
