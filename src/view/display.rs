@@ -4,7 +4,7 @@
 use crate::geom::Vec2;
 use crate::view::camera::Camera;
 use crate::view::scene::Scene;
-use crate::view::scene::tops::{Face, together};
+use crate::view::scene::top_faces::{Face, together};
 use crate::view::walls::WallShape;
 
 /// What is drawn in one.

@@ -138,7 +138,7 @@ fn every_form_of_an_import_is_read() {
     assert_eq!(found("path/mod.rs", "use crate::{geom::Vec3, job as j};"), ["geom", "job", ""]);
     assert_eq!(found("cycle/ency/mod.rs", "use super::super::control::POSTS;"), ["control"]);
     assert_eq!(found("path/mod.rs", "use super::cycle;"), ["cycle"]);
-    assert_eq!(found("cycle/ency/picks.rs", "use super::{Pick, words};"), ["cycle"]);
+    assert_eq!(found("cycle/ency/picked_touches.rs", "use super::{Pick, words};"), ["cycle"]);
     assert_eq!(found("part/mod.rs", "fn f() { use crate::view; }"), ["view"]);
     assert_eq!(found("part/mod.rs", "fn f() { crate::view::draw(); }"), ["view"]);
     assert_eq!(found("part/mod.rs", "mod tests { use super::*; use crate::wasm::x; }"), ["*", "wasm"]);

@@ -15,14 +15,14 @@ import "./help.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
 import { dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
-import { Outlet } from "./outlet.js";
+import { Export } from "./export.js";
 import { Part } from "./part.js";
 import type { PastePart } from "./paste.js";
 import "./paste.js";
 import type { PicturePart } from "./picture.js";
 import "./picture.js";
-import type { ProgramPart } from "./program.js";
-import "./program.js";
+import type { ProgramPart } from "./program-panel.js";
+import "./program-panel.js";
 import { Refocus } from "./refocus.js";
 import "./results.js";
 import "./table.js";
@@ -105,7 +105,7 @@ export class App extends LitElement {
   private readonly observer = new ResizeObserver(() => this.measure());
   private readonly language: Language;
   private readonly intake: Intake;
-  private readonly outlet: Outlet;
+  private readonly outlet: Export;
   /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
   private readonly there = new Set<string>();
 
@@ -141,7 +141,7 @@ export class App extends LitElement {
         return detail.reading;
       },
     });
-    this.outlet = new Outlet(store, {
+    this.outlet = new Export(store, {
       tell: (said) => this.tell(said, true),
       show: (link) => this.tell([link], true, false),
       saved: (name, other) => {

@@ -5,8 +5,8 @@ import { AXES_OF } from "../sentences.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
-import { CanvasPart } from "./drawn.js";
-import { copied, copy } from "./hand.js";
+import { CanvasPart } from "./canvas-part.js";
+import { copied, copy } from "./download.js";
 
 const GROUPS: [string, number][] = [
   [w("Milling tools (100 to 199)"), 120],

@@ -3,7 +3,7 @@ import type { PageView, Plan, Vec3 } from "../core/browser.js";
 import { tidy } from "../number.js";
 import { deviations, rateOf } from "../sentences.js";
 import { Drawing, label, type VIEWS } from "./drawing.js";
-import { DrawnPart } from "./drawn.js";
+import { DrawnPart } from "./canvas-part.js";
 import { nominal } from "./findings.js";
 import { kind } from "./legend.js";
 import { Timeline } from "./timeline.js";

@@ -2,7 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { JobError } from "../core/browser.js";
 import { added, keepPresets, MOST, type Preset, presets, read, written } from "../presets.js";
 import { w } from "../words.js";
-import { download } from "./hand.js";
+import { download } from "./download.js";
 import { Part } from "./part.js";
 
 /** What of a preset can be taken by itself, and the sections that it is. */

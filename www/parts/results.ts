@@ -11,7 +11,7 @@ import {
 } from "../core/browser.js";
 import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
-import { copied, copy } from "./hand.js";
+import { copied, copy } from "./download.js";
 import { Part } from "./part.js";
 
 /** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */

@@ -9,7 +9,7 @@ import {
   type Said,
 } from "../core/browser.js";
 import { w } from "../words.js";
-import { copied, copy, download, withheld } from "./hand.js";
+import { copied, copy, download, withheld } from "./download.js";
 import { Part } from "./part.js";
 
 /** Rows that have no code of a table: those of a control's own cycle. */

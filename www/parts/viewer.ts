@@ -3,11 +3,11 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Finding, ProgramMoves, Said } from "../core/browser.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
-import { DrawnPart } from "./drawn.js";
+import { DrawnPart } from "./canvas-part.js";
 import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
-import { Listing } from "./listing.js";
+import { ProgramList } from "./program-list.js";
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
@@ -18,7 +18,7 @@ class ViewerPart extends DrawnPart {
   private drawn?: object;
   private pointed: number | null = null;
   private grip: { x: number; y: number } | null = null;
-  private listing?: Listing;
+  private listing?: ProgramList;
   private readonly finder = new Finder(
     () => this.store,
     () => this.viewed.text,
@@ -76,7 +76,7 @@ class ViewerPart extends DrawnPart {
     if (!this.listing) {
       const box = this.querySelector<HTMLElement>(".listing") as HTMLElement;
       const point = (line: number | null) => this.point(line === null ? null : (this.moveAt.get(line) ?? null));
-      this.listing = new Listing(box, () => this.t("The program"), point);
+      this.listing = new ProgramList(box, () => this.t("The program"), point);
     }
     if (this.drawn !== this.viewed) {
       this.listing.show(text, (line) => {

@@ -7,7 +7,7 @@
 mod custom;
 pub mod field;
 mod forms;
-mod picks;
+mod picked_touches;
 mod shape;
 mod table;
 pub mod types;
@@ -16,7 +16,7 @@ pub mod words;
 pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use forms::{PairProtected, RectangleProtected, RoundProtected};
-pub use picks::{LONGEST_VECTOR, POINT, Pick, Placement};
+pub use picked_touches::{LONGEST_VECTOR, POINT, Pick, Placement};
 pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, Variant};
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};
@@ -111,7 +111,7 @@ pub fn read(
 ) -> Box<dyn Cycle> {
     let form = dimensions(section);
     let properties = section.sub(&PROPERTIES, Properties::read);
-    let picks = if def.place.is_some() { picks::read(section) } else { None };
+    let picks = if def.place.is_some() { picked_touches::read(section) } else { None };
     let custom = custom::read(section);
     Box::new(Ency { def, name, form, properties, picks, custom, actual: None })
 }

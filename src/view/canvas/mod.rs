@@ -1,8 +1,8 @@
 //! Draws a scene on a browser's canvas: the only module that names `web_sys`.
 
-mod around;
-mod long;
+mod long_program;
 mod strokes;
+mod surroundings;
 mod theme;
 
 use std::cell::Cell;
@@ -106,7 +106,7 @@ pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
 
 /// Whether a scene has so many lines that it is drawn in few strokes, and feeds without dashes.
 pub fn is_long(scene: &Scene) -> bool {
-    scene.lines.len() > long::LONG
+    scene.lines.len() > long_program::LONG
 }
 
 /// Whether a run comes to a line: not behind a collision.

@@ -4,7 +4,7 @@ use crate::geom::{Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
 use crate::view::material::material;
-use crate::view::scene::tops::{Backs, breaks, topped, tops};
+use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
 use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles};
 use crate::view::walls::{WallShape, shape, strips};
 

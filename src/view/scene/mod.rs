@@ -3,7 +3,7 @@
 mod build;
 pub mod program;
 pub mod stylus;
-pub mod tops;
+pub mod top_faces;
 
 pub use build::{Actual, build};
 
@@ -11,7 +11,7 @@ use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::path::Path;
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 use crate::view::material::Material;
-use crate::view::scene::tops::Top;
+use crate::view::scene::top_faces::Top;
 use crate::view::walls::WallShape;
 
 /// Where the scene is looked at from.

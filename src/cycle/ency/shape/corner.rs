@@ -4,7 +4,7 @@
 //! an internal corner, in the material of an external one. Picked touches may name the walls the other way round: then all is
 //! mirrored at the u axis.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, flat, lift, touch_count_rule};
 use crate::form::Checker;
 use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
@@ -128,7 +128,7 @@ pub fn sides_rule(internal: bool, firsts: &[(usize, Pick)], checker: &mut Checke
             if internal { front <= 0.0 } else { front >= 0.0 }
         });
         if wrong {
-            picks::turned_inwards(*k, internal, checker);
+            picked_touches::turned_inwards(*k, internal, checker);
         }
     }
 }
@@ -219,12 +219,12 @@ impl Probed for Corner {
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
-        if !picks::counted(picks, self.counts[0] + self.counts[1], checker) {
+        if !picked_touches::counted(picks, self.counts[0] + self.counts[1], checker) {
             return;
         }
         let all: Vec<usize> = (0..picks.len()).collect();
-        picks::levelled(picks, &all, plane, checker);
-        picks::one_level(picks, &all, plane, checker);
+        picked_touches::levelled(picks, &all, plane, checker);
+        picked_touches::one_level(picks, &all, plane, checker);
         let firsts = [0, self.counts[0]];
         for (k, pick) in picks.iter().enumerate() {
             let first = &picks[firsts[self.wall_of(k)]];
@@ -254,7 +254,7 @@ impl Probed for Corner {
         sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
         if self.internal && checker.is_clean(&["cycle.touches"]) {
             let reading = |i: usize| (firsts[i], picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i]);
-            picks::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
+            picked_touches::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
         }
     }
 

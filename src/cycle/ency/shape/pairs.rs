@@ -1,6 +1,6 @@
 //! Opposite walls: rectangles, webs, grooves.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
     Placed, Probed, Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, lift, protected,
 };
@@ -154,14 +154,14 @@ impl Probed for Pairs {
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
         let walls = self.walls();
-        if !picks::counted(picks, walls + usize::from(self.middle.is_some()), checker) {
+        if !picked_touches::counted(picks, walls + usize::from(self.middle.is_some()), checker) {
             return;
         }
         let sides: Vec<usize> = (0..walls).collect();
-        picks::levelled(picks, &sides, plane, checker);
-        picks::one_level(picks, &sides, plane, checker);
+        picked_touches::levelled(picks, &sides, plane, checker);
+        picked_touches::one_level(picks, &sides, plane, checker);
         if self.middle.is_some() {
-            picks::below_top(picks, &sides, walls, plane, checker);
+            picked_touches::below_top(picks, &sides, walls, plane, checker);
         }
         for (i, pair) in picks[..walls].chunks(2).enumerate() {
             let (first, second) = (2 * i, 2 * i + 1);
@@ -172,8 +172,8 @@ impl Probed for Pairs {
                 continue;
             }
             if (pair[0].point - pair[1].point).dot(pair[0].vector) * self.sign() <= 0.0 {
-                picks::turned_inwards(first, self.internal, checker);
-                picks::turned_inwards(second, self.internal, checker);
+                picked_touches::turned_inwards(first, self.internal, checker);
+                picked_touches::turned_inwards(second, self.internal, checker);
             }
         }
         if walls == 4 && picks[0].vector.dot(picks[2].vector).abs() > NEAR {
@@ -184,7 +184,7 @@ impl Probed for Pairs {
         }
         if !self.protected() && checker.is_clean(&["cycle.touches"]) {
             let origin = self.place(picks, plane).origin;
-            picks::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
+            picked_touches::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
         }
         if self.middle.is_some() && (picks[2].vector - plane.basis()[2]).length() > NEAR {
             let message = text!("The middle touch is on the top side: its target vector must be along the tool axis");
@@ -212,7 +212,7 @@ impl Probed for Pairs {
         if self.middle.is_some() {
             pairs.depth = (picks[2].point - picks[0].point).dot(up);
         }
-        let rotation = picks::heading(plane, outwards * self.directions()[0].0);
+        let rotation = picked_touches::heading(plane, outwards * self.directions()[0].0);
         Placed { origin, rotation, shape: Shape::Pairs(pairs) }
     }
 

@@ -1,6 +1,6 @@
 //! A single point on a surface.
 
-use crate::cycle::ency::picks::{self, Pick};
+use crate::cycle::ency::picked_touches::{self, Pick};
 use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, lift};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
@@ -44,15 +44,15 @@ impl Probed for Point {
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
-        if picks::counted(picks, 1, checker) {
-            picks::none_overhangs(picks, plane, checker);
+        if picked_touches::counted(picks, 1, checker) {
+            picked_touches::none_overhangs(picks, plane, checker);
         }
     }
 
     fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let vector = picks[0].vector;
         let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0).asin().to_degrees();
-        let rotation = if elevation > 89.999_999 { 0.0 } else { picks::heading(plane, vector) };
+        let rotation = if elevation > 89.999_999 { 0.0 } else { picked_touches::heading(plane, vector) };
         let shape = Shape::Point(Point { elevation: elevation.max(0.0), ..*self });
         Placed { origin: picks[0].point, rotation, shape }
     }

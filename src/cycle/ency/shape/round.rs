@@ -1,6 +1,6 @@
 //! Holes and bosses.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
     Placed, Probed, Seated, Shape, begin, clearance_rule, from_middle, level_rules, lift, protected,
 };
@@ -141,12 +141,12 @@ impl Probed for Circle {
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
-        if !picks::counted(picks, self.angles().len(), checker) {
+        if !picked_touches::counted(picks, self.angles().len(), checker) {
             return;
         }
         let all: Vec<usize> = (0..picks.len()).collect();
-        picks::levelled(picks, &all, plane, checker);
-        picks::one_level(picks, &all, plane, checker);
+        picked_touches::levelled(picks, &all, plane, checker);
+        picked_touches::one_level(picks, &all, plane, checker);
         if !checker.is_clean(&["cycle.touches"]) {
             return;
         }
@@ -169,7 +169,7 @@ impl Probed for Circle {
             let mut out = pick.point - center;
             out -= plane.basis()[2] * out.dot(plane.basis()[2]);
             if out.dot(pick.vector) * self.sign() <= 0.0 {
-                picks::turned_inwards(k, self.internal, checker);
+                picked_touches::turned_inwards(k, self.internal, checker);
                 continue;
             }
             let radius = self.radius(picks, center, plane);
@@ -181,7 +181,7 @@ impl Probed for Circle {
         }
         if self.clearance.is_none() && checker.is_clean(&["cycle.touches"]) {
             let up = plane.basis()[2];
-            picks::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
+            picked_touches::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
         }
     }
 
@@ -190,11 +190,11 @@ impl Probed for Circle {
         let center = self.center(picks, plane);
         let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
         let start = if let Variant::Angular { start, .. } = self.variant { start } else { 0.0 };
-        let rotation = crate::num::wrap_degrees(picks::heading(plane, picks[0].vector * self.sign()) - start);
+        let rotation = crate::num::wrap_degrees(picked_touches::heading(plane, picks[0].vector * self.sign()) - start);
         let mut circle = Circle { diameter: 2.0 * self.radius(picks, center, plane), ..*self };
         if let (Variant::Angular { step, .. }, [first, second, ..]) = (&mut circle.variant, picks) {
             // Of the angles that mean the same direction, the one the form means.
-            let turn = picks::heading(plane, second.vector) - picks::heading(plane, first.vector);
+            let turn = picked_touches::heading(plane, second.vector) - picked_touches::heading(plane, first.vector);
             *step += crate::num::wrap_degrees(turn - *step);
         }
         Placed { origin, rotation, shape: Shape::Circle(circle) }

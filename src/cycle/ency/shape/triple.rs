@@ -1,6 +1,6 @@
 //! Corners of three walls, each touched once: a plane each, in any direction of space.
 
-use crate::cycle::ency::picks::{self, NEAR, Pick};
+use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
 use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift};
 use crate::form::Checker;
@@ -135,7 +135,7 @@ impl Probed for Triple {
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
-        if !picks::counted(picks, 3, checker) {
+        if !picked_touches::counted(picks, 3, checker) {
             return;
         }
         if Self::meeting(picks).is_none() {
@@ -153,14 +153,14 @@ impl Probed for Triple {
         }
         let up = plane.basis()[2];
         if self.internal() {
-            picks::none_overhangs(picks, plane, checker);
+            picked_touches::none_overhangs(picks, plane, checker);
             let readings: Vec<(usize, Vec3)> =
                 (0..3).map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k])).collect();
-            picks::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
+            picked_touches::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
         } else {
-            picks::levelled(picks, &[0, 1], plane, checker);
-            picks::one_level(picks, &[0, 1], plane, checker);
-            picks::below_top(picks, &[0, 1], 2, plane, checker);
+            picked_touches::levelled(picks, &[0, 1], plane, checker);
+            picked_touches::one_level(picks, &[0, 1], plane, checker);
+            picked_touches::below_top(picks, &[0, 1], 2, plane, checker);
             if (picks[2].vector - up).length() > NEAR {
                 let message = text!("The third touch is on the top side: its target vector must be along the tool axis");
                 checker.error("vector-not-upwards", "cycle.touches[2].vector", message);

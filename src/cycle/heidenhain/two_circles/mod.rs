@@ -6,13 +6,13 @@
 
 mod form;
 mod formula;
-mod judge;
 mod planner;
+mod q_parameters;
 mod rules;
-mod settings;
+mod verdicts;
 
 use crate::cycle::heidenhain::two_circles::form::{EXTRUSION, Extrusion, Form, PROBE, Probe};
-use crate::cycle::heidenhain::two_circles::settings::rows;
+use crate::cycle::heidenhain::two_circles::q_parameters::rows;
 use crate::cycle::{Cycle, CycleDef};
 use crate::form::Checker;
 use crate::formula::{Formula, ResultRow};
@@ -360,7 +360,7 @@ impl Cycle for TwoCircles {
     }
 
     fn judge(&self, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
-        judge::judge(self, setup, path, triggers, rows);
+        verdicts::judge(self, setup, path, triggers, rows);
     }
 
     fn turned_error(&self, _code: &str) -> Option<&'static str> {

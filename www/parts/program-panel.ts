@@ -3,7 +3,7 @@ import { type Job, type Programmed, programs } from "../core/browser.js";
 import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
 import { Finder } from "./finder.js";
-import { copied, copy, withheld } from "./hand.js";
+import { copied, copy, withheld } from "./download.js";
 import { Part } from "./part.js";
 
 /** A run of lines under one heading. */

@@ -2,7 +2,7 @@ import { type Job, type Said, svg } from "../core/browser.js";
 import { toFragment } from "../share.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
-import { copy, download } from "./hand.js";
+import { copy, download } from "./download.js";
 import type { PicturePart } from "./picture.js";
 
 /** A program to be saved. */
@@ -28,7 +28,7 @@ interface Page {
 }
 
 /** What is handed out: the program, the job, its picture, a link to it. */
-export class Outlet {
+export class Export {
   constructor(
     private readonly store: Store,
     private readonly page: Page,

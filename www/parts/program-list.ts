@@ -1,11 +1,11 @@
 // The text of an opened program, line by line: it stands there plainly until its editor is loaded.
-import type { Editor } from "./editor.js";
+import type { Editor } from "./program-editor.js";
 import { type Found, type Kind, MARGIN, type Shown } from "./shown.js";
 
 const NONE: Found = { matches: new Set(), here: -1 };
 
 /** The text in its box. What changes within a frame is shown at once, in that frame. */
-export class Listing {
+export class ProgramList {
   private editor?: Editor;
   /** What stands there until the editor does. */
   private readonly plain = document.createElement("pre");
@@ -120,7 +120,7 @@ export class Listing {
 
   /** Where the editor cannot be loaded, the text stays as it is. */
   private async load(): Promise<void> {
-    const { Editor } = await import("./editor.js").catch(() => ({ Editor: null }));
+    const { Editor } = await import("./program-editor.js").catch(() => ({ Editor: null }));
     if (!Editor || this.freed || !this.box.isConnected) return;
     const focused = this.plain.matches(":focus");
     const first = this.plain.scrollTop > 0 && this.shown.sight < 0 ? this.first() : -1;
