@@ -3,7 +3,7 @@
 use crate::control::iso::lex::{after, next_line, without_count};
 use crate::control::{Header, Request, comment_char};
 use crate::form::Value;
-use crate::num::{count, push_in_full};
+use crate::num::{format_count, push_in_full};
 
 /// What begins a comment that says values of the job.
 pub const JOB_LINE: &str = "job ";
@@ -114,7 +114,7 @@ impl Words {
                 if items.is_empty() || (!nested && self.word.len() + JOB_LINE.len() <= self.width) {
                     return self.keep();
                 }
-                let each = |(i, inner): (usize, &Value)| self.within(&["[", &count(i), "]"], |words| words.push(inner));
+                let each = |(i, inner): (usize, &Value)| self.within(&["[", &format_count(i), "]"], |words| words.push(inner));
                 items.iter().enumerate().for_each(each);
             }
             value => {

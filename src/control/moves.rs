@@ -7,7 +7,7 @@ use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
 use crate::formula::{Datum, Formula, Question, Used};
 use crate::geom::Vec3;
-use crate::num::count;
+use crate::num::format_count;
 use crate::path::{Move, Path, Purpose, Touch};
 
 /// A move of the path, and its place in it.
@@ -162,7 +162,7 @@ fn latch(w: &mut Writer<'_>, path: &Path, hooks: &dyn Moves, (k, used): (usize, 
             (true, _) => w.parts(&[variable, "=", source, comment]),
             (false, false) => w.parts(&[variable, "=", open, variable, "+", source, close]),
             (false, true) => {
-                w.parts(&[variable, "=", open, left, variable, "+", source, right, "/", &count(sample.count), close]);
+                w.parts(&[variable, "=", open, left, variable, "+", source, right, "/", &format_count(sample.count), close]);
             }
         }
     }

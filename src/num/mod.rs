@@ -133,12 +133,12 @@ pub fn push_count(text: &mut String, number: usize) {
             text.push((b'0' + (number / 10) as u8) as char);
             text.push((b'0' + (number % 10) as u8) as char);
         }
-        _ => text.push_str(&count(number)),
+        _ => text.push_str(&format_count(number)),
     }
 }
 
 /// A whole number as text.
-pub fn count(number: usize) -> Digits {
+pub fn format_count(number: usize) -> Digits {
     Digits::of_whole(false, number as u64, 0)
 }
 

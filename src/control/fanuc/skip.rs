@@ -9,7 +9,7 @@ use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{Program, Report, Request, does, orientation_line};
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
-use crate::num::{Digits, count, decimal, push_count};
+use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, Touch};
 
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
@@ -267,7 +267,7 @@ impl Moves for Skip<'_> {
     }
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
-        w.parts(&["#149=", &count(step.index + 1)]);
+        w.parts(&["#149=", &format_count(step.index + 1)]);
         w.makes_move();
         each_piece(self.request, step, |from, to| {
             if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
@@ -281,7 +281,7 @@ impl Moves for Skip<'_> {
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
-        w.parts(&["#149=", &count(step.index + 1)]);
+        w.parts(&["#149=", &format_count(step.index + 1)]);
         // Before the touch: started after it, the program finds one too few.
         if self.request.corrects() {
             let count = variable(self.count());

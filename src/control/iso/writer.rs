@@ -2,7 +2,7 @@
 
 use crate::control::{CHORD_SAG, Program, Request, comment_text, header};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::num::{Digits, count};
+use crate::num::{Digits, format_count};
 use crate::path::{Arc, Feature, Move, ONE_LEVEL, Purpose, Surface, Touch};
 
 /// How a control's blocks are written, beyond what every word-address control shares.
@@ -104,7 +104,7 @@ impl<'a> Writer<'a> {
     /// One line, as it is written at the end of the program.
     pub fn build(&mut self, write: impl FnOnce(&mut String)) {
         if self.dialect.numbered {
-            self.text.push_str(&count(self.blocks));
+            self.text.push_str(&format_count(self.blocks));
             self.text.push(' ');
         }
         self.blocks += 1;

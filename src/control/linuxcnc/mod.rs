@@ -22,7 +22,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
-use crate::num::{Digits, count, decimal};
+use crate::num::{Digits, decimal, format_count};
 use crate::path::{Move, Purpose, STATED_RAPID, Touch};
 use crate::text::{text, words};
 
@@ -290,7 +290,7 @@ const FIRST_LABEL: usize = 4;
 impl Labels {
     fn take(&mut self) -> Digits {
         self.next += 1;
-        count(self.next - 1)
+        format_count(self.next - 1)
     }
 }
 
@@ -396,7 +396,7 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
         // On the way up a lift would push on against what was met.
         let free = if upwards(request, from, to) <= 0 { "1" } else { "0" };
         w.parts(&["o", &label, " if [#5070 NE 0]"]);
-        w.parts(&["o<tp_exit> call [", &count(place.index + 1), "] [", free, "]"]);
+        w.parts(&["o<tp_exit> call [", &format_count(place.index + 1), "] [", free, "]"]);
         w.parts(&["o", &label, " endif"]);
     });
 }

@@ -30,7 +30,7 @@ use crate::control::{
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::num::{count, decimal, push_count};
+use crate::num::{decimal, format_count, push_count};
 use crate::path::{Move, STATED_RAPID, Subject, Touch};
 use crate::text::text;
 
@@ -213,7 +213,7 @@ impl Moves for Sinumerik<'_> {
         names_move(w, step.index);
         self.ask_probe(w);
         // Before the touch: started after it, the program finds one too few.
-        if let Some(register) = self.count().map(count) {
+        if let Some(register) = self.count().map(format_count) {
             w.parts(&["R", &register, "=R", &register, "+1"]);
         }
         w.makes_move();
@@ -397,7 +397,7 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
 
 /// The number of the move that follows, for the messages of the exits.
 fn names_move(w: &mut Writer<'_>, index: usize) {
-    w.parts(&["TP_MOVE=", &count(index + 1)]);
+    w.parts(&["TP_MOVE=", &format_count(index + 1)]);
 }
 
 /// A positioning move, straight or in short straight pieces, each watched by the probe and checked; or as it is, where nothing is to be

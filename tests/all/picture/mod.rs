@@ -9,7 +9,7 @@ use touchpath::path::{Path, Surface};
 use touchpath::view::camera::Camera;
 use touchpath::view::dimension::{angles, dimensions};
 use touchpath::view::material::outlines;
-use touchpath::view::scene::tops::{Face, together};
+use touchpath::view::scene::top_faces::{Face, together};
 use touchpath::view::scene::{Line, Projection, Scene, Stroke};
 use touchpath::view::walls::WallShape;
 
