@@ -38,10 +38,9 @@ impl NumberField {
         (self.value.abs() * 0.01).max(least)
     }
 
-    /// What it becomes by a change, where a step of a tenth, ten, … is as fine as a pixel: a multiple of that step, within the field's range.
+    /// What it becomes by a change: a multiple of the largest power of ten that is finer than a pixel, within the field's range.
     pub fn changed(&self, change: f64, pixels_a_unit: f64) -> f64 {
-        let decimals = pixels_a_unit.log10().floor();
-        let step = 10f64.powf(-decimals);
+        let step = 10f64.powf((-pixels_a_unit.log10()).floor());
         let scale = match self.field.kind {
             Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => self.units.scale(),
             _ => 1.0,
@@ -81,8 +80,9 @@ mod tests {
         let web = job("mm", "30");
         let width = NumberField::of(&web, "cycle.width").unwrap();
         assert_eq!((width.value, width.little()), (30.0, 0.3));
-        assert_eq!(width.changed(1.26, 4.0), 31.0);
-        assert_eq!(width.changed(1.26, 40.0), 31.3);
+        assert_eq!(width.changed(1.26, 4.0), 31.3);
+        assert_eq!(width.changed(1.264, 40.0), 31.26);
+        assert_eq!(width.changed(7.0, 0.4), 37.0);
         assert_eq!(width.changed(-99.0, 40.0), 0.001);
         let inch = job("inch", "0.1");
         let width = NumberField::of(&inch, "cycle.width").unwrap();
