@@ -22,7 +22,8 @@ use crate::border::coded::decoded;
 use crate::border::packed;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
-use crate::import::{self, Imported, toolpath};
+use crate::import::toolpath::Known;
+use crate::import::{self, Imported, Toolpath, toolpath};
 use crate::job::{self, JobError, Planned};
 use crate::text::text;
 use crate::tool_length;
@@ -212,11 +213,45 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
         let message = text!("The dialect must be iso or sinumerik");
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
     }
-    // JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
-    let path = match std::str::from_utf8(text) {
-        Ok(text) => toolpath::read_program(text, known),
-        Err(_) => toolpath::read_program(&String::from_utf8_lossy(text), known),
+    columns(&toolpath::read_program(&utf8(text), known)).map(JsValue::from)
+}
+
+/// The same, run with what is known beside the text, an object as `runProgram` of the package has it.
+#[wasm_bindgen(js_name = runProgram)]
+pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Result<JsValue, JsValue> {
+    if length > toolpath::LONGEST_PROGRAM {
+        return Err(refused(toolpath::too_long(length)));
+    }
+    let value = decoded(codes, known);
+    let run = toolpath::run_program(&utf8(text), &Known::of(&value).map_err(refused)?);
+    let result = columns(&run)?;
+    set(&result, "file", &Uint32Array::from(run.file.as_slice()));
+    set(&result, "contacts", &Float64Array::from(run.contacts.concat().as_slice()));
+    let findings: Array = result_findings(&run)?;
+    set(&result, "findings", &findings);
+    set(&result, "asks", &to_js(&run.asks)?);
+    Ok(result.into())
+}
+
+/// JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
+fn utf8(text: &[u8]) -> std::borrow::Cow<'_, str> {
+    match std::str::from_utf8(text) {
+        Ok(text) => text.into(),
+        Err(_) => String::from_utf8_lossy(text),
+    }
+}
+
+/// The findings of a run, each with its lines.
+fn result_findings(run: &Toolpath) -> Result<Array, JsValue> {
+    let with_lines = |(finding, lines): (&Finding, &Vec<u32>)| {
+        let finding = to_js(finding)?;
+        set(&finding, "lines", &to_js(lines)?);
+        Ok(finding)
     };
+    run.findings.iter().zip(&run.finding_lines).map(with_lines).collect()
+}
+
+fn columns(path: &Toolpath) -> Result<Object, JsValue> {
     let columns = Object::new();
     set(&columns, "dialect", &JsValue::from_str(path.dialect));
     let units = path.metric.map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
@@ -228,7 +263,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     set(&columns, "line", &Uint32Array::from(path.line.as_slice()));
     set(&columns, "arcs", &Float64Array::from(path.arcs.concat().as_slice()));
     set(&columns, "findings", &to_js(&path.findings)?);
-    Ok(columns.into())
+    Ok(columns)
 }
 
 /// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.

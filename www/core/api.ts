@@ -15,7 +15,9 @@ import type {
   Measurement,
   MoveColumns,
   Plan,
+  ProgramKnown,
   ProgramMoves,
+  ProgramRun,
   Programmed,
   ProgramText,
   ResultRow,
@@ -128,13 +130,31 @@ export function importJob(text: string): Imported {
  * what they set themselves; what the control alone knows, and codes that are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
  */
 export function readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves {
+  const bytes = bytesOf(text);
+  const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, text.length, dialect));
+  return { ...moves, kinds: [...MOVE_KINDS] };
+}
+
+/**
+ * Runs any program with what is known beside its text: values of variables, where the stylus stands, what touches meet, the files of its subprograms. What
+ * stays unknown is `NaN`, never a guess: after a touch of which `part` says nothing, the place along its way. Throws `JobError` for a text that is too long, and for
+ * what is known where that is wrong.
+ */
+export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
+  const bytes = bytesOf(text);
+  const { codes, text: texts } = coded(known);
+  const run = instance.call<ProgramRun>(() => raw.runProgram(bytes, text.length, codes, texts));
+  return { ...run, kinds: [...MOVE_KINDS] };
+}
+
+const MOVE_KINDS = ["rapid", "feed", "probe"];
+
+/** A program as UTF-8; of one that is too long nothing. */
+function bytesOf(text: string): Uint8Array {
   if (typeof text !== "string") {
     throw new JobError(NO_TEXT, [{ level: "error", code: "wrong-type", path: "", message: NO_TEXT, said: [NO_TEXT] }]);
   }
-  const { length } = text;
-  const bytes = new TextEncoder().encode(length > 0 && fits(length, 1) ? text : "");
-  const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, length, dialect));
-  return { ...moves, kinds: ["rapid", "feed", "probe"] };
+  return new TextEncoder().encode(text.length > 0 && fits(text.length, 1) ? text : "");
 }
 
 /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */

@@ -36,6 +36,7 @@ export interface Raw {
   measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
+  runProgram(text: Uint8Array, length: number, codes: Float64Array, known: string): unknown;
   limits(): Uint32Array;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;

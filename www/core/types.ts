@@ -43,6 +43,32 @@ export interface ProgramMoves {
   findings: Finding[];
 }
 
+/** What is known of a program beside its text. */
+export interface ProgramKnown {
+  /** Without it, the text decides. */
+  dialect?: "iso" | "sinumerik";
+  /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. What the text itself sets counts from there on. */
+  set?: Record<string, number>;
+  /** Where the stylus stands before the first block, in the units that the program states first; `null` along an axis where that is not known. */
+  start?: [number | null, number | null, number | null];
+  /** What probing moves meet: the fraction of the way at which a touch, and a positioning move that is watched, meets something; `null`: nothing; left out: not known. */
+  part?: { at?: number | null; positioning?: number | null };
+  /** Texts with subprograms, by their names. */
+  files?: Record<string, string>;
+}
+
+/** A program's moves as it runs with what is known. A touch ends where its block says; `contacts` is where it met something, and the next move begins there. */
+export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
+  /** The text of each move, whose `line` counts in it: 0 is the program, others are `files` in their order, from 1. Empty where there are none. */
+  file: Uint32Array;
+  /** Four numbers a contact: the index of its move, and the place X, Y, Z. */
+  contacts: Float64Array;
+  /** What was ignored and what could not be known, each with all its 0-based lines. */
+  findings: (Finding & { lines: number[] })[];
+  /** What the program reads and nothing sets, with the lines that read it: what `set` is for. */
+  asks: { name: string; lines: number[] }[];
+}
+
 /** The outcome of one job among many. */
 export interface Programmed {
   /** Its program; `null` where it has none. */

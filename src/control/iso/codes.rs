@@ -119,7 +119,7 @@ fn common(tenths: i32) -> Option<Effect> {
         170 => Effect::Plane(Plane::G17),
         180 => Effect::Plane(Plane::G18),
         190 => Effect::Plane(Plane::G19),
-        382 => Effect::Motion(Motion::MustTouch),
+        382 | 384 => Effect::Motion(Motion::MustTouch),
         383..=389 => Effect::Motion(Motion::MayTouch),
         410 | 420 => Effect::Transform { own_axes: false },
         530 => Effect::Machine,

@@ -77,6 +77,8 @@ pub(super) struct Block {
     pub writes: bool,
     /// It changes the length of the tool.
     pub lengthens: bool,
+    /// It puts the tool of the last T into the spindle.
+    pub changes: bool,
     /// M70 to M73.
     pub keeps: Option<ModeChange>,
     /// The work offset that it selects, 1 = G54.
@@ -139,6 +141,7 @@ pub(super) const EMPTY: Block = Block {
     dwells: false,
     writes: false,
     lengthens: false,
+    changes: false,
     keeps: None,
     offset: None,
     counts: false,
@@ -171,7 +174,7 @@ impl Block {
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
-        (self.curve, self.counts) = (false, false);
+        (self.curve, self.counts, self.changes) = (false, false, false);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);

@@ -11,14 +11,16 @@ impl Reader {
     /// The path, with what was passed over as its findings.
     pub fn finish(mut self) -> Toolpath {
         let mut checker = Checker::default();
+        let mut lines = Vec::new();
         let mut say = |count: Count, code: &str, what: Text| {
-            if count.times > 0 {
+            if let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) {
                 let message = if count.times == 1 {
-                    text!("{what}: once, in line {line}", what, count.first + 1)
+                    text!("{what}: once, in line {line}", what, first)
                 } else {
-                    text!("{what}: {times} times, the first in line {line}", what, count.times, count.first + 1)
+                    text!("{what}: {times} times, the first in line {line}", what, count.times, first)
                 };
                 checker.warning(code, "", message);
+                lines.push(count.sorted());
             }
         };
         say(
@@ -61,11 +63,26 @@ impl Reader {
             "lines-optional",
             text!("Blocks with / are read: the control leaves them out where block skip is on"),
         );
+        say(self.aborted, "program-stops", text!("The program stops itself with a message"));
         say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
         say_units(self.late_units, &self.path, &mut checker);
         self.path.findings = checker.findings();
+        lines.resize_with(self.path.findings.len(), Vec::new);
+        if let (Some(line), Some(last)) = (self.late_units, lines.last_mut()) {
+            last.push(line as u32);
+        }
+        self.path.finding_lines = lines;
         self.path.plane = self.plane.unwrap_or_default();
         self.path
+    }
+}
+
+/// The number of a line, with its file where that is not the program's.
+fn numbered(files: &[(u32, String)], line: u32) -> String {
+    let file = files.partition_point(|(first, _)| *first <= line);
+    match file.checked_sub(1).map(|file| &files[file]) {
+        Some((first, name)) => format!("{} ({name})", line - first + 1),
+        None => (line + 1).to_string(),
     }
 }
 

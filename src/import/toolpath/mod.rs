@@ -10,9 +10,11 @@ mod findings;
 mod foreign;
 mod guess;
 mod heidenhain;
+mod known;
 mod macros;
 mod moves;
 mod reader;
+mod watch;
 mod words;
 
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
@@ -23,8 +25,10 @@ use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
 pub(super) use guess::guessed;
+pub use known::{Ask, Known, Trip};
 use macros::{Macros, Step};
-use reader::Reader;
+use reader::{Reader, Touching};
+use watch::probes;
 
 /// The longest program that is read, in UTF-16 units.
 pub use crate::job::LONGEST_PROGRAM;
@@ -61,14 +65,22 @@ pub struct Toolpath {
     pub kind: Vec<u8>,
     /// The feed of each move, units per minute; NaN for a rapid, or where none was stated.
     pub feed: Vec<f64>,
-    /// The 0-based line of each move.
+    /// The 0-based line of each move, in its own text.
     pub line: Vec<u32>,
+    /// The text of each move: 0 is the program, what is above it a file of subprograms, counted from 1. Empty where there are none.
+    pub file: Vec<u32>,
     /// The arcs: index of the move, centre, degrees counter-clockwise seen against the axis of their plane, and that plane: 17, 18 or 19.
     pub arcs: Vec<[f64; 6]>,
     /// The plane that the program chose first; arcs may be in another one.
     pub plane: Plane,
+    /// Where probing moves met something: index of the move, and the place. Of a run that is told where touches meet something.
+    pub contacts: Vec<[f64; 4]>,
     /// What was ignored, and where the path is not known.
     pub findings: Vec<Finding>,
+    /// The 0-based lines of each finding.
+    pub finding_lines: Vec<Vec<u32>>,
+    /// What the program reads and nothing sets.
+    pub asks: Vec<Ask>,
 }
 
 impl Toolpath {
@@ -92,16 +104,66 @@ impl Toolpath {
 pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let dialect = dialect.unwrap_or_else(|| guessed(text));
-    let reader = Reader::new(text, dialect);
-    let macros = if reader.sinumerik { None } else { Macros::of(text) };
-    let mut run = Run { text, reader, calls: Calls::new(text), macros };
+    run(text, text.len(), dialect, &[], Reader::new(text, dialect))
+}
+
+/// Runs a program with what is known beside its text: [`read_program`] with values of variables, a start, and what touches meet. After a touch of which that
+/// is not known, the place along its way is not known. Lines of other files count on from those of the text.
+pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let dialect = known.dialect.unwrap_or_else(|| guessed(text));
+    let mut whole = text.to_owned();
+    let mut files = Vec::new();
+    for (name, file) in &known.files {
+        if !whole.ends_with(['\n', '\r']) {
+            whole.push('\n');
+        }
+        files.push((lines_of(&whole).count() as u32, crate::form::printable(name)));
+        whole.push_str(file);
+    }
+    let mut reader = Reader::new(text, dialect);
+    if let Some(start) = known.start {
+        reader.place = start;
+    }
+    reader.run = Some(Touching {
+        touch: known.touch,
+        positioning: known.positioning,
+        watched: false,
+        contact: [f64::NAN; 3],
+        met: None,
+    });
+    reader.files = files.clone();
+    let mut path = run(&whole, text.len(), dialect, &known.set, reader);
+    // From the lines of the whole to those of each file.
+    if !files.is_empty() {
+        path.file = path.line.iter().map(|line| files.partition_point(|(first, _)| first <= line) as u32).collect();
+        for (line, file) in path.line.iter_mut().zip(&path.file).filter(|(_, file)| **file > 0) {
+            *line -= files[*file as usize - 1].0;
+        }
+        let own = files[0].0;
+        path.finding_lines.iter_mut().for_each(|lines| lines.retain(|line| *line < own));
+        path.asks.iter_mut().for_each(|ask| ask.lines.retain(|line| *line < own));
+    }
+    path
+}
+
+/// Reads the first bytes of a text; what is below may be called.
+fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], reader: Reader) -> Toolpath {
+    let macros = if dialect == DIALECTS[1] { None } else { Macros::of(text, end, set) };
+    let mut run = Run { text, end, start: reader.place, reader, calls: Calls::new(text), macros };
     run.lines(Place { at: 0, line: 0 });
     let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
+    let asks = run.macros.as_ref().map_or_else(Vec::new, Macros::asks);
     let mut path = run.reader.finish();
-    if path.is_empty() {
-        path.findings.push(no_moves(text));
+    path.asks = asks;
+    let mut note = |finding: Finding| {
+        path.findings.push(finding);
+        path.finding_lines.push(Vec::new());
+    };
+    if path.kind.is_empty() {
+        note(no_moves(text));
     } else {
-        path.findings.extend(shown.iter().map(|name| not_called(name)));
+        shown.iter().for_each(|name| note(not_called(name)));
     }
     path
 }
@@ -109,24 +171,29 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
 /// A program while it is read.
 struct Run<'t> {
     text: &'t str,
+    /// Where the program itself ends: what is below may be called.
+    end: usize,
+    /// Where the stylus stands before the first block.
+    start: [f64; 3],
     reader: Reader,
     calls: Calls<'t>,
     macros: Option<Macros>,
 }
 
 impl Run<'_> {
-    /// Reads from a line on, up to the end of the text.
+    /// Reads from a line on, up to the end of the program.
     fn lines(&mut self, from: Place) {
         let (bytes, mut block) = (self.text.as_bytes(), EMPTY);
         let mut at = from.at;
         self.reader.line = from.line;
-        while at < bytes.len() {
+        while at < bytes.len() && (at < self.end || self.is_called()) {
             let (end, below) = line_end(bytes, at);
             let line = match &bytes[at..end] {
                 line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
                 _ => self.text[at..end].trim().as_bytes(),
             };
             let here = Place { at, line: self.reader.line };
+            self.looks_ahead(line, below);
             match self.step(line, here, below) {
                 Step::AsWritten => self.reader.read(line, &mut block),
                 Step::Read(line) => self.reader.read(&line, &mut block),
@@ -137,6 +204,7 @@ impl Run<'_> {
                 }
                 Step::Condition => self.reader.condition_begins(),
                 Step::LoopEnds => self.reader.loop_ends(),
+                Step::Ends => self.reader.aborts(),
                 Step::Stop => return self.reader.lose(here.line),
             }
             self.reader.line += 1;
@@ -163,13 +231,30 @@ impl Run<'_> {
         }
     }
 
+    /// Whether lines run because something called them.
+    fn is_called(&self) -> bool {
+        self.calls.is_inside() || self.macros.as_ref().is_some_and(Macros::is_inside)
+    }
+
+    /// A run tells the macros what the control knows, and whether the probing move that comes is a positioning move that is watched.
+    #[inline]
+    fn looks_ahead(&mut self, line: &[u8], below: usize) {
+        let Some(touching) = &mut self.reader.run else { return };
+        if probes(line) {
+            touching.watched = watch::is_watched(line, &self.text[below..]);
+        }
+        if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr2(b'#', b'[', line).is_some()) {
+            macros.sees(self.reader.system());
+        }
+    }
+
     /// In a text of subroutines alone these are shown, though nothing says what they are called with: their names.
     fn subroutines(&mut self) -> Vec<String> {
         let mut shown = Vec::new();
         let end = Place { at: self.text.len(), line: self.reader.line };
         while let Some((name, begin)) = self.macros.as_mut().and_then(|macros| macros.uncalled(end)) {
             self.reader.ended = false;
-            self.reader.forget(7);
+            self.reader.place = self.start;
             let before = self.reader.path.len();
             self.lines(begin);
             shown.extend((self.reader.path.len() > before).then_some(name));

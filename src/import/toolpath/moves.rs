@@ -4,6 +4,7 @@ use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::Block;
 use crate::import::toolpath::count::count;
+use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
@@ -69,6 +70,40 @@ impl Reader {
         self.path.kind.push(kind);
         self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
+        if kind == PROBE && self.run.is_some() {
+            self.touched(from, motion);
+        }
+    }
+
+    /// Where a probing move ends on its way to the place that its block gives.
+    #[cold]
+    fn touched(&mut self, from: [f64; 3], motion: Motion) {
+        let Some(run) = &mut self.run else { return };
+        let to = self.place;
+        let trip = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };
+        // What does not move is where it is.
+        let stays = |axis: usize| to[axis] == from[axis];
+        let end = |axis: usize| match trip {
+            _ if stays(axis) => to[axis],
+            Trip::At(part) => from[axis] + part * (to[axis] - from[axis]),
+            Trip::Never => to[axis],
+            Trip::Unknown => f64::NAN,
+        };
+        self.place = [0, 1, 2].map(end);
+        run.contact = self.place;
+        run.met = match trip {
+            Trip::At(_) => Some(true),
+            Trip::Never => Some(false),
+            Trip::Unknown => None,
+        };
+        if let Trip::At(_) = trip {
+            let [x, y, z] = self.place;
+            self.path.contacts.push([(self.path.kind.len() - 1) as f64, x, y, z]);
+        }
+        // LinuxCNC's G38.2 and G38.4 stop the program where nothing is met.
+        if trip == Trip::Never && matches!(motion, Motion::MustTouch) {
+            self.ended = true;
+        }
     }
 
     /// Centre and sweep of an arc, in degrees; none where the block does not give one.

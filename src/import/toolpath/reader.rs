@@ -6,6 +6,8 @@ use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange};
 use crate::import::toolpath::count::{Count, count};
+use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::macros::system::System;
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
 /// What places are, until a motion.
@@ -27,6 +29,8 @@ pub(super) struct Modes {
     pub curve: bool,
     pub given: Given,
     pub absolute: bool,
+    /// Whether the program says so.
+    pub stated: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
     /// Units of the path in a unit that the program has now.
@@ -37,14 +41,32 @@ pub(super) struct Modes {
     pub diameter: bool,
 }
 
+/// What a run knows of touches.
+pub(super) struct Touching {
+    pub touch: Trip,
+    pub positioning: Trip,
+    /// Whether the next probing move is a positioning move that is watched.
+    pub watched: bool,
+    /// Where the last one ended, in the units of the path, and whether it met something.
+    pub contact: [f64; 3],
+    pub met: Option<bool>,
+}
+
 /// Follows a program block by block.
 pub(super) struct Reader {
     pub path: Toolpath,
+    /// The first line and the name of each file that is below the program.
+    pub files: Vec<(u32, String)>,
     pub line: usize,
     pub sinumerik: bool,
     /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
     pub heidenhain: bool,
     pub place: [f64; 3],
+    /// What a run knows of touches; none where the text is read only.
+    pub run: Option<Touching>,
+    /// The tool that is called next, and the one that was changed to; NaN where it is computed.
+    pub next_tool: f64,
+    pub tool: Option<f64>,
     pub modes: Modes,
     /// The plane that was chosen first.
     pub plane: Option<Plane>,
@@ -93,6 +115,7 @@ pub(super) struct Reader {
     pub others: Count,
     pub optional: Count,
     pub twice: Count,
+    pub aborted: Count,
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<(String, Foreign, Count)>,
     /// The line of the first units, where moves stand above it.
@@ -112,15 +135,20 @@ impl Reader {
         };
         Reader {
             path,
+            files: Vec::new(),
             line: 0,
             sinumerik: dialect == DIALECTS[1],
             heidenhain: false,
             place: [f64::NAN; 3],
+            run: None,
+            next_tool: f64::NAN,
+            tool: None,
             modes: Modes {
                 motion: Motion::Rapid,
                 curve: false,
                 given: Given::Place,
                 absolute: true,
+                stated: false,
                 centers_absolute: false,
                 plane: None,
                 scale: 1.0,
@@ -156,8 +184,26 @@ impl Reader {
             others: Count::default(),
             optional: Count::default(),
             twice: Count::default(),
+            aborted: Count::default(),
             foreign: Vec::new(),
             late_units: None,
+        }
+    }
+
+    /// What the control itself knows now, in the units of the program.
+    pub fn system(&self) -> System {
+        let scale = self.modes.scale;
+        let (contact, met) = self.run.as_ref().map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
+        System {
+            place: self.place.map(|x| x / scale),
+            contact: contact.map(|x| x / scale),
+            met,
+            metric: self.path.metric.map(|first| (scale == 1.0) == first),
+            absolute: self.modes.stated.then_some(self.modes.absolute),
+            plane: self.modes.plane,
+            offset: self.offset.filter(|_| self.transformed.times == 0),
+            tool: self.tool.filter(|tool| !tool.is_nan()),
+            feed: self.feed / scale,
         }
     }
 
@@ -369,6 +415,9 @@ impl Reader {
             Some(ModeChange::GiveBack) => self.give_back(),
             Some(ModeChange::Keep) => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
         }
+        if block.changes {
+            self.tool = Some(self.next_tool);
+        }
         if block.lengthens {
             // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
             let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
@@ -461,6 +510,15 @@ impl Reader {
             self.loops = self.loops.saturating_sub(1);
             self.forget(self.relative);
         }
+    }
+
+    /// The program stops itself: `(ABORT, …)`.
+    #[cold]
+    pub fn aborts(&mut self) {
+        if !self.ended {
+            count(&mut self.aborted, self.line);
+        }
+        self.ended = true;
     }
 
     /// A condition that is not known begins.

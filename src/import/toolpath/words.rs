@@ -73,6 +73,7 @@ impl Reader {
             }
             (b'L', word) => block.l = Some(word.number()),
             (b'P', word) => block.p = Some(word.number()),
+            (b'T', word) => self.next_tool = word.number(),
             (b'A'..=b'C' | b'U'..=b'W', _) => block.others = true,
             _ => {}
         }
@@ -173,7 +174,7 @@ impl Reader {
                 self.modes.plane = Some(plane);
             }
             Effect::Metric(metric) => self.units(metric),
-            Effect::Absolute(absolute) => self.modes.absolute = absolute,
+            Effect::Absolute(absolute) => (self.modes.absolute, self.modes.stated) = (absolute, true),
             Effect::CentersAbsolute(absolute) => self.modes.centers_absolute = absolute,
             // A feed stays in the mode that it was stated in.
             Effect::PerMinute(on) if on != self.modes.by_other => {}
@@ -183,7 +184,7 @@ impl Reader {
             Effect::Setting => (block.elsewhere, block.writes) = (true, true),
             Effect::Length(_) => block.lengthens = true,
             Effect::LengthGiven => (block.elsewhere, block.lengthens) = (true, true),
-            Effect::Tool => block.lengthens |= self.sinumerik,
+            Effect::Tool => (block.lengthens, block.changes) = (block.lengthens | self.sinumerik, true),
             Effect::Elsewhere => block.elsewhere = true,
             Effect::Rename => (block.elsewhere, block.renames) = (true, true),
             Effect::Transform { own_axes } => {

@@ -212,14 +212,14 @@ impl Index {
         (!more).then_some((*begin, *end))
     }
 
-    /// The first subroutines that nothing in the text calls, the last first: label, where the lines begin, and the line of the end.
-    pub fn uncalled(&self) -> Vec<(String, Place, usize)> {
+    /// The first subroutines of the first bytes that nothing in the text calls, the last first: label, where the lines begin, and the line of the end.
+    pub fn uncalled(&self, before: usize) -> Vec<(String, Place, usize)> {
         const MOST_SHOWN: usize = 100;
         let mut called: Vec<&str> =
             self.marks.iter().filter(|mark| mark.keyword == Keyword::Call).map(|mark| mark.label.as_str()).collect();
         called.sort_unstable();
         let own = |label: &str| called.binary_search(&label).is_err() && self.subroutine(label).is_some();
-        let mut all: Vec<_> = self.subs.iter().filter(|(label, ..)| own(label)).cloned().collect();
+        let mut all: Vec<_> = self.subs.iter().filter(|(label, begin, _)| begin.at <= before && own(label)).cloned().collect();
         all.sort_by_key(|(_, begin, _)| begin.line);
         all.truncate(MOST_SHOWN);
         all.reverse();

@@ -6,13 +6,16 @@
 mod flow;
 mod index;
 mod o_words;
+pub(super) mod system;
 mod value;
 
 use crate::control::iso::lex::{head, program_number};
 use crate::import::signs::{self, Sign};
 use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::known::Ask;
 use crate::num::decimal;
 use index::{Index, o_word};
+use system::System;
 use value::{Cursor, Key, Value, Variables};
 
 /// So many blocks are run: whoever repeats more has an end.
@@ -68,6 +71,8 @@ pub(super) enum Step {
     Condition,
     /// A loop ends here of which it is not known how often it runs.
     LoopEnds,
+    /// The program ends here, by its own word.
+    Ends,
     /// The program has run for too long.
     Stop,
 }
@@ -97,8 +102,8 @@ pub(super) struct Macros {
 }
 
 impl Macros {
-    /// None where a text has nothing of a macro.
-    pub fn of(text: &str) -> Option<Self> {
+    /// None where a text has nothing of a macro. The program is its first bytes; what is below may be called. `set` is what the user knows of variables.
+    pub fn of(text: &str, end: usize, set: &[(&str, f64)]) -> Option<Self> {
         let bytes = text.as_bytes();
         let computes = memchr::memchr3(b'#', b'[', b'<', bytes).is_some();
         let has_o_words =
@@ -107,8 +112,11 @@ impl Macros {
         (computes || has_o_words() || has_calls()).then_some(())?;
         let index = Index::of(text);
         Some(Macros {
-            variables: Variables::new(matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274))),
-            uncalled: index.uncalled(),
+            variables: Variables::new(
+                matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274)),
+                set.iter().filter_map(|(name, value)| Some((Key::named(name)?, *value))).collect(),
+            ),
+            uncalled: index.uncalled(end),
             index,
             open: Vec::new(),
             frames: Vec::new(),
@@ -117,6 +125,21 @@ impl Macros {
             blocks: 0,
             ran: Vec::new(),
         })
+    }
+
+    /// Whether lines run because something called them.
+    pub fn is_inside(&self) -> bool {
+        !self.frames.is_empty()
+    }
+
+    /// What the control itself knows before the next block.
+    pub fn sees(&mut self, system: System) {
+        self.variables.system = system;
+    }
+
+    /// What was read, is not known, and is set by nothing.
+    pub fn asks(&self) -> Vec<Ask> {
+        self.variables.asks()
     }
 
     /// Nothing is known of any variable: something else may have set them.
@@ -133,8 +156,10 @@ impl Macros {
         }
         (self.unsure, self.leaps, self.open) = (0, Vec::new(), Vec::new());
         self.runs(begin, last);
+        let arguments = self.variables.given_arguments();
         self.enter(end, true, 0, Vec::new());
         self.variables.forget();
+        arguments.into_iter().for_each(|(number, value)| self.variables.set_given(Key::Number(number), value));
         Some((label, begin))
     }
 
@@ -169,6 +194,7 @@ impl Macros {
         if self.blocks > MOST_BLOCKS {
             return Step::Stop;
         }
+        self.variables.line = here.line;
         self.leaps.retain(|leap| *leap != here.line);
         let head = head(line);
         let code = &line[head.end..];
@@ -193,6 +219,7 @@ impl Macros {
             // The next program begins: the one that was called is over.
             Some(b'O') if program_number(code).is_some() => Step::to(self.fall_out(false)),
             Some(b'O') => self.o_word(code, here, next),
+            Some(b'(') if self.variables.linuxcnc && aborts(code) && !self.is_guarded() => Step::Ends,
             Some(b'(' | b';' | b'%') | None => Step::AsWritten,
             _ if self.index.is_flow(code) => self.flow(code, here, next),
             _ => self.macro_word(code, next, inside).unwrap_or_else(|| self.words(line, begin)),
@@ -287,6 +314,12 @@ impl Macros {
         }
         Some((out, sets))
     }
+}
+
+/// Whether a comment of LinuxCNC stops the program: `(ABORT, …)`.
+fn aborts(code: &[u8]) -> bool {
+    let word = code[1..].trim_ascii_start();
+    word.get(..5).is_some_and(|begin| begin.eq_ignore_ascii_case(b"abort")) && word[5..].trim_ascii_start().starts_with(b",")
 }
 
 /// A number as a word has it, with its point: a Fanuc counts one without in the smallest step.

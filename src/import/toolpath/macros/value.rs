@@ -1,7 +1,10 @@
 //! Values of a macro: what an expression comes to, where all in it is known. What the control would know, and the program does not set, is not.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 
+use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::macros::system::System;
 use crate::num::read_digits;
 
 /// What a variable or an expression is.
@@ -30,6 +33,31 @@ pub enum Key {
     Unknown,
 }
 
+impl Key {
+    /// A variable by its name in a text: `#5`, `#<name>`.
+    pub fn named(name: &str) -> Option<Key> {
+        let name = name.trim().strip_prefix('#')?;
+        match name.strip_prefix('<').and_then(|name| name.strip_suffix('>')) {
+            Some(name) => Some(Key::Name(plain(name.as_bytes()))),
+            None => name.parse().ok().filter(|number| *number >= 0).map(Key::Number),
+        }
+    }
+
+    /// Its name in a text.
+    fn name(&self) -> Option<String> {
+        match self {
+            Key::Number(number) => Some(format!("#{number}")),
+            Key::Name(name) => Some(format!("#<{name}>")),
+            Key::Unknown => None,
+        }
+    }
+}
+
+/// A name in small letters, without blanks.
+fn plain(name: &[u8]) -> String {
+    name.iter().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_lowercase())).collect()
+}
+
 /// The variables of one call, or those of all.
 #[derive(Debug, Default)]
 struct Level {
@@ -43,13 +71,68 @@ struct Level {
 pub struct Variables {
     /// LinuxCNC's variables and functions, or those of a Fanuc.
     pub linuxcnc: bool,
+    /// What the control itself puts into variables.
+    pub system: System,
+    /// The line that is run.
+    pub line: usize,
     globals: Level,
     levels: Vec<Level>,
+    /// What the user knows of variables.
+    given: BTreeMap<Key, f64>,
+    /// What the text sets somewhere.
+    assigned: BTreeSet<Key>,
+    /// What was read and is not known, with the lines.
+    asked: RefCell<BTreeMap<Key, Vec<u32>>>,
 }
 
 impl Variables {
-    pub fn new(linuxcnc: bool) -> Self {
-        Variables { linuxcnc, globals: Level::default(), levels: vec![Level::default()] }
+    pub fn new(linuxcnc: bool, given: BTreeMap<Key, f64>) -> Self {
+        Variables {
+            linuxcnc,
+            system: System::default(),
+            line: 0,
+            globals: Level::default(),
+            levels: vec![Level::default()],
+            given,
+            assigned: BTreeSet::new(),
+            asked: RefCell::default(),
+        }
+    }
+
+    /// What was read, is not known, and is set by nothing.
+    pub fn asks(&self) -> Vec<Ask> {
+        let asked = self.asked.borrow();
+        let open = asked.iter().filter(|(key, _)| !self.assigned.contains(key));
+        open.filter_map(|(key, lines)| Some(Ask { name: key.name()?, lines: lines.clone() })).collect()
+    }
+
+    /// What the user says of a variable.
+    pub fn given(&self, key: &Key) -> Option<f64> {
+        self.given.get(key).copied()
+    }
+
+    /// The arguments that the user gives of a subroutine that nothing calls.
+    pub fn given_arguments(&self) -> Vec<(i32, Value)> {
+        let local = |(key, value): (&Key, &f64)| match key {
+            Key::Number(n) if self.is_local(key) => Some((*n, Value::Number(*value))),
+            _ => None,
+        };
+        self.given.iter().filter_map(local).collect()
+    }
+
+    /// Something is asked of the user: it is read here, and not known.
+    fn ask(&self, key: &Key) -> Value {
+        const MOST_ASKED: usize = 200;
+        const MOST_LINES: usize = 1000;
+        let mut asked = self.asked.borrow_mut();
+        if asked.len() < MOST_ASKED || asked.contains_key(key) {
+            let lines = asked.entry(key.clone()).or_default();
+            let line = self.line as u32;
+            if lines.len() < MOST_LINES && !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        Value::Unknown
     }
 
     /// Into a call with these arguments.
@@ -87,8 +170,19 @@ impl Variables {
     }
 
     pub fn get(&self, key: &Key) -> Value {
+        let known = if *key == Key::Unknown { return Value::Unknown } else { self.system.get(key, self.linuxcnc) };
+        if let Some(value) = known {
+            let given = || match self.given(key) {
+                Some(value) => Value::Number(value),
+                // Which tool is in the spindle a user knows; where a touch ended is what `part` says.
+                None if System::is_set_up(key) => self.ask(key),
+                None => Value::Unknown,
+            };
+            return value.map_or_else(given, Value::Number);
+        }
+        let given = || self.given(key).map_or_else(|| self.ask(key), Value::Number);
         if self.is_system(key) {
-            return Value::Unknown;
+            return given();
         }
         let level = self.levels.last().filter(|_| self.is_local(key)).unwrap_or(&self.globals);
         if *key == Key::Number(0) && !self.linuxcnc {
@@ -103,7 +197,9 @@ impl Variables {
                     Value::Empty
                 }
             }
-            _ => Value::Unknown,
+            // What something else may have set, where the text itself does: that is not the user's to say.
+            _ if level.lost && self.assigned.contains(key) => Value::Unknown,
+            _ => return level.set.get(key).copied().unwrap_or_else(given),
         };
         level.set.get(key).copied().unwrap_or(missing)
     }
@@ -128,7 +224,15 @@ impl Variables {
             // It may be any of them.
             return self.forget();
         }
+        self.assigned.insert(key.clone());
         level.set.insert(key, value);
+    }
+
+    /// An argument that the user gives: nothing in the text sets it.
+    pub fn set_given(&mut self, key: Key, value: Value) {
+        if let Some(level) = self.levels.last_mut() {
+            level.set.insert(key, value);
+        }
     }
 
     /// Nothing is known of any variable.
@@ -366,8 +470,7 @@ impl<'a> Cursor<'a> {
                 let length = self.line[self.at..].iter().position(|b| *b == b'>')?;
                 let name = &self.line[self.at + 1..self.at + length];
                 self.at += length + 1;
-                let plain = name.iter().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_lowercase()));
-                Key::Name(plain.collect())
+                Key::Name(plain(name))
             }
             b'[' => whole(self.bracketed()?),
             b'#' => {

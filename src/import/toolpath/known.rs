@@ -1,0 +1,175 @@
+//! What is known beside the text of a program, and what is asked for.
+
+use crate::form::{Checker, Value, printable};
+use crate::import::toolpath::DIALECTS;
+use crate::job::JobError;
+use crate::text::text;
+
+/// Where a probing move meets something, as a fraction of its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Trip {
+    /// Not known.
+    #[default]
+    Unknown,
+    /// At this fraction, 0 to 1.
+    At(f64),
+    /// Nothing is met: the move comes to its end.
+    Never,
+}
+
+/// What is known beside the text.
+#[derive(Clone, Debug, Default)]
+pub struct Known<'t> {
+    /// One of [`super::DIALECTS`]; none is looked for in the text.
+    pub dialect: Option<&'static str>,
+    /// Values of variables, by their names in the text: `#3014`, `#<_name>`, `R1`, `Q1`.
+    pub set: Vec<(&'t str, f64)>,
+    /// Where the stylus stands before the first block, in the program's first units; NaN where that is not known.
+    pub start: Option<[f64; 3]>,
+    /// What touches meet.
+    pub touch: Trip,
+    /// What positioning moves meet that are watched by probing.
+    pub positioning: Trip,
+    /// Texts with subprograms, by their names.
+    pub files: Vec<(&'t str, &'t str)>,
+}
+
+/// Something that a program reads and nothing sets.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Ask {
+    /// Its name in the text: `#3014`, `#<_name>`, `R1`.
+    pub name: String,
+    /// The 0-based lines that read it.
+    pub lines: Vec<u32>,
+}
+
+impl<'t> Known<'t> {
+    /// Out of what a caller hands over: an object with `dialect`, `set`, `start`, `part` and `files`, each of which may be missing.
+    pub fn of(value: &'t Value) -> Result<Self, JobError> {
+        let mut checker = Checker::default();
+        let mut known = Known::default();
+        let entries = match value {
+            Value::Map(entries) => entries.as_slice(),
+            Value::Null => &[],
+            Value::Other("undefined") => &[],
+            other => {
+                checker.error(
+                    "wrong-type",
+                    "",
+                    text!("What is known of a program must be an object, not {given}", other.noun()),
+                );
+                &[]
+            }
+        };
+        for (key, value) in entries {
+            match (key.as_str(), value) {
+                (_, Value::Null | Value::Other("undefined")) => {}
+                ("dialect", Value::Text(name)) if DIALECTS.contains(&name.as_str()) => {
+                    known.dialect = DIALECTS.into_iter().find(|dialect| dialect == name);
+                }
+                ("dialect", _) => {
+                    let list = DIALECTS.join(", ");
+                    checker.error("unknown-value", "dialect", text!("The dialect must be one of {list}", list));
+                }
+                ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),
+                ("start", Value::List(place)) if place.len() == 3 => {
+                    let axis = |i: usize| match place[i] {
+                        Value::Number(x) if x.is_finite() => Some(x),
+                        Value::Null => Some(f64::NAN),
+                        _ => None,
+                    };
+                    match (axis(0), axis(1), axis(2)) {
+                        (Some(x), Some(y), Some(z)) => known.start = Some([x, y, z]),
+                        _ => checker.error(
+                            "wrong-type",
+                            "start",
+                            text!("start must be three numbers, or null for what is not known"),
+                        ),
+                    }
+                }
+                ("part", Value::Map(_)) => {
+                    known.touch = trip(value.get("at"), "part.at", &mut checker);
+                    known.positioning = trip(value.get("positioning"), "part.positioning", &mut checker);
+                }
+                ("files", Value::Map(files)) => known.files = texts(files, &mut checker),
+                ("start", _) => {
+                    checker.error("wrong-type", "start", text!("start must be three numbers, or null for what is not known"));
+                }
+                ("set" | "part" | "files", other) => {
+                    checker.error("wrong-type", key, text!("{path} must be an object, not {given}", key.clone(), other.noun()));
+                }
+                _ => {
+                    let message = text!("{path} is not known here", printable(key));
+                    checker.error("unknown-key", printable(key), message);
+                }
+            }
+        }
+        if checker.failed() { Err(JobError { findings: checker.findings() }) } else { Ok(known) }
+    }
+}
+
+/// Values of variables by their names.
+fn numbers<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t str, f64)> {
+    let mut set = Vec::new();
+    for (name, value) in entries {
+        let path = format!("set.{}", printable(name));
+        match value {
+            Value::Number(x) if x.is_finite() && is_variable(name) => set.push((name.trim(), *x)),
+            Value::Number(x) if x.is_finite() => {
+                let message = text!(
+                    "{name} is no variable: they are called #5, #<name>, R1, Q1 or by a SINUMERIK's own name",
+                    printable(name)
+                );
+                checker.error("unknown-value", path, message);
+            }
+            other => checker.error(
+                "not-a-number",
+                path,
+                text!("{path} must be a number, not {given}", printable(name), other.noun()),
+            ),
+        }
+    }
+    set
+}
+
+/// `#5`, `#<name>`, `R1`, `QL3`, a name.
+fn is_variable(name: &str) -> bool {
+    let name = name.trim();
+    match name.strip_prefix('#') {
+        Some(rest) => {
+            rest.starts_with('<') && rest.ends_with('>') || !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit())
+        }
+        None => name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_' || c == '$'),
+    }
+}
+
+fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t str, &'t str)> {
+    let mut files = Vec::new();
+    for (name, value) in entries {
+        match value {
+            Value::Text(text) => files.push((name.as_str(), text.as_str())),
+            other => {
+                let message = text!("{path} must be a text, not {given}", printable(name), other.noun());
+                checker.error("wrong-type", format!("files.{}", printable(name)), message);
+            }
+        }
+    }
+    files
+}
+
+/// A fraction of a way; null: nothing is met; left out: not known.
+fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
+    match value {
+        None | Some(Value::Other("undefined")) => Trip::Unknown,
+        Some(Value::Null) => Trip::Never,
+        Some(Value::Number(part)) if (0.0..=1.0).contains(part) => Trip::At(*part),
+        Some(_) => {
+            checker.error(
+                "out-of-range",
+                path,
+                text!("{path} must be from 0 to 1, the fraction of the way, or null where nothing is met", path.to_owned()),
+            );
+            Trip::Unknown
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The variables that a control sets by itself, as far as the run knows what they hold.
+//!
+//! LinuxCNC: #5061 to #5063 and #5070 of the last probing move, #5420 to #5422 and `#<_x>` the present position, all in work coordinates and in the
+//! program's units, and the modes as `#<_metric>` and its kin (its documentation, *Parameters*). Fanuc and its kin: #5061 to #5063 the skip position,
+//! #5001 to #5003 and #5041 to #5043 the present one, #4003 and #4006 the modes; that their positions are those of the work system without a tool length
+//! is recalled and not verified on a control.
+
+use crate::geom::Plane;
+use crate::import::toolpath::macros::value::Key;
+
+/// What the control knows before a block. Places are in the units that the program has now; NaN is not known.
+#[derive(Clone, Copy, Debug)]
+pub struct System {
+    pub place: [f64; 3],
+    /// Where the last probing move ended, and whether it met something.
+    pub contact: [f64; 3],
+    pub met: Option<bool>,
+    /// Each none where the program has not stated it.
+    pub metric: Option<bool>,
+    pub absolute: Option<bool>,
+    pub plane: Option<Plane>,
+    pub offset: Option<i32>,
+    pub tool: Option<f64>,
+    pub feed: f64,
+}
+
+impl Default for System {
+    fn default() -> Self {
+        const NOWHERE: [f64; 3] = [f64::NAN; 3];
+        System {
+            place: NOWHERE,
+            contact: NOWHERE,
+            met: None,
+            metric: None,
+            absolute: None,
+            plane: None,
+            offset: None,
+            tool: None,
+            feed: f64::NAN,
+        }
+    }
+}
+
+impl System {
+    /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
+    pub fn is_set_up(key: &Key) -> bool {
+        match key {
+            Key::Number(number) => matches!(number, 5220 | 5400),
+            Key::Name(name) => name == "_coord_system" || name == "_current_tool",
+            Key::Unknown => false,
+        }
+    }
+
+    /// What a variable of the control holds: none for one that is not followed here, and none within where the run does not know it.
+    pub fn get(&self, key: &Key, linuxcnc: bool) -> Option<Option<f64>> {
+        let known = |x: f64| (!x.is_nan()).then_some(x);
+        let axis = |number: i32, first: i32| (number - first) as usize;
+        let truth = |is: Option<bool>| is.map(|is| f64::from(u8::from(is)));
+        Some(match key {
+            Key::Number(n @ 5061..=5063) => known(self.contact[axis(*n, 5061)]),
+            Key::Number(5070) if linuxcnc => truth(self.met),
+            Key::Number(n @ 5420..=5422) if linuxcnc => known(self.place[axis(*n, 5420)]),
+            Key::Number(5220) if linuxcnc => self.offset.map(f64::from),
+            Key::Number(5400) if linuxcnc => self.tool,
+            Key::Number(n @ 5001..=5003) if !linuxcnc => known(self.place[axis(*n, 5001)]),
+            Key::Number(n @ 5041..=5043) if !linuxcnc => known(self.place[axis(*n, 5041)]),
+            Key::Number(4002) if !linuxcnc => self.plane.map(|plane| match plane {
+                Plane::G17 => 17.0,
+                Plane::G18 => 18.0,
+                Plane::G19 => 19.0,
+            }),
+            Key::Number(4003) if !linuxcnc => self.absolute.map(|absolute| if absolute { 90.0 } else { 91.0 }),
+            Key::Number(4006) if !linuxcnc => self.metric.map(|metric| if metric { 21.0 } else { 20.0 }),
+            Key::Name(name) if linuxcnc => match name.as_str() {
+                "_x" => known(self.place[0]),
+                "_y" => known(self.place[1]),
+                "_z" => known(self.place[2]),
+                "_metric" => truth(self.metric),
+                "_imperial" => truth(self.metric.map(|metric| !metric)),
+                "_absolute" => truth(self.absolute),
+                "_incremental" => truth(self.absolute.map(|absolute| !absolute)),
+                "_feed" => known(self.feed),
+                "_coord_system" => self.offset.map(|number| f64::from(530 + 10 * number)),
+                "_current_tool" => self.tool,
+                _ => return None,
+            },
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,62 @@
+//! Whether a probing move is a touch or a positioning move that is watched: what the program does after it says so.
+//!
+//! A touch that misses, or a positioning move that meets something, leads away. So it is a positioning move where the first condition behind it, before the
+//! next motion, asks for a contact and then leaves: by a jump, a call, an alarm or an end. This reading is ours: a program may do otherwise.
+
+use crate::control::iso::lex::{code, head, lines_of, trimmed};
+
+/// Whether a block has a code of a probing move in it.
+pub(super) fn probes(line: &[u8]) -> bool {
+    memchr::memchr2_iter(b'G', b'g', line).any(|at| matches!(line[at + 1..], [b'3', b'8', b'.', ..] | [b'3', b'1', ..]))
+}
+
+/// Whether the probing move of a block is a positioning move, by the lines below.
+pub(super) fn is_watched(line: &[u8], below: &str) -> bool {
+    // A miss of G38.2 and G38.4 is an alarm: nobody moves to a free place with them.
+    let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
+    if memchr::memchr2_iter(b'G', b'g', line).any(must) {
+        return false;
+    }
+    const MOST_LINES: usize = 8;
+    let mut lines = lines_of(below).map(|line| code_of(line)).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else { return false };
+    if !asks_for_contact(&condition) {
+        return false;
+    }
+    match condition.find("GOTO").or_else(|| condition.find("THEN")) {
+        Some(_) => true,
+        None => lines.next().is_some_and(|line| leaves(&line)),
+    }
+}
+
+/// The code of a line without blanks, in capitals.
+fn code_of(line: &str) -> String {
+    let line = trimmed(line);
+    let plain = code(&line[head(line.as_bytes()).end..], true);
+    plain.bytes().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_uppercase())).collect()
+}
+
+fn moves(line: &str) -> bool {
+    line.starts_with(['G', 'X', 'Y', 'Z']) && line.contains(['X', 'Y', 'Z']) && !line.starts_with("G53")
+}
+
+/// Whether it is a condition about the last probing move.
+fn asks(line: &str) -> bool {
+    line.contains("IF[") && (line.contains("#5070") || line.contains("#506"))
+}
+
+/// Whether the condition holds after a contact: on LinuxCNC by #5070, on a Fanuc by a place that is not the target.
+fn asks_for_contact(condition: &str) -> bool {
+    match condition.split_once("#5070") {
+        Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1"].iter().any(|word| rest.starts_with(word)),
+        None => ["GT", "NE", "GE"].iter().any(|word| condition.contains(word)),
+    }
+}
+
+/// Whether a block leaves the run: an end, an alarm, a return, or a call of what is named so.
+fn leaves(line: &str) -> bool {
+    const ENDS: [&str; 4] = ["M2", "M02", "M30", "#3000="];
+    const EXITS: [&str; 6] = ["EXIT", "ABORT", "ALARM", "ERROR", "FAIL", "COLLI"];
+    ENDS.iter().any(|word| line.starts_with(word))
+        || line.starts_with('O') && (line.contains("RETURN") || EXITS.iter().any(|word| line.contains(word)))
+}
