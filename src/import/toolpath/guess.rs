@@ -1,6 +1,6 @@
 //! Which of the dialects a text is written in.
 
-use crate::control::iso::lex::{comment_at, head, lines_of, trimmed};
+use crate::control::iso::lex::{after, comment_at, head, lines_of, trimmed, without_count, without_number};
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
@@ -20,6 +20,10 @@ const MOST_LINES: usize = 2000;
 /// A SINUMERIK assigns with `=`, calls with `( )` and comments with `;` alone. What other controls do as well counts only where no sign of theirs
 /// is in the text.
 pub(in crate::import) fn guessed(text: &str) -> &'static str {
+    // Its first block.
+    if lines_of(text).take(50).any(|line| after(without_count(without_number(trimmed(line))), "BEGIN PGM").is_some()) {
+        return DIALECTS[2];
+    }
     let [mut likely, mut assigns, mut units] = [false; 3];
     for line in lines_of(text).take(MOST_LINES) {
         let line = trimmed(line).as_bytes();

@@ -10,6 +10,7 @@ mod findings;
 mod foreign;
 mod guess;
 mod heidenhain;
+mod klartext;
 mod known;
 mod macros;
 mod moves;
@@ -25,6 +26,7 @@ use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
 pub(super) use guess::guessed;
+use klartext::Klartext;
 pub use known::{Ask, Known, Trip};
 use macros::{Macros, Step};
 use reader::{Reader, Touching};
@@ -50,7 +52,7 @@ const FEED: u8 = 1;
 const PROBE: u8 = 2;
 
 /// The ways programs are written that this reader tells apart.
-pub const DIALECTS: [&str; 2] = ["iso", "sinumerik"];
+pub const DIALECTS: [&str; 3] = ["iso", "sinumerik", "klartext"];
 
 /// The moves of a program, column by column. Lengths are in the units that the program states first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -148,13 +150,23 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
 }
 
 /// Reads the first bytes of a text; what is below may be called.
-fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], reader: Reader) -> Toolpath {
+fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut reader: Reader) -> Toolpath {
+    if dialect == DIALECTS[2] {
+        let mut klartext = Klartext::new(&text[..end], set);
+        klartext.run(&mut reader);
+        return finished(text, reader, klartext.asks(), &[]);
+    }
     let macros = if dialect == DIALECTS[1] { None } else { Macros::of(text, end, set) };
     let mut run = Run { text, end, start: reader.place, reader, calls: Calls::new(text), macros };
     run.lines(Place { at: 0, line: 0 });
     let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
     let asks = run.macros.as_ref().map_or_else(Vec::new, Macros::asks);
-    let mut path = run.reader.finish();
+    finished(text, run.reader, asks, &shown)
+}
+
+/// The path, with what is said of the whole.
+fn finished(text: &str, reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
+    let mut path = reader.finish();
     path.asks = asks;
     let mut note = |finding: Finding| {
         path.findings.push(finding);

@@ -428,7 +428,7 @@ impl Reader {
     }
 
     /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system.
-    fn lengthen(&mut self, axes: Axes) {
+    pub fn lengthen(&mut self, axes: Axes) {
         let known = (0..3).filter(|axis| !self.place[*axis].is_nan()).fold(0, |known, axis| known | 1 << axis);
         self.lost |= axes & known;
         self.lengthened |= axes;

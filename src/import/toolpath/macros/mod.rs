@@ -271,6 +271,11 @@ impl Macros {
         };
         // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
         let sure = self.is_sure() && (sets.len() < 2 || self.variables.linuxcnc);
+        // An alarm with a message: the program stops.
+        let alarm = !self.variables.linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
+        if alarm && self.is_sure() && !self.is_guarded() {
+            return Step::Ends;
+        }
         let known = sure && sets.iter().all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
         let assigns = !sets.is_empty();
         for (key, value) in sets {

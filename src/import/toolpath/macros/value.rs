@@ -79,7 +79,9 @@ pub struct Variables {
     levels: Vec<Level>,
     /// What the user knows of variables.
     given: BTreeMap<Key, f64>,
-    /// What the text sets somewhere.
+    /// Whether the user gives an argument: then those that are not given are none.
+    is_given: bool,
+    /// What the text has set so far.
     assigned: BTreeSet<Key>,
     /// What was read and is not known, with the lines.
     asked: RefCell<BTreeMap<Key, Vec<u32>>>,
@@ -87,7 +89,9 @@ pub struct Variables {
 
 impl Variables {
     pub fn new(linuxcnc: bool, given: BTreeMap<Key, f64>) -> Self {
+        let is_given = given.keys().any(|key| matches!(key, Key::Number(1..=33)));
         Variables {
+            is_given,
             linuxcnc,
             system: System::default(),
             line: 0,
@@ -99,11 +103,10 @@ impl Variables {
         }
     }
 
-    /// What was read, is not known, and is set by nothing.
+    /// What was read before anything set it.
     pub fn asks(&self) -> Vec<Ask> {
         let asked = self.asked.borrow();
-        let open = asked.iter().filter(|(key, _)| !self.assigned.contains(key));
-        open.filter_map(|(key, lines)| Some(Ask { name: key.name()?, lines: lines.clone() })).collect()
+        asked.iter().filter_map(|(key, lines)| Some(Ask { name: key.name()?, lines: lines.clone() })).collect()
     }
 
     /// What the user says of a variable.
@@ -190,18 +193,14 @@ impl Variables {
         }
         // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
         let missing = match key {
-            Key::Number(_) if !level.lost && self.is_local(key) && self.levels.len() > 1 => {
-                if self.linuxcnc {
-                    Value::Number(0.0)
-                } else {
-                    Value::Empty
-                }
+            Key::Number(_) if !level.lost && self.is_local(key) && (self.levels.len() > 1 || self.is_given) => {
+                if self.linuxcnc { Value::Number(0.0) } else { Value::Empty }
             }
             // What something else may have set, where the text itself does: that is not the user's to say.
             _ if level.lost && self.assigned.contains(key) => Value::Unknown,
             _ => return level.set.get(key).copied().unwrap_or_else(given),
         };
-        level.set.get(key).copied().unwrap_or(missing)
+        level.set.get(key).copied().or_else(|| self.given(key).map(Value::Number)).unwrap_or(missing)
     }
 
     /// Whether a variable was set: 1 or 0, where that is known.
