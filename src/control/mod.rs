@@ -11,6 +11,7 @@ pub mod heidenhain;
 pub mod iso;
 mod linuxcnc;
 mod moves;
+pub mod native;
 pub mod prove;
 pub mod release;
 pub mod rules;

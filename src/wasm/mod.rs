@@ -230,6 +230,7 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);
+    set(&result, "calls", &to_js(&run.calls)?);
     Ok(result.into())
 }
 

@@ -65,8 +65,31 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   contacts: Float64Array;
   /** What was ignored and what could not be known, each with all its 0-based lines. */
   findings: (Finding & { lines: number[] })[];
-  /** What the program reads and nothing sets, with the lines that read it: what `set` is for. */
+  /** What the program reads before anything sets it, with the lines that read it: what `set` is for. */
   asks: { name: string; lines: number[] }[];
+  /** Calls of the control's own probing cycles, in the order in which they run. */
+  calls: NativeCall[];
+}
+
+/** A call of one of the control's own probing cycles. */
+export interface NativeCall {
+  /** Its 0-based line. */
+  line: number;
+  /** As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`. */
+  name: string;
+  /** What it measures or does, how well that is known and where it was read; `null` for a call that is not known here. */
+  title: string | null;
+  mark: "sourced" | "recalled" | null;
+  source: string | null;
+  /** By letter, Q number, or place between the commas; `value` is `null` where it is no known number. */
+  arguments: {
+    name: string;
+    value: number | null;
+    meaning: string | null;
+    unit: "length" | "angle" | "feed" | "none" | null;
+  }[];
+  /** What contradicts in its arguments: the control refuses such a call. */
+  contradictions: string[];
 }
 
 /** The outcome of one job among many. */

@@ -1,6 +1,7 @@
 //! What one block of a program says.
 
 use crate::control::iso::script::Motion;
+use crate::import::toolpath::count::Count;
 
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
@@ -184,4 +185,13 @@ impl Block {
             (self.placed, self.moved) = (0, 0);
         }
     }
+}
+
+/// A code that is not followed.
+pub(super) struct Named {
+    pub name: String,
+    pub foreign: Foreign,
+    /// What it measures, where it is one of the control's own cycles.
+    pub title: Option<&'static str>,
+    pub count: Count,
 }

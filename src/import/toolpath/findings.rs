@@ -30,7 +30,10 @@ impl Reader {
                 "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
             ),
         );
-        self.foreign.into_iter().for_each(|(name, foreign, count)| say(count, "lines-skipped", by_name(name, foreign)));
+        self.foreign.into_iter().for_each(|named| {
+            let message = by_name(&named);
+            say(named.count, "lines-skipped", message);
+        });
         say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
         say(
             self.computed,
@@ -62,6 +65,11 @@ impl Reader {
             self.optional,
             "lines-optional",
             text!("Blocks with / are read: the control leaves them out where block skip is on"),
+        );
+        say(
+            self.branches,
+            "branch-ends",
+            text!("Branches whose condition is not known end the program: the run continues as if they were not taken"),
         );
         say(self.aborted, "program-stops", text!("The program stops itself with a message"));
         say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));

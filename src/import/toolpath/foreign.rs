@@ -1,9 +1,11 @@
 //! Codes whose axis words are no place: they are passed by, and named.
 
 use crate::control::iso::script::Motion;
+use crate::control::native;
 use crate::form::printable;
-use crate::import::toolpath::block::{Block, Foreign};
+use crate::import::toolpath::block::{Block, Foreign, Named};
 use crate::import::toolpath::count::{Count, count};
+use crate::import::toolpath::native::{letters, listed as native_call};
 use crate::import::toolpath::reader::Reader;
 use crate::text::{Text, text};
 
@@ -31,25 +33,44 @@ impl Reader {
         }
         let [begin, end] = block.name;
         let foreign = if block.foreign == Foreign::No { led } else { block.foreign };
+        let name = String::from_utf8_lossy(&line[begin..end]).to_ascii_uppercase();
+        if foreign == Foreign::Unknown && native::find(&name).is_some() {
+            self.native(&name, letters(&line[end..]));
+            return true;
+        }
         self.named(&line[begin..end], foreign);
         true
     }
 
+    /// One of the control's own cycles is called: it is listed, and named.
+    pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>) {
+        let call = native_call(&mut self.path, self.line, name, arguments);
+        let named = call.map_or(name, |call| call.name);
+        self.count_named(named.to_owned(), Foreign::Unknown, call.map(|call| call.title));
+    }
+
     /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
     #[cold]
-    pub(super) fn macro_call(&mut self, block: &mut Block) {
+    pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
         self.called_out = true;
-        let name = |p: f64| "G65P".to_owned() + &crate::num::decimal(p, 0);
+        let name = |p: f64| "G65 P".to_owned() + &crate::num::decimal(p, 0);
+        let arguments = || {
+            let all = letters(&line[block.begin..]);
+            all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()
+        };
         match block.p {
-            Some(9810.0 | 8810.0) => {
+            Some(p @ (9810.0 | 8810.0)) => {
+                native_call(&mut self.path, self.line, &name(p), arguments());
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
             // They switch the probe on and off.
-            Some(p @ (9832.0 | 9833.0)) => self.named(name(p).as_bytes(), Foreign::Sets),
+            Some(p @ (9832.0 | 9833.0)) => {
+                native_call(&mut self.path, self.line, &name(p), arguments());
+            }
             Some(p) => {
                 self.forget(7);
-                self.named(name(p).as_bytes(), Foreign::Unknown);
+                self.native(&name(p), arguments());
             }
             None => self.lose(self.line),
         }
@@ -60,20 +81,32 @@ impl Reader {
         const LONGEST: usize = 12;
         let letters = name.iter().filter(|b| !b.is_ascii_whitespace()).take(LONGEST);
         let name: String = letters.map(|b| char::from(b.to_ascii_uppercase())).collect();
-        if let Some((.., times)) = self.foreign.iter_mut().find(|(known, ..)| *known == name) {
-            return count(times, self.line);
+        self.count_named(name, foreign, None);
+    }
+
+    fn count_named(&mut self, name: String, foreign: Foreign, title: Option<&'static str>) {
+        if let Some(known) = self.foreign.iter_mut().find(|known| known.name == name) {
+            return count(&mut known.count, self.line);
         }
         if self.foreign.len() == MOST_NAMES {
             return count(&mut self.skipped, self.line);
         }
         let mut times = Count::default();
         count(&mut times, self.line);
-        self.foreign.push((printable(&name), foreign, times));
+        self.foreign.push(Named { name, foreign, title, count: times });
     }
 }
 
 /// What is said of such a code.
-pub(super) fn by_name(name: String, foreign: Foreign) -> Text {
+pub(super) fn by_name(named: &Named) -> Text {
+    let (name, foreign) = (printable(&named.name), named.foreign);
+    if let Some(title) = named.title {
+        return text!(
+            "{code} ({title}) is one of the control's own cycles: its moves are its own, and positions after it are not known until a number is given",
+            name,
+            title.to_owned()
+        );
+    }
     if foreign == Foreign::Sets {
         text!("{code} moves nothing here, and the axis words beside it are not a position: its block is not followed", name)
     } else {

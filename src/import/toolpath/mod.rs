@@ -14,6 +14,7 @@ mod klartext;
 mod known;
 mod macros;
 mod moves;
+mod native;
 mod reader;
 mod watch;
 mod words;
@@ -29,6 +30,7 @@ pub(super) use guess::guessed;
 use klartext::Klartext;
 pub use known::{Ask, Known, Trip};
 use macros::{Macros, Step};
+pub use native::{NativeArgument, NativeCall};
 use reader::{Reader, Touching};
 use watch::probes;
 
@@ -81,8 +83,10 @@ pub struct Toolpath {
     pub findings: Vec<Finding>,
     /// The 0-based lines of each finding.
     pub finding_lines: Vec<Vec<u32>>,
-    /// What the program reads and nothing sets.
+    /// What the program reads before anything sets it.
     pub asks: Vec<Ask>,
+    /// Calls of the control's own cycles, in the order in which they run.
+    pub calls: Vec<NativeCall>,
 }
 
 impl Toolpath {
@@ -216,6 +220,13 @@ impl Run<'_> {
                 }
                 Step::Condition => self.reader.condition_begins(),
                 Step::LoopEnds => self.reader.loop_ends(),
+                Step::BranchEnds(to) => {
+                    self.reader.branch_ends();
+                    if let Some(to) = to {
+                        (at, self.reader.line) = (to.at, to.line);
+                        continue;
+                    }
+                }
                 Step::Ends => self.reader.aborts(),
                 Step::Stop => return self.reader.lose(here.line),
             }

@@ -4,10 +4,11 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange};
+use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange, Named};
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::macros::system::System;
+use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
 /// What places are, until a motion.
@@ -116,8 +117,9 @@ pub(super) struct Reader {
     pub optional: Count,
     pub twice: Count,
     pub aborted: Count,
+    pub branches: Count,
     /// Codes that make no place of their axis words, by name.
-    pub foreign: Vec<(String, Foreign, Count)>,
+    pub foreign: Vec<Named>,
     /// The line of the first units, where moves stand above it.
     pub late_units: Option<usize>,
 }
@@ -185,6 +187,7 @@ impl Reader {
             optional: Count::default(),
             twice: Count::default(),
             aborted: Count::default(),
+            branches: Count::default(),
             foreign: Vec::new(),
             late_units: None,
         }
@@ -309,7 +312,10 @@ impl Reader {
             let word = &line[block.begin..][..line[block.begin..].iter().take_while(named).count()];
             self.branch(word, self.sinumerik);
             if cycle {
-                return self.named(word, Foreign::Unknown);
+                return self.native(&String::from_utf8_lossy(word), places(line));
+            }
+            if let Some(name) = lnc_macro(&line[block.begin..]) {
+                return self.native(&name, letters(&line[block.begin + name.len()..]));
             }
         }
         count(&mut self.skipped, self.line);
@@ -337,7 +343,7 @@ impl Reader {
         }
         self.settle(block, before);
         if block.macros && block.foreign == Foreign::No {
-            self.macro_call(block);
+            self.macro_call(line, block);
         } else if block.special && self.pass_by(line, block) {
             return;
         }
@@ -521,6 +527,12 @@ impl Reader {
         self.ended = true;
     }
 
+    /// A branch whose condition is not known ends the program.
+    #[cold]
+    pub fn branch_ends(&mut self) {
+        count(&mut self.branches, self.line);
+    }
+
     /// A condition that is not known begins.
     #[cold]
     pub fn condition_begins(&mut self) {
@@ -543,6 +555,14 @@ impl Reader {
             }
         }
     }
+}
+
+/// `G65 "PROBEX" A54. B1.`: a macro that an LNC calls by its name.
+fn lnc_macro(code: &[u8]) -> Option<String> {
+    let name = code.strip_prefix(b"G65").or_else(|| code.strip_prefix(b"g65"))?.trim_ascii_start().strip_prefix(b"\"")?;
+    let end = name.iter().position(|b| *b == b'"')?;
+    let length = code.len() - name.len() + end + 1;
+    Some(String::from_utf8_lossy(&code[..length]).into_owned())
 }
 
 fn jumps(line: &[u8]) -> bool {

@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 use crate::control::heidenhain::read::{Given, assignments, transforms};
 use crate::control::iso::lex::{code, lines_of, without_count, without_number};
 use crate::form::Value;
-use crate::import::toolpath::block::Foreign;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::native::q_parameters;
 use crate::import::toolpath::reader::Reader;
 use value::{Cursor, Parameters};
 
@@ -143,7 +143,7 @@ impl Klartext {
         self.assign_all(text);
         self.q.forget_results();
         reader.forget(7);
-        reader.named(name.as_bytes(), Foreign::Unknown);
+        reader.native(name, q_parameters(text));
     }
 
     /// The parameters of a cycle.

@@ -77,6 +77,10 @@ impl Macros {
         if holds == Some(true) && to.is_some() && !self.is_guarded() {
             return Step::to(to);
         }
+        // One of the two ways ends: the other one is the program's.
+        if self.runs && holds.is_none() && to.is_some_and(|to| self.index.leads_out(to)) {
+            return Step::BranchEnds(None);
+        }
         self.leap(to, next);
         Step::AsWritten
     }

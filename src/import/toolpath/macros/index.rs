@@ -58,6 +58,30 @@ pub fn o_word(code: &[u8]) -> Option<(String, Keyword, usize)> {
     (!label.is_empty()).then_some((label, *keyword, begin + letters))
 }
 
+/// What a block does to the way of the program.
+fn turn(code: &[u8]) -> Option<Turn> {
+    let plain: Vec<u8> = code.iter().filter(|b| !b.is_ascii_whitespace()).map(u8::to_ascii_uppercase).collect();
+    let is = |word: &[u8]| plain.starts_with(word) && !plain.get(word.len()).is_some_and(u8::is_ascii_digit);
+    if is(b"M2") || is(b"M02") || is(b"M30") || plain.starts_with(b"#3000=") || plain.starts_with(b"(ABORT,") {
+        return Some(Turn::Ends);
+    }
+    if is(b"M99") {
+        return Some(Turn::Back);
+    }
+    if plain.first() == Some(&b'O') {
+        let (_, keyword, _) = o_word(code)?;
+        return matches!(keyword, Keyword::EndSub | Keyword::Return).then_some(Turn::Back);
+    }
+    let at = plain.windows(4).position(|word| word == b"GOTO")?;
+    let digits = &plain[at + 4..];
+    let digits = &digits[..digits.iter().take_while(|b| b.is_ascii_digit()).count()];
+    let number = std::str::from_utf8(digits).ok().and_then(|digits| digits.parse().ok());
+    match (number, at == 0 || plain.starts_with(b"IF")) {
+        (Some(number), true) => Some(Turn::Jumps(number, at == 0)),
+        _ => Some(Turn::Somewhere),
+    }
+}
+
 /// The label of `DO 1` and `END 1`.
 pub fn do_label(number: f64) -> String {
     "do".to_owned() + &crate::num::decimal(number.trunc(), 0)
@@ -84,10 +108,25 @@ pub struct Mark {
 /// So many O words are looked at for the end of one, and so many programs of a text are known: a search has an end.
 const MOST_LOOKED: usize = 4000;
 
+/// What a line does to the way of a program, where it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Turn {
+    /// It ends the program, by an end, an alarm or an abort.
+    Ends,
+    /// It goes back to a caller.
+    Back,
+    /// It jumps to a block; under a condition, or always.
+    Jumps(u32, bool),
+    /// It jumps to a block that is not known.
+    Somewhere,
+}
+
 /// The lines of a text that something jumps to.
 #[derive(Debug, Default)]
 pub struct Index {
     marks: Vec<Mark>,
+    /// The lines that turn the way of the program.
+    turns: Vec<(usize, Turn)>,
     /// Subroutines by label: where their lines begin, and the line of their end.
     subs: Vec<(String, Place, usize)>,
     /// Numbers of blocks, by number.
@@ -128,6 +167,7 @@ impl Index {
             self.blocks.push((number, here));
         }
         let code = &text[head.end..];
+        self.turns.extend(turn(code).map(|turn| (here.line, turn)));
         match code.first().map(u8::to_ascii_uppercase) {
             Some(b'O') => match o_word(code) {
                 Some((label, keyword, rest)) => {
@@ -151,6 +191,86 @@ impl Index {
             }
             _ => {}
         }
+    }
+
+    /// Whether the way from a place leads to the end of the program, wherever else it may branch.
+    pub fn leads_out(&self, from: Place) -> bool {
+        self.leads_out_within(from, &mut 200, 0)
+    }
+
+    fn leads_out_within(&self, from: Place, budget: &mut usize, depth: usize) -> bool {
+        let mut at = from.line;
+        loop {
+            let next = self.turns.partition_point(|(line, _)| *line < at);
+            let Some((line, turn)) = self.turns.get(next).filter(|_| *budget > 0 && depth < 10) else { return false };
+            *budget -= 1;
+            // Another program begins before it.
+            if self.end_of_program(at).is_some_and(|end| end <= *line) {
+                return false;
+            }
+            let below = Place { at: 0, line: line + 1 };
+            match turn {
+                Turn::Ends => return true,
+                Turn::Back | Turn::Somewhere => return false,
+                Turn::Jumps(number, sure) => {
+                    let Some(to) = self.block(*number, below) else { return false };
+                    if *sure {
+                        // Round and round it does not end.
+                        at = to.line;
+                    } else if self.leads_out_within(to, budget, depth + 1) {
+                        at = line + 1;
+                    } else {
+                        return false;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether the first branch of the `if` of a label ends the program: then the place below its `endif`, where it has no other branch.
+    pub fn ending_branch(&self, label: &str, line: usize) -> Option<Place> {
+        let end = self.branch_below(label, line).filter(|mark| mark.keyword == Keyword::EndIf)?;
+        let mut depth = 0;
+        let marks = self.below(line).take_while(|mark| mark.here.line < end.here.line);
+        for mark in marks {
+            match mark.keyword {
+                Keyword::If => depth += 1,
+                Keyword::EndIf => depth -= 1,
+                Keyword::Return | Keyword::Break | Keyword::Continue if depth == 0 => return None,
+                Keyword::Call
+                    if depth == 0
+                        && self.subroutine(&mark.label).is_some_and(|(begin, _)| self.ends_within(begin.line, mark)) =>
+                {
+                    return Some(end.below);
+                }
+                _ => {}
+            }
+        }
+        let first = self.turns[self.turns.partition_point(|(turn, _)| *turn <= line)..].iter();
+        let mut own = first.take_while(|(turn, _)| *turn < end.here.line).filter(|(turn, _)| !self.is_nested(line, *turn));
+        own.next().filter(|(_, turn)| *turn == Turn::Ends).map(|_| end.below)
+    }
+
+    /// Whether the lines of a subroutine end the program before it goes back, outside of its conditions.
+    fn ends_within(&self, begin: usize, call: &Mark) -> bool {
+        let end = self.below(begin.saturating_sub(1)).find(|mark| mark.label == call.label && mark.keyword == Keyword::EndSub);
+        let Some(end) = end else { return false };
+        let inside = self.turns[self.turns.partition_point(|(line, _)| *line < begin)..].iter();
+        let mut own = inside
+            .take_while(|(line, _)| *line < end.here.line)
+            .filter(|(line, _)| !self.is_nested(begin.saturating_sub(1), *line));
+        own.next().is_some_and(|(_, turn)| *turn == Turn::Ends)
+    }
+
+    /// Whether a line below another one is inside of an `if` or a loop that begins between them.
+    fn is_nested(&self, from: usize, line: usize) -> bool {
+        let between = self.below(from).take_while(|mark| mark.here.line < line);
+        let depth = between.fold(0, |depth, mark| match mark.keyword {
+            Keyword::If | Keyword::Do | Keyword::Repeat => depth + 1,
+            Keyword::EndIf | Keyword::EndRepeat | Keyword::EndWhile => depth - 1,
+            _ => depth,
+        });
+        depth > 0
     }
 
     /// Whether a block is one of a Fanuc's that jump or loop.

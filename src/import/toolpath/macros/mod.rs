@@ -5,6 +5,7 @@
 
 mod flow;
 mod index;
+mod key;
 mod o_words;
 pub(super) mod system;
 mod value;
@@ -15,8 +16,9 @@ use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::known::Ask;
 use crate::num::decimal;
 use index::{Index, o_word};
+use key::Key;
 use system::System;
-use value::{Cursor, Key, Value, Variables};
+use value::{Cursor, Value, Variables};
 
 /// So many blocks are run: whoever repeats more has an end.
 const MOST_BLOCKS: usize = 500_000;
@@ -71,6 +73,8 @@ pub(super) enum Step {
     Condition,
     /// A loop ends here of which it is not known how often it runs.
     LoopEnds,
+    /// A branch whose condition is not known ends the program: it continues below, or there.
+    BranchEnds(Option<Place>),
     /// The program ends here, by its own word.
     Ends,
     /// The program has run for too long.
@@ -97,6 +101,8 @@ pub(super) struct Macros {
     blocks: usize,
     /// The lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
+    /// Whether the program is run with what is known, and not only read.
+    runs: bool,
     /// Subroutines that nothing in the text calls, the last first.
     uncalled: Vec<(String, Place, usize)>,
 }
@@ -123,6 +129,7 @@ impl Macros {
             unsure: 0,
             leaps: Vec::new(),
             blocks: 0,
+            runs: false,
             ran: Vec::new(),
         })
     }
@@ -134,6 +141,7 @@ impl Macros {
 
     /// What the control itself knows before the next block.
     pub fn sees(&mut self, system: System) {
+        self.runs = true;
         self.variables.system = system;
     }
 

@@ -2,7 +2,8 @@
 
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::macros::index::{Keyword, o_word};
-use crate::import::toolpath::macros::value::{Cursor, Key, Value};
+use crate::import::toolpath::macros::key::Key;
+use crate::import::toolpath::macros::value::{Cursor, Value};
 use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE, Open, Step};
 
 impl Macros {
@@ -107,7 +108,10 @@ impl Macros {
                 Step::Done
             }
             Some(Value::Number(_)) => self.other_branch(label, here),
-            _ => self.unsure_begins(label),
+            _ => match Some(&self.index).filter(|_| self.runs).and_then(|index| index.ending_branch(&label, here.line)) {
+                Some(below) => Step::BranchEnds(Some(below)),
+                None => self.unsure_begins(label),
+            },
         }
     }
 

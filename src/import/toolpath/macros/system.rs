@@ -6,7 +6,7 @@
 //! is recalled and not verified on a control.
 
 use crate::geom::Plane;
-use crate::import::toolpath::macros::value::Key;
+use crate::import::toolpath::macros::key::Key;
 
 /// What the control knows before a block. Places are in the units that the program has now; NaN is not known.
 #[derive(Clone, Copy, Debug)]

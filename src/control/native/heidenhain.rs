@@ -1,0 +1,115 @@
+//! HEIDENHAIN's touch probe cycles 4xx and 14xx, by their Q parameters. Texts are ours, after the control's dialog.
+
+use super::{Argument, Call, Mark, angle, length, plain};
+
+/// Every Q parameter of the cycles; what a cycle does not have it does not name.
+const Q: [Argument; 62] = [
+    angle("Q247", "step angle between touches"),
+    length("Q260", "clearance height"),
+    length("Q261", "height of the ball's centre at the touches"),
+    length("Q262", "nominal diameter"),
+    length("Q263", "first point, first axis"),
+    length("Q264", "first point, second axis"),
+    length("Q265", "second point, first axis"),
+    length("Q266", "second point, second axis"),
+    plain("Q267", "direction of the touch: −1 or +1"),
+    plain("Q272", "measuring axis: 1 first, 2 second, 3 tool axis"),
+    length("Q273", "centre, first axis"),
+    length("Q274", "centre, second axis"),
+    length("Q275", "largest size"),
+    length("Q276", "smallest size"),
+    length("Q277", "largest size"),
+    length("Q278", "smallest size"),
+    length("Q279", "tolerance of the centre, first axis"),
+    length("Q280", "tolerance of the centre, second axis"),
+    plain("Q281", "log: 0 none, 1 file, 2 stop and screen"),
+    length("Q282", "first side"),
+    length("Q283", "second side"),
+    length("Q284", "largest first side"),
+    length("Q285", "smallest first side"),
+    length("Q286", "largest second side"),
+    length("Q287", "smallest second side"),
+    length("Q288", "largest size"),
+    length("Q289", "smallest size"),
+    length("Q294", "first point, third axis"),
+    plain("Q301", "1: lifts to the clearance height between touches"),
+    plain("Q303", "where the value goes: 0 datum table, 1 preset table"),
+    plain("Q305", "row of the table; 0 is the active datum"),
+    angle("Q307", "angle that the wall shall have"),
+    plain("Q309", "1: stops out of tolerance"),
+    length("Q310", "offset of the second touch"),
+    length("Q311", "nominal width"),
+    plain("Q312", "axis that compensates: 4 A, 5 B, 6 C"),
+    length("Q320", "set-up clearance, added to that of the probe table"),
+    length("Q321", "centre, first axis"),
+    length("Q322", "centre, second axis"),
+    length("Q323", "first side"),
+    length("Q324", "second side"),
+    angle("Q325", "angle of the first touch"),
+    length("Q326", "spacing, first axis"),
+    length("Q327", "spacing, second axis"),
+    length("Q328", "start, first axis"),
+    length("Q329", "start, second axis"),
+    plain("Q330", "tool that is monitored"),
+    length("Q331", "value that the first axis shall get"),
+    length("Q332", "value that the second axis shall get"),
+    length("Q333", "value that the tool axis shall get"),
+    plain("Q337", "1: sets the rotary axis to zero"),
+    plain("Q365", "way between touches: 0 straight, 1 on an arc"),
+    angle("Q380", "reference angle"),
+    plain("Q381", "1: one more touch along the tool axis"),
+    length("Q382", "its place, first axis"),
+    length("Q383", "its place, second axis"),
+    length("Q384", "its place, third axis"),
+    length("Q405", "value that the centre shall get"),
+    plain("Q423", "number of touches: 3 or 4"),
+    plain("Q350", "kind of measurement"),
+    plain("Q351", "extent of measurement"),
+    length("Q359", "correction of the length"),
+];
+
+const POST: &str = "a post that the maker of the CAM system publishes, and posted programs";
+
+const fn cycle(name: &'static str, title: &'static str) -> Call {
+    Call { name, title, arguments: &Q, shared: &[], needs: &[], excludes: &[], mark: Mark::Sourced, source: POST }
+}
+
+const fn recalled(name: &'static str, title: &'static str) -> Call {
+    Call { mark: Mark::Recalled, source: "recalled: title only", ..cycle(name, title) }
+}
+
+pub static CALLS: [Call; 30] = [
+    cycle("TCH PROBE 400", "basic rotation by two touches"),
+    recalled("TCH PROBE 401", "basic rotation by two holes"),
+    recalled("TCH PROBE 402", "basic rotation by two studs"),
+    cycle("TCH PROBE 403", "rotary axis set by two touches"),
+    recalled("TCH PROBE 404", "basic rotation set"),
+    recalled("TCH PROBE 405", "rotation by a hole's centre"),
+    cycle("TCH PROBE 408", "centre of a slot as datum"),
+    cycle("TCH PROBE 409", "centre of a ridge as datum"),
+    cycle("TCH PROBE 410", "centre of a rectangular pocket as datum"),
+    cycle("TCH PROBE 411", "centre of a rectangular stud as datum"),
+    cycle("TCH PROBE 412", "centre of a hole (inside circle) as datum"),
+    cycle("TCH PROBE 413", "centre of a stud (outside circle) as datum"),
+    recalled("TCH PROBE 414", "outside corner as datum"),
+    recalled("TCH PROBE 415", "inside corner as datum"),
+    recalled("TCH PROBE 416", "centre of a pitch circle as datum"),
+    cycle("TCH PROBE 417", "surface across the tool axis as datum"),
+    recalled("TCH PROBE 418", "crossing of lines between four holes as datum"),
+    cycle("TCH PROBE 419", "one axis as datum"),
+    cycle("TCH PROBE 420", "angle of a wall"),
+    cycle("TCH PROBE 421", "hole, measured"),
+    cycle("TCH PROBE 422", "stud, measured"),
+    cycle("TCH PROBE 423", "rectangular pocket, measured"),
+    cycle("TCH PROBE 424", "rectangular stud, measured"),
+    cycle("TCH PROBE 425", "width of a slot"),
+    cycle("TCH PROBE 426", "width of a ridge"),
+    cycle("TCH PROBE 427", "one coordinate, measured"),
+    recalled("TCH PROBE 430", "pitch circle, measured"),
+    recalled("TCH PROBE 431", "plane by three touches"),
+    Call { source: "the control's manual, cycle 1411", ..cycle("TCH PROBE 1411", "two circles: position and rotation") },
+    Call {
+        source: "the control's manual, cycle 1493",
+        ..cycle("TCH PROBE 1493", "touches of the next cycle along a line (extrusion)")
+    },
+];

@@ -1,0 +1,135 @@
+//! The probing cycles that controls and makers of probes have: what each call says, letter by letter. Reader, explanation and docs read this table.
+//!
+//! Facts are marked: sourced (read in a maker's manual, a maker's macro or a post that a maker publishes), recalled (not verified
+//! on a control). Lengths are in the program's units, angles in degrees.
+
+mod heidenhain;
+mod renishaw;
+mod siemens;
+mod small;
+
+/// What a value counts in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    Length,
+    Angle,
+    Feed,
+    /// A number, a choice, a register.
+    None,
+}
+
+impl Unit {
+    pub fn word(self) -> &'static str {
+        match self {
+            Unit::Length => "length",
+            Unit::Angle => "angle",
+            Unit::Feed => "feed",
+            Unit::None => "none",
+        }
+    }
+}
+
+/// How well a call is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    Sourced,
+    Recalled,
+}
+
+impl Mark {
+    pub fn word(self) -> &'static str {
+        match self {
+            Mark::Sourced => "sourced",
+            Mark::Recalled => "recalled",
+        }
+    }
+}
+
+/// An argument of a call.
+#[derive(Clone, Copy, Debug)]
+pub struct Argument {
+    /// Its letter, its Q number, or its place between the commas, from 1.
+    pub name: &'static str,
+    pub meaning: &'static str,
+    pub unit: Unit,
+}
+
+const fn length(name: &'static str, meaning: &'static str) -> Argument {
+    Argument { name, meaning, unit: Unit::Length }
+}
+
+const fn angle(name: &'static str, meaning: &'static str) -> Argument {
+    Argument { name, meaning, unit: Unit::Angle }
+}
+
+const fn plain(name: &'static str, meaning: &'static str) -> Argument {
+    Argument { name, meaning, unit: Unit::None }
+}
+
+/// A call.
+#[derive(Clone, Copy, Debug)]
+pub struct Call {
+    /// As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
+    pub name: &'static str,
+    /// What it measures or does, in a few words.
+    pub title: &'static str,
+    /// Its own arguments.
+    pub arguments: &'static [Argument],
+    /// Those that it shares with others of its set.
+    pub shared: &'static [Argument],
+    /// Arguments without which the control refuses it; of a list in one entry (`X Y Z`) one must be there.
+    pub needs: &'static [&'static str],
+    /// Pairs that exclude each other.
+    pub excludes: &'static [(&'static str, &'static str)],
+    pub mark: Mark,
+    /// Where that was read.
+    pub source: &'static str,
+}
+
+impl Call {
+    /// An argument by its name.
+    pub fn argument(&self, name: &str) -> Option<&'static Argument> {
+        self.arguments.iter().chain(self.shared).find(|argument| argument.name == name)
+    }
+}
+
+/// The sets of calls.
+pub static SETS: [(&str, &[Call]); 6] = [
+    ("Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)", &renishaw::CALLS),
+    ("Haas: the macros of its probing screens", &renishaw::HAAS),
+    ("HEIDENHAIN: touch probe cycles", &heidenhain::CALLS),
+    ("SINUMERIK: measuring cycles", &siemens::CALLS),
+    ("LNC: the macros of the maker", &small::LNC),
+    ("RepRapFirmware with MillenniumOS", &small::MILLENNIUM),
+];
+
+/// A call by its name, blanks aside; P88xx is P98xx of a Brother.
+pub fn find(name: &str) -> Option<&'static Call> {
+    let plain: String = name.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
+    let plain = plain.replace("G65P88", "G65P98");
+    let same = |call: &&Call| call.name.bytes().filter(|b| *b != b' ').eq(plain.bytes());
+    SETS.iter().flat_map(|(_, calls)| calls.iter()).find(same)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_call_is_found_by_its_name_and_says_each_letter_once() {
+        for call in SETS.iter().flat_map(|(_, calls)| calls.iter()) {
+            assert!(std::ptr::eq(find(call.name).unwrap(), call), "{} is there twice", call.name);
+            let mut names: Vec<&str> = call.arguments.iter().map(|argument| argument.name).collect();
+            names.sort_unstable();
+            let all = names.len();
+            names.dedup();
+            assert_eq!(names.len(), all, "{}", call.name);
+            let known = |name: &str| name.split(' ').all(|name| call.argument(name).is_some());
+            assert!(call.needs.iter().all(|name| known(name)), "{}", call.name);
+            assert!(call.excludes.iter().all(|(a, b)| known(a) && known(b)), "{}", call.name);
+            assert!(!call.source.is_empty() && !call.title.is_empty());
+        }
+        assert_eq!(find("g65p8814").unwrap().name, "G65 P9814");
+        assert!(find("G65 P1").is_none());
+    }
+}

@@ -1,0 +1,129 @@
+//! Calls of the control's own cycles: named by the table of calls, with every argument in words, and refused as what they are where their arguments
+//! contradict each other.
+
+use serde::Serialize;
+
+use crate::control::heidenhain::read::{Given, assignments};
+use crate::control::iso::lex::number;
+use crate::control::native::{self, Call};
+use crate::form::{Value, printable};
+use crate::import::toolpath::Toolpath;
+
+/// So many calls are listed.
+const MOST_CALLS: usize = 10_000;
+
+/// A call of one of the control's own cycles.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NativeCall {
+    /// Its 0-based line.
+    pub line: u32,
+    /// As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
+    pub name: String,
+    /// What it measures or does; none for a call that is not known here.
+    pub title: Option<&'static str>,
+    /// How well that is known: `sourced` or `recalled`.
+    pub mark: Option<&'static str>,
+    /// Where it was read.
+    pub source: Option<&'static str>,
+    /// Its arguments in their order.
+    pub arguments: Vec<NativeArgument>,
+    /// What contradicts in them: `X and Y exclude each other`.
+    pub contradictions: Vec<String>,
+}
+
+/// An argument of a call.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NativeArgument {
+    /// Its letter, its Q number, or its place between the commas.
+    pub name: String,
+    /// None where it is no number or is computed from what is not known.
+    pub value: Option<f64>,
+    /// What it means; none where that is not known here.
+    pub meaning: Option<&'static str>,
+    /// `length`, `angle`, `feed` or `none`.
+    pub unit: Option<&'static str>,
+}
+
+/// Lists a call, and gives what it is. `arguments` are names and values; NaN is not known.
+pub(super) fn listed(path: &mut Toolpath, line: usize, name: &str, arguments: Vec<(String, f64)>) -> Option<&'static Call> {
+    let call = native::find(name);
+    if path.calls.len() == MOST_CALLS {
+        return call;
+    }
+    let argument = |(name, value): (String, f64)| {
+        let known = call.and_then(|call| call.argument(&name));
+        NativeArgument {
+            value: (!value.is_nan()).then_some(value),
+            meaning: known.map(|argument| argument.meaning),
+            unit: known.map(|argument| argument.unit.word()),
+            name,
+        }
+    };
+    let arguments: Vec<NativeArgument> = arguments.into_iter().map(argument).collect();
+    path.calls.push(NativeCall {
+        line: line as u32,
+        name: call.map_or_else(|| printable(name), |call| call.name.to_owned()),
+        title: call.map(|call| call.title),
+        mark: call.map(|call| call.mark.word()),
+        source: call.map(|call| call.source),
+        contradictions: call.map_or_else(Vec::new, |call| contradictions(call, &arguments)),
+        arguments,
+    });
+    call
+}
+
+fn contradictions(call: &Call, arguments: &[NativeArgument]) -> Vec<String> {
+    let given = |name: &str| arguments.iter().any(|argument| argument.name == name);
+    let both = call.excludes.iter().filter(|(a, b)| given(a) && given(b));
+    let missing = call.needs.iter().filter(|names| !names.split(' ').any(given));
+    let both = both.map(|(a, b)| format!("{a} and {b} exclude each other"));
+    both.chain(missing.map(|names| format!("{} is missing", names.replace(' ', " or ")))).collect()
+}
+
+/// The letters and values of a block behind its first word: `G65 P9814 D25. Z-5.`
+pub(super) fn letters(code: &[u8]) -> Vec<(String, f64)> {
+    let mut found: Vec<(String, f64)> = Vec::new();
+    let mut at = 0;
+    while at < code.len() {
+        match code[at] {
+            b'(' | b';' => break,
+            letter if letter.is_ascii_alphabetic() => {
+                at += 1;
+                let (value, end) = number(code, at).unwrap_or((f64::NAN, at));
+                let name = char::from(letter.to_ascii_uppercase()).to_string();
+                if found.iter().all(|(known, _)| *known != name) {
+                    found.push((name, value));
+                }
+                at = end;
+            }
+            b'"' => at += 1 + code[at + 1..].iter().position(|b| *b == b'"').map_or(code.len() - at, |end| end + 1),
+            _ => at += 1,
+        }
+    }
+    found
+}
+
+/// The Q parameters of a block.
+pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
+    let value = |given: Given| match given {
+        Given::Value(Value::Number(x)) => x,
+        _ => f64::NAN,
+    };
+    assignments(text).into_iter().map(|(number, given)| (format!("Q{number}"), value(given))).collect()
+}
+
+/// What stands between the commas of `CYCLE977(1101,,,1,…)`, by its place from 1; what is left out is not there.
+pub(super) fn places(code: &[u8]) -> Vec<(String, f64)> {
+    let Some(open) = code.iter().position(|b| *b == b'(') else { return Vec::new() };
+    let inner = &code[open + 1..];
+    let inner = &inner[..inner.iter().rposition(|b| *b == b')').unwrap_or(inner.len())];
+    let mut found = Vec::new();
+    for (i, part) in inner.split(|b| *b == b',').enumerate().take(60) {
+        let part = part.trim_ascii();
+        if !part.is_empty() && part != b"\"\"" {
+            let value = number(part, 0).filter(|(_, end)| *end == part.len()).map_or(f64::NAN, |(x, _)| x);
+            found.push(((i + 1).to_string(), value));
+        }
+    }
+    found
+}
