@@ -7,15 +7,19 @@ mod block;
 mod calls;
 mod count;
 mod findings;
+mod flow;
 mod foreign;
 mod guess;
 mod heidenhain;
+mod key;
 mod klartext;
 mod known;
 mod macros;
 mod moves;
 mod native;
 mod reader;
+mod sinumerik;
+mod system;
 mod watch;
 mod words;
 
@@ -26,12 +30,14 @@ use crate::job::JobError;
 use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
+use flow::{Flow, Step};
 pub(super) use guess::guessed;
 use klartext::Klartext;
 pub use known::{Ask, Known, Trip};
-use macros::{Macros, Step};
+use macros::Macros;
 pub use native::{NativeArgument, NativeCall};
 use reader::{Reader, Touching};
+use sinumerik::Sinumerik;
 use watch::probes;
 
 /// The longest program that is read, in UTF-16 units.
@@ -160,11 +166,19 @@ fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut r
         klartext.run(&mut reader);
         return finished(text, reader, klartext.asks(), &[]);
     }
-    let macros = if dialect == DIALECTS[1] { None } else { Macros::of(text, end, set) };
+    let macros: Option<Box<dyn Flow>> = match dialect == DIALECTS[1] {
+        // A text that is only read is read as it was: the run is what knows more.
+        true => reader.run.is_some().then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
+        false => Macros::of(text, end, set).map(|macros| Box::new(macros) as Box<dyn Flow>),
+    };
+    let mut macros = macros;
+    if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
+        macros.sees(reader.system());
+    }
     let mut run = Run { text, end, start: reader.place, reader, calls: Calls::new(text), macros };
     run.lines(Place { at: 0, line: 0 });
     let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
-    let asks = run.macros.as_ref().map_or_else(Vec::new, Macros::asks);
+    let asks = run.macros.as_ref().map_or_else(Vec::new, |macros| macros.asks());
     finished(text, run.reader, asks, &shown)
 }
 
@@ -193,7 +207,7 @@ struct Run<'t> {
     start: [f64; 3],
     reader: Reader,
     calls: Calls<'t>,
-    macros: Option<Macros>,
+    macros: Option<Box<dyn Flow>>,
 }
 
 impl Run<'_> {
@@ -256,7 +270,7 @@ impl Run<'_> {
 
     /// Whether lines run because something called them.
     fn is_called(&self) -> bool {
-        self.calls.is_inside() || self.macros.as_ref().is_some_and(Macros::is_inside)
+        self.calls.is_inside() || self.macros.as_ref().is_some_and(|macros| macros.is_inside())
     }
 
     /// A run tells the macros what the control knows, and whether the probing move that comes is a positioning move that is watched.
@@ -266,7 +280,7 @@ impl Run<'_> {
         if probes(line) {
             touching.watched = watch::is_watched(line, &self.text[below..]);
         }
-        if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr2(b'#', b'[', line).is_some()) {
+        if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some()) {
             macros.sees(self.reader.system());
         }
     }

@@ -7,8 +7,8 @@ use crate::geom::Plane;
 use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange, Named};
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::known::Trip;
-use crate::import::toolpath::macros::system::System;
 use crate::import::toolpath::native::{letters, places};
+use crate::import::toolpath::system::System;
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
 /// What places are, until a motion.
@@ -201,6 +201,7 @@ impl Reader {
             place: self.place.map(|x| x / scale),
             contact: contact.map(|x| x / scale),
             met,
+            rests: self.run.as_ref().is_some_and(|run| run.met.is_none() && run.touch != Trip::Unknown),
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
             plane: self.modes.plane,

@@ -7,7 +7,13 @@ use crate::control::iso::lex::{code, head, lines_of, trimmed};
 
 /// Whether a block has a code of a probing move in it.
 pub(super) fn probes(line: &[u8]) -> bool {
+    let measures = |at: usize| {
+        line[at..]
+            .get(..5)
+            .is_some_and(|word| word[..4].eq_ignore_ascii_case(b"MEAS") || word[..4].eq_ignore_ascii_case(b"MEAW"))
+    };
     memchr::memchr2_iter(b'G', b'g', line).any(|at| matches!(line[at + 1..], [b'3', b'8', b'.', ..] | [b'3', b'1', ..]))
+        || memchr::memchr2_iter(b'M', b'm', line).any(measures)
 }
 
 /// Whether the probing move of a block is a positioning move, by the lines below.
@@ -37,18 +43,20 @@ fn code_of(line: &str) -> String {
 }
 
 fn moves(line: &str) -> bool {
-    line.starts_with(['G', 'X', 'Y', 'Z']) && line.contains(['X', 'Y', 'Z']) && !line.starts_with("G53")
+    line.starts_with("MEAS")
+        || line.starts_with(['G', 'X', 'Y', 'Z']) && line.contains(['X', 'Y', 'Z']) && !line.starts_with("G53")
 }
 
 /// Whether it is a condition about the last probing move.
 fn asks(line: &str) -> bool {
     line.contains("IF[") && (line.contains("#5070") || line.contains("#506"))
+        || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }
 
-/// Whether the condition holds after a contact: on LinuxCNC by #5070, on a Fanuc by a place that is not the target.
+/// Whether the condition holds after a contact: by #5070 and `$AC_MEA[1]`, on a Fanuc by a place that is not the target.
 fn asks_for_contact(condition: &str) -> bool {
-    match condition.split_once("#5070") {
-        Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1"].iter().any(|word| rest.starts_with(word)),
+    match condition.split_once("#5070").or_else(|| condition.split_once("$AC_MEA[1]")) {
+        Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1", "==1", "<>0", ">0"].iter().any(|word| rest.starts_with(word)),
         None => ["GT", "NE", "GE"].iter().any(|word| condition.contains(word)),
     }
 }

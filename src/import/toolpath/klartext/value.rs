@@ -67,7 +67,7 @@ impl Parameters {
 
     /// Nothing is known of any of them.
     pub fn forget(&mut self) {
-        self.values.clear();
+        self.values.values_mut().for_each(|value| *value = f64::NAN);
         self.lost = true;
     }
 

@@ -1,9 +1,10 @@
 //! Macro B of Fanuc and its kin: jumps, conditions, and calls with arguments.
 
 use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::macros::index::do_label;
 use crate::import::toolpath::macros::value::{Cursor, Value};
-use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE, Step};
+use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE};
 
 /// The letters of the arguments of a G65, and the variables that they set.
 const ARGUMENTS: [(u8, i32); 21] = [

@@ -5,19 +5,18 @@
 
 mod flow;
 mod index;
-mod key;
 mod o_words;
-pub(super) mod system;
 mod value;
 
 use crate::control::iso::lex::{head, program_number};
 use crate::import::signs::{self, Sign};
 use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::system::System;
 use crate::num::decimal;
 use index::{Index, o_word};
-use key::Key;
-use system::System;
 use value::{Cursor, Value, Variables};
 
 /// So many blocks are run: whoever repeats more has an end.
@@ -57,35 +56,6 @@ struct Frame {
     leaps: usize,
     /// How often an unknown condition may have gone back from it: what follows in it is not sure.
     left: usize,
-}
-
-/// What becomes of a line.
-pub(super) enum Step {
-    /// It is read as it is written.
-    AsWritten,
-    /// This is read in its place.
-    Read(Vec<u8>),
-    /// It is done.
-    Done,
-    /// The program continues elsewhere.
-    Go(Place),
-    /// A condition that is not known begins here, though the line is another.
-    Condition,
-    /// A loop ends here of which it is not known how often it runs.
-    LoopEnds,
-    /// A branch whose condition is not known ends the program: it continues below, or there.
-    BranchEnds(Option<Place>),
-    /// The program ends here, by its own word.
-    Ends,
-    /// The program has run for too long.
-    Stop,
-}
-
-impl Step {
-    /// To a place, where there is one.
-    fn to(place: Option<Place>) -> Step {
-        place.map_or(Step::AsWritten, Step::Go)
-    }
 }
 
 /// Runs the macros of a text.
@@ -134,48 +104,6 @@ impl Macros {
         })
     }
 
-    /// Whether lines run because something called them.
-    pub fn is_inside(&self) -> bool {
-        !self.frames.is_empty()
-    }
-
-    /// What the control itself knows before the next block.
-    pub fn sees(&mut self, system: System) {
-        self.runs = true;
-        self.variables.system = system;
-    }
-
-    /// What was read, is not known, and is set by nothing.
-    pub fn asks(&self) -> Vec<Ask> {
-        self.variables.asks()
-    }
-
-    /// Nothing is known of any variable: something else may have set them.
-    pub fn forget(&mut self) {
-        self.variables.forget();
-    }
-
-    /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`. Neither its arguments are known
-    /// nor what was set before.
-    pub fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
-        let (label, begin, last) = self.uncalled.pop()?;
-        while !self.frames.is_empty() {
-            self.leave();
-        }
-        (self.unsure, self.leaps, self.open) = (0, Vec::new(), Vec::new());
-        self.runs(begin, last);
-        let arguments = self.variables.given_arguments();
-        self.enter(end, true, 0, Vec::new());
-        self.variables.forget();
-        arguments.into_iter().for_each(|(number, value)| self.variables.set_given(Key::Number(number), value));
-        Some((label, begin))
-    }
-
-    /// Whether a line ran where it was called.
-    pub fn has_run(&self, line: usize) -> bool {
-        self.ran.iter().any(|(from, to)| (*from..=*to).contains(&line))
-    }
-
     /// The lines of a subprogram run, with the line of its name.
     fn runs(&mut self, begin: Place, end: usize) {
         const MOST_KNOWN: usize = 500;
@@ -196,30 +124,6 @@ impl Macros {
         self.unsure > unsure || self.leaps.len() > leaps
     }
 
-    /// What becomes of the line at `here`; `inside` is how many M98 calls are under way.
-    pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
-        self.blocks += 1;
-        if self.blocks > MOST_BLOCKS {
-            return Step::Stop;
-        }
-        self.variables.line = here.line;
-        self.leaps.retain(|leap| *leap != here.line);
-        let head = head(line);
-        let code = &line[head.end..];
-        if !head.skips {
-            return self.block(line, head.end, here, next, inside);
-        }
-        // With block skip on, the control leaves it out.
-        if self.index.is_flow(code) || o_word(code).is_some_and(|(_, keyword, _)| keyword.jumps()) || flow::calls(code) {
-            self.leap(None, next);
-            return Step::AsWritten;
-        }
-        self.unsure += 1;
-        let step = self.block(line, head.end, here, next, inside);
-        self.unsure = self.unsure.saturating_sub(1);
-        step
-    }
-
     /// What becomes of a block, whose words begin at `begin`.
     fn block(&mut self, line: &[u8], begin: usize, here: Place, next: Place, inside: usize) -> Step {
         let code = &line[begin..];
@@ -227,7 +131,7 @@ impl Macros {
             // The next program begins: the one that was called is over.
             Some(b'O') if program_number(code).is_some() => Step::to(self.fall_out(false)),
             Some(b'O') => self.o_word(code, here, next),
-            Some(b'(') if self.variables.linuxcnc && aborts(code) && !self.is_guarded() => Step::Ends,
+            Some(b'(') if self.variables.linuxcnc && aborts(code) && self.is_sure() => Step::Ends,
             Some(b'(' | b';' | b'%') | None => Step::AsWritten,
             _ if self.index.is_flow(code) => self.flow(code, here, next),
             _ => self.macro_word(code, next, inside).unwrap_or_else(|| self.words(line, begin)),
@@ -259,12 +163,6 @@ impl Macros {
         Step::AsWritten
     }
 
-    /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
-    pub fn fall_out(&mut self, at_end: bool) -> Option<Place> {
-        self.frames.last().filter(|frame| at_end || !frame.linuxcnc)?;
-        self.leave()
-    }
-
     /// A block of words: what is known in it becomes numbers, and what it assigns is set.
     fn words(&mut self, line: &[u8], begin: usize) -> Step {
         if memchr::memchr2(b'#', b'[', &line[begin..]).is_none() {
@@ -281,7 +179,7 @@ impl Macros {
         let sure = self.is_sure() && (sets.len() < 2 || self.variables.linuxcnc);
         // An alarm with a message: the program stops.
         let alarm = !self.variables.linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
-        if alarm && self.is_sure() && !self.is_guarded() {
+        if alarm && self.is_sure() {
             return Step::Ends;
         }
         let known = sure && sets.iter().all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
@@ -326,6 +224,71 @@ impl Macros {
             }
         }
         Some((out, sets))
+    }
+}
+
+impl Flow for Macros {
+    fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
+        self.blocks += 1;
+        if self.blocks > MOST_BLOCKS {
+            return Step::Stop;
+        }
+        self.variables.line = here.line;
+        self.leaps.retain(|leap| *leap != here.line);
+        let head = head(line);
+        let code = &line[head.end..];
+        if !head.skips {
+            return self.block(line, head.end, here, next, inside);
+        }
+        // With block skip on, the control leaves it out.
+        if self.index.is_flow(code) || o_word(code).is_some_and(|(_, keyword, _)| keyword.jumps()) || flow::calls(code) {
+            self.leap(None, next);
+            return Step::AsWritten;
+        }
+        self.unsure += 1;
+        let step = self.block(line, head.end, here, next, inside);
+        self.unsure = self.unsure.saturating_sub(1);
+        step
+    }
+
+    fn forget(&mut self) {
+        self.variables.forget();
+    }
+
+    fn fall_out(&mut self, at_end: bool) -> Option<Place> {
+        self.frames.last().filter(|frame| at_end || !frame.linuxcnc)?;
+        self.leave()
+    }
+
+    fn has_run(&self, line: usize) -> bool {
+        self.ran.iter().any(|(from, to)| (*from..=*to).contains(&line))
+    }
+
+    fn is_inside(&self) -> bool {
+        !self.frames.is_empty()
+    }
+
+    fn sees(&mut self, system: System) {
+        self.runs = true;
+        self.variables.system = system;
+    }
+
+    fn asks(&self) -> Vec<Ask> {
+        self.variables.asks()
+    }
+
+    fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
+        let (label, begin, last) = self.uncalled.pop()?;
+        while !self.frames.is_empty() {
+            self.leave();
+        }
+        (self.unsure, self.leaps, self.open) = (0, Vec::new(), Vec::new());
+        self.runs(begin, last);
+        let arguments = self.variables.given_arguments();
+        self.enter(end, true, 0, Vec::new());
+        self.variables.forget();
+        arguments.into_iter().for_each(|(number, value)| self.variables.set_given(Key::Number(number), value));
+        Some((label, begin))
     }
 }
 

@@ -1,10 +1,11 @@
 //! O words of LinuxCNC: branches, loops, subroutines; and the loops of macro B, which run likewise.
 
 use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::macros::index::{Keyword, o_word};
-use crate::import::toolpath::macros::key::Key;
 use crate::import::toolpath::macros::value::{Cursor, Value};
-use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE, Open, Step};
+use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE, Open};
 
 impl Macros {
     /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.

@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::import::toolpath::key::{Key, plain};
 use crate::import::toolpath::known::Ask;
-use crate::import::toolpath::macros::key::{Key, plain};
-use crate::import::toolpath::macros::system::System;
+use crate::import::toolpath::system::System;
 use crate::num::read_digits;
 
 /// What a variable or an expression is.

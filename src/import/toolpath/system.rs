@@ -6,7 +6,7 @@
 //! is recalled and not verified on a control.
 
 use crate::geom::Plane;
-use crate::import::toolpath::macros::key::Key;
+use crate::import::toolpath::key::Key;
 
 /// What the control knows before a block. Places are in the units that the program has now; NaN is not known.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +15,8 @@ pub struct System {
     /// Where the last probing move ended, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,
+    /// Whether it is known what touches meet, and none was made yet: the probe is not deflected.
+    pub rests: bool,
     /// Each none where the program has not stated it.
     pub metric: Option<bool>,
     pub absolute: Option<bool>,
@@ -31,6 +33,7 @@ impl Default for System {
             place: NOWHERE,
             contact: NOWHERE,
             met: None,
+            rests: false,
             metric: None,
             absolute: None,
             plane: None,
@@ -42,6 +45,26 @@ impl Default for System {
 }
 
 impl System {
+    /// The same by a SINUMERIK's names: `$AA_IW` the present position in the work system, `$AA_MW` that of the last contact, `$AC_MEA[1]` whether there was
+    /// one, `$A_PROBE[1]` whether the probe is deflected: it is where the last contact was, until it leaves.
+    pub fn of_sinumerik(&self) -> Vec<(&'static str, f64)> {
+        let truth = |is: Option<bool>| is.map_or(f64::NAN, |is| f64::from(u8::from(is)));
+        let leaves = (0..3).any(|axis| self.place[axis] != self.contact[axis]);
+        let deflected = self.met.map(|met| met && !leaves);
+        let [x, y, z] = self.place;
+        let [cx, cy, cz] = self.contact;
+        vec![
+            ("$AA_IW[X]", x),
+            ("$AA_IW[Y]", y),
+            ("$AA_IW[Z]", z),
+            ("$AA_MW[X]", cx),
+            ("$AA_MW[Y]", cy),
+            ("$AA_MW[Z]", cz),
+            ("$AC_MEA[1]", truth(self.met)),
+            ("$A_PROBE[1]", truth(deflected.or(self.rests.then_some(false)))),
+        ]
+    }
+
     /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
     pub fn is_set_up(key: &Key) -> bool {
         match key {

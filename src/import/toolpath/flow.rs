@@ -1,0 +1,61 @@
+//! What runs a program's arithmetic and jumps in front of the reader.
+
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::system::System;
+
+/// What becomes of a line.
+pub(super) enum Step {
+    /// It is read as it is written.
+    AsWritten,
+    /// This is read in its place.
+    Read(Vec<u8>),
+    /// It is done.
+    Done,
+    /// The program continues elsewhere.
+    Go(Place),
+    /// A condition that is not known begins here, though the line is another.
+    Condition,
+    /// A loop ends here of which it is not known how often it runs.
+    LoopEnds,
+    /// A branch whose condition is not known ends the program: it continues below, or there.
+    BranchEnds(Option<Place>),
+    /// The program ends here, by its own word.
+    Ends,
+    /// The program has run for too long.
+    Stop,
+}
+
+impl Step {
+    /// To a place, where there is one.
+    pub fn to(place: Option<Place>) -> Step {
+        place.map_or(Step::AsWritten, Step::Go)
+    }
+}
+
+/// Runs the arithmetic and the jumps of a text, line by line.
+pub(super) trait Flow {
+    /// What becomes of the line at `here`; `inside` is how many M98 calls are under way.
+    fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step;
+
+    /// Nothing is known of any variable: something else may have set them.
+    fn forget(&mut self);
+
+    /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
+    fn fall_out(&mut self, at_end: bool) -> Option<Place>;
+
+    /// Whether a line ran where it was called.
+    fn has_run(&self, line: usize) -> bool;
+
+    /// Whether lines run because something called them.
+    fn is_inside(&self) -> bool;
+
+    /// What the control itself knows before the next block.
+    fn sees(&mut self, system: System);
+
+    /// What was read before anything set it.
+    fn asks(&self) -> Vec<Ask>;
+
+    /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`.
+    fn uncalled(&mut self, end: Place) -> Option<(String, Place)>;
+}
