@@ -231,6 +231,7 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);
     set(&result, "calls", &to_js(&run.calls)?);
+    set(&result, "rules", &to_js(&run.rules)?);
     Ok(result.into())
 }
 

@@ -69,6 +69,8 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   asks: { name: string; lines: number[] }[];
   /** Calls of the control's own probing cycles, in the order in which they run. */
   calls: NativeCall[];
+  /** What the safety rules say of a program that probes; `holds` is `null` where an unknown decides. `lines`, 0-based, break it, or are not known. */
+  rules: { rule: string; holds: boolean | null; message: string; said: Said; lines: number[] }[];
 }
 
 /** A call of one of the control's own probing cycles. */

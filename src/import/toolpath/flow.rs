@@ -56,6 +56,9 @@ pub(super) trait Flow {
     /// What was read before anything set it.
     fn asks(&self) -> Vec<Ask>;
 
+    /// Where work offsets were written by variables: how many moves were made before, and the line.
+    fn writes(&self) -> Vec<(usize, usize)>;
+
     /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`.
     fn uncalled(&mut self, end: Place) -> Option<(String, Place)>;
 }

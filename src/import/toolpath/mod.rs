@@ -18,6 +18,7 @@ mod macros;
 mod moves;
 mod native;
 mod reader;
+mod rules;
 mod sinumerik;
 mod system;
 mod watch;
@@ -37,6 +38,8 @@ pub use known::{Ask, Known, Trip};
 use macros::Macros;
 pub use native::{NativeArgument, NativeCall};
 use reader::{Reader, Touching};
+use rules::Log;
+pub use rules::{RUN_RULES, RunRule};
 use sinumerik::Sinumerik;
 use watch::probes;
 
@@ -93,6 +96,12 @@ pub struct Toolpath {
     pub asks: Vec<Ask>,
     /// Calls of the control's own cycles, in the order in which they run.
     pub calls: Vec<NativeCall>,
+    /// What the safety rules say of a run that probes.
+    pub rules: Vec<RunRule>,
+    /// Where the stylus stood before the first move.
+    pub(crate) start: [f64; 3],
+    /// Whether it probes by G38.2 and its kin.
+    pub(crate) by_g38: bool,
 }
 
 impl Toolpath {
@@ -109,6 +118,16 @@ impl Toolpath {
     /// Where a move ends, in the program's units: NaN along an axis whose place is not known. Panics beyond the last move.
     pub fn end(&self, index: usize) -> Vec3 {
         Vec3::from_slice(&self.to[3 * index..3 * index + 3])
+    }
+
+    /// Where a move begins: where the one before ended, or met something.
+    fn begin(&self, index: usize) -> Vec3 {
+        let Some(before) = index.checked_sub(1) else { return self.start.into() };
+        let at = self.contacts.partition_point(|contact| contact[0] < before as f64);
+        match self.contacts.get(at) {
+            Some([index, x, y, z]) if *index == before as f64 => Vec3::new(*x, *y, *z),
+            _ => self.end(before),
+        }
     }
 }
 
@@ -141,10 +160,13 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         touch: known.touch,
         positioning: known.positioning,
         watched: false,
+        asked: false,
         contact: [f64::NAN; 3],
         met: None,
     });
     reader.files = files.clone();
+    reader.path.start = reader.place;
+    reader.log = Some(Log::default());
     let mut path = run(&whole, text.len(), dialect, &known.set, reader);
     // From the lines of the whole to those of each file.
     if !files.is_empty() {
@@ -177,15 +199,22 @@ fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut r
     }
     let mut run = Run { text, end, start: reader.place, reader, calls: Calls::new(text), macros };
     run.lines(Place { at: 0, line: 0 });
+    let offsets = run.macros.as_ref().map_or_else(Vec::new, |macros| macros.writes());
+    if let Some(log) = &mut run.reader.log {
+        log.writes.extend(offsets);
+        log.writes.sort_unstable();
+    }
     let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
     let asks = run.macros.as_ref().map_or_else(Vec::new, |macros| macros.asks());
     finished(text, run.reader, asks, &shown)
 }
 
 /// The path, with what is said of the whole.
-fn finished(text: &str, reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
+fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
+    let log = reader.log.take();
     let mut path = reader.finish();
     path.asks = asks;
+    path.rules = log.map_or_else(Vec::new, |log| rules::asked(&path, &log));
     let mut note = |finding: Finding| {
         path.findings.push(finding);
         path.finding_lines.push(Vec::new());
@@ -277,8 +306,9 @@ impl Run<'_> {
     #[inline]
     fn looks_ahead(&mut self, line: &[u8], below: usize) {
         let Some(touching) = &mut self.reader.run else { return };
-        if probes(line) {
-            touching.watched = watch::is_watched(line, &self.text[below..]);
+        if probes(line) || self.reader.modes.motion.probes() {
+            let behind = watch::behind(line, &self.text[below..]);
+            (touching.watched, touching.asked) = (behind.watched, behind.asked);
         }
         if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some()) {
             macros.sees(self.reader.system());

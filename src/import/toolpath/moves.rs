@@ -6,6 +6,7 @@ use crate::import::toolpath::block::Block;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
 /// More whole turns in a program, by P, are straight: whoever draws them has an end.
@@ -71,15 +72,26 @@ impl Reader {
         self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
         if kind == PROBE && self.run.is_some() {
-            self.touched(from, motion);
+            self.touched(from, motion, block.feed.is_some());
         }
     }
 
     /// Where a probing move ends on its way to the place that its block gives.
     #[cold]
-    fn touched(&mut self, from: [f64; 3], motion: Motion) {
+    fn touched(&mut self, from: [f64; 3], motion: Motion, own_feed: bool) {
         let Some(run) = &mut self.run else { return };
         let to = self.place;
+        self.path.by_g38 |= motion == Motion::MustTouch || self.modes.motion.probes();
+        if let Some(log) = &mut self.log {
+            log.touches.push(Touch {
+                index: self.path.kind.len() - 1,
+                line: self.line,
+                stops: motion == Motion::MustTouch,
+                asked: run.asked,
+                positions: run.watched,
+                own_feed,
+            });
+        }
         let trip = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };
         // What does not move is where it is.
         let stays = |axis: usize| to[axis] == from[axis];

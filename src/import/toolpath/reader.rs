@@ -8,6 +8,7 @@ use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange, Nam
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::native::{letters, places};
+use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::system::System;
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
@@ -48,6 +49,8 @@ pub(super) struct Touching {
     pub positioning: Trip,
     /// Whether the next probing move is a positioning move that is watched.
     pub watched: bool,
+    /// Whether the program asks behind it for a contact.
+    pub asked: bool,
     /// Where the last one ended, in the units of the path, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,
@@ -65,6 +68,8 @@ pub(super) struct Reader {
     pub place: [f64; 3],
     /// What a run knows of touches; none where the text is read only.
     pub run: Option<Touching>,
+    /// What happens beside the moves, for the rules.
+    pub log: Option<Log>,
     /// The tool that is called next, and the one that was changed to; NaN where it is computed.
     pub next_tool: f64,
     pub tool: Option<f64>,
@@ -143,6 +148,7 @@ impl Reader {
             heidenhain: false,
             place: [f64::NAN; 3],
             run: None,
+            log: None,
             next_tool: f64::NAN,
             tool: None,
             modes: Modes {
@@ -208,6 +214,7 @@ impl Reader {
             offset: self.offset.filter(|_| self.transformed.times == 0),
             tool: self.tool.filter(|tool| !tool.is_nan()),
             feed: self.feed / scale,
+            moves: self.path.len(),
         }
     }
 
@@ -342,6 +349,9 @@ impl Reader {
         if block.offset.is_some() | block.writes {
             self.shift(block);
         }
+        if self.log.is_some() {
+            self.logs(block);
+        }
         self.settle(block, before);
         if block.macros && block.foreign == Foreign::No {
             self.macro_call(line, block);
@@ -352,6 +362,28 @@ impl Reader {
         if let Some(code) = block.calls.filter(|_| block.special) {
             self.call(code, block);
         }
+    }
+
+    /// What the rules ask for beside moves.
+    #[cold]
+    fn logs(&mut self, block: &Block) {
+        let (moves, line) = (self.path.len(), self.line);
+        let [units, plane, distance] = [self.path.metric.is_some(), self.modes.plane.is_some(), self.modes.stated];
+        let incremental = !self.modes.absolute;
+        let Some(log) = &mut self.log else { return };
+        if let Some(on) = block.spindle {
+            log.spindle.push((moves, line, on));
+        }
+        // Work offsets; what tools get is none of them.
+        let written = block.writes && block.l.is_some_and(|l| l == 2.0 || l == 20.0);
+        if written && (block.given != 0 || block.radius.is_some()) {
+            log.writes.push((moves, line));
+        }
+        if block.given != 0 && !block.elsewhere && log.stated.is_none() {
+            log.stated = Some((line, [units, plane, distance]));
+        }
+        log.left_incremental = incremental;
+        log.ends |= block.ends;
     }
 
     /// Goes to the place of a block, where it names one.

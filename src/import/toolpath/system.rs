@@ -24,6 +24,8 @@ pub struct System {
     pub offset: Option<i32>,
     pub tool: Option<f64>,
     pub feed: f64,
+    /// How many moves were made.
+    pub moves: usize,
 }
 
 impl Default for System {
@@ -40,6 +42,7 @@ impl Default for System {
             offset: None,
             tool: None,
             feed: f64::NAN,
+            moves: 0,
         }
     }
 }

@@ -16,28 +16,42 @@ pub(super) fn probes(line: &[u8]) -> bool {
         || memchr::memchr2_iter(b'M', b'm', line).any(measures)
 }
 
-/// Whether the probing move of a block is a positioning move, by the lines below.
-pub(super) fn is_watched(line: &[u8], below: &str) -> bool {
+/// What a program does behind a probing move.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Behind {
+    /// It asks whether there was a contact.
+    pub asked: bool,
+    /// And leaves where there was one: it is a positioning move.
+    pub watched: bool,
+}
+
+/// What follows a probing move, by the lines below its block.
+pub(super) fn behind(line: &[u8], below: &str) -> Behind {
+    const MOST_LINES: usize = 8;
+    let mut lines = lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else {
+        return Behind::default();
+    };
     // A miss of G38.2 and G38.4 is an alarm: nobody moves to a free place with them.
     let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
-    if memchr::memchr2_iter(b'G', b'g', line).any(must) {
-        return false;
-    }
-    const MOST_LINES: usize = 8;
-    let mut lines = lines_of(below).map(|line| code_of(line)).filter(|line| !line.is_empty()).take(MOST_LINES);
-    let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else { return false };
-    if !asks_for_contact(&condition) {
-        return false;
-    }
-    match condition.find("GOTO").or_else(|| condition.find("THEN")) {
+    let touches = memchr::memchr2_iter(b'G', b'g', line).any(must) || !asks_for_contact(&condition);
+    let mut leaves_then = || match condition.find("GOTO").or_else(|| condition.find("THEN")) {
         Some(_) => true,
         None => lines.next().is_some_and(|line| leaves(&line)),
-    }
+    };
+    Behind { asked: true, watched: !touches && leaves_then() }
 }
 
 /// The code of a line without blanks, in capitals.
 fn code_of(line: &str) -> String {
     let line = trimmed(line);
+    // A comment that stops LinuxCNC is an end.
+    if line
+        .strip_prefix('(')
+        .is_some_and(|text| text.trim_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("abort")))
+    {
+        return "M2".to_owned();
+    }
     let plain = code(&line[head(line.as_bytes()).end..], true);
     plain.bytes().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_uppercase())).collect()
 }
@@ -49,6 +63,7 @@ fn moves(line: &str) -> bool {
 
 /// Whether it is a condition about the last probing move.
 fn asks(line: &str) -> bool {
+    // A Haas asks in the probing block itself.
     line.contains("IF[") && (line.contains("#5070") || line.contains("#506"))
         || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }

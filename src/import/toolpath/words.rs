@@ -220,7 +220,8 @@ impl Reader {
             }
             Effect::Contact(_) => return Foreign::Unknown,
             Effect::Sets | Effect::Ahead => return Foreign::Sets,
-            Effect::Spindle(_) | Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}
+            Effect::Spindle(on) => block.spindle = Some(on),
+            Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}
         }
         Foreign::No
     }

@@ -1,7 +1,7 @@
 //! Programs that are run with what is known beside their text.
 
 use super::*;
-use touchpath::import::toolpath::{Known, Trip, run_program};
+use touchpath::import::toolpath::{Known, RUN_RULES, Trip, run_program};
 
 fn met(at: f64) -> Known<'static> {
     Known { touch: Trip::At(at), positioning: Trip::Never, ..Known::default() }
@@ -34,4 +34,266 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
         }
     }
     assert!(seen > 1000, "{seen}");
+}
+
+/// What the rules of a run say of the programs that are made here: nothing is broken but what the control cannot do.
+#[test]
+fn the_rules_of_a_run_agree_with_those_of_the_proof() {
+    let mut asked = 0;
+    for (name, job) in jobs() {
+        let plan = planned(&job);
+        if plan.program.proof.is_none() || plan.touches.is_empty() {
+            continue;
+        }
+        let run = run_program(&plan.program.text, &met(0.9));
+        assert_eq!(run.rules.len(), RUN_RULES.len(), "{name}");
+        for rule in &run.rules {
+            let proven = plan.safety.iter().find(|row| row.rule == rule.rule).map(|row| row.holds);
+            let what = || format!("{name} for {}: {rule:?}\n{}", plan.program.post, plan.program.text);
+            // What the proof holds the run may not know, and never denies; what the proof denies the run does not hold.
+            match proven {
+                Some(Some(true)) => assert_ne!(rule.holds, Some(false), "{}", what()),
+                Some(Some(false)) => assert_ne!(rule.holds, Some(true), "{}", what()),
+                Some(None) | None => {}
+            }
+            asked += usize::from(rule.holds.is_some());
+        }
+    }
+    assert!(asked > 150, "{asked}");
+}
+
+/// Where moves end, to a ten-thousandth, and their lines from 1.
+fn shown(run: &Toolpath) -> Vec<String> {
+    let axis = |x: f64| if x.is_nan() { "?".to_owned() } else { format!("{}", (x * 1e4).round() / 1e4 + 0.0) };
+    let row = |i: usize| format!("{} {} {}", run.line[i] + 1, kinds(run)[i], places(run)[i].map(axis).join(" "));
+    (0..run.len()).map(row).collect()
+}
+
+fn asks(run: &Toolpath) -> Vec<&str> {
+    run.asks.iter().map(|ask| ask.name.as_str()).collect()
+}
+
+/// The way of a touch is from 10 to −10; met half way, it ends at 0. By hand.
+const EDGE: &str = "G21 G90\nF50\nG38.3 X-10\n#<edge> = #5061\nG1 X[#<edge> + 3] F200\nG0 Y#5422\nM2\n";
+
+#[test]
+fn a_touch_ends_where_it_meets_something_and_the_next_move_begins_there() {
+    let at = |trip: Trip| {
+        let run = run_program(EDGE, &Known { touch: trip, start: Some([10.0, 4.0, -2.0]), ..Known::default() });
+        assert_eq!(run.contacts.len(), usize::from(matches!(trip, Trip::At(_))));
+        (shown(&run), run.contacts)
+    };
+    let (moves, contacts) = at(Trip::At(0.5));
+    assert_eq!(moves, ["3 probe -10 4 -2", "5 feed 3 4 -2", "6 rapid 3 -2 -2"]);
+    assert_eq!(contacts, [[0.0, 0.0, 4.0, -2.0]]);
+    assert_eq!(at(Trip::Never).0, ["3 probe -10 4 -2", "5 feed -7 4 -2", "6 rapid -7 -2 -2"]);
+    // Not told, it may have ended anywhere along its way.
+    assert_eq!(at(Trip::Unknown).0, ["3 probe -10 4 -2", "5 feed ? 4 -2", "6 rapid ? -2 -2"]);
+    let nowhere = run_program(EDGE, &Known { touch: Trip::At(0.5), ..Known::default() });
+    assert_eq!(shown(&nowhere), ["3 probe -10 ? ?", "5 feed ? ? ?", "6 rapid ? ? ?"]);
+}
+
+/// LinuxCNC's interpreter itself, whose probing moves meet nothing: #5070 is 0 and #5061 the target.
+#[test]
+fn a_run_in_which_nothing_is_met_is_the_interpreters() {
+    for text in [
+        "G21 G90\no<side> sub\nG91\nG38.3 X[#1] F[#2]\nG90\no1 if [#5070 EQ 0]\n#<found> = [#5061 + 1]\no1 else\n#<found> = -99\no1 endif\nG0 X#<found> Z#5422\no<side> endsub [#<found>]\nG0 X0 Y0 Z5\no<side> call [2] [40]\nG1 Y#<_value> F90\no<side> call [-1.5] [40]\nG1 Y#<_value>\nM2\n",
+        "G20 G90\nG0 X0.05 Y0 Z0.1\n#100 = #5420\nG38.3 Z0.05 F4\nG0 Z[#5063 + 1] X[#5420 * 2]\nG91\nG1 X#<_x> F10\nG90\nG0 Y[#<_metric> * 7]\nM2\n",
+        "G21 G90 G17\nG0 X1 Y2 Z3\n#1 = 0\no1 while [#1 LT 3]\nG38.3 Y[2 - #1 * 0.5] F30\no2 if [#5070 EQ 1]\no1 break\no2 endif\nG0 Y[#5062 + #<_incremental>]\n#1 = [#1 + 1]\no1 endwhile\nG0 Z#5420\nM2\n",
+    ] {
+        let ran = interpret(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+        let run = run_program(
+            text,
+            &Known { touch: Trip::Never, positioning: Trip::Never, start: Some([0.0; 3]), ..Known::default() },
+        );
+        assert_eq!(run.len(), ran.moves.len(), "{text}\n{:?}\n{:?}", shown(&run), ran.moves);
+        for (i, other) in ran.moves.iter().enumerate() {
+            let own = places(&run)[i];
+            let same = (0..3).all(|axis| (own[axis] - other.to[axis]).abs() < 1e-3) && kinds(&run)[i] == other.kind;
+            assert!(same, "{text}\nmove {i}, line {}: {own:?}, truly {other:?}", run.line[i] + 1);
+        }
+    }
+}
+
+#[test]
+fn what_is_read_before_anything_sets_it_is_asked_for() {
+    let text = "G21 G90\no<m> sub\no1 if [#5400 NE #<tool>]\n(ABORT, wrong tool)\no1 endif\n#<r> = [#3014 / 2]\nG0 X#1\nG38.2 Z[0 - #2] F50\n#<r> = #5063\nG0 Z#<r>\no<m> endsub\n";
+    let known =
+        |set: Vec<(&'static str, f64)>| Known { set, start: Some([0.0, 0.0, 9.0]), touch: Trip::At(1.0), ..Known::default() };
+    let run = run_program(text, &known(Vec::new()));
+    assert_eq!(asks(&run), ["#1", "#2", "#3014", "#5400", "#<tool>"]);
+    assert_eq!(run.asks[2].lines, [5]);
+    assert!(run.findings.iter().any(|finding| finding.code == "branch-ends"), "{:?}", run.findings);
+    // Given, it is asked no longer; what an argument list leaves out is 0.
+    let run = run_program(text, &known(vec![("#1", 4.0), ("#3014", 6.0), ("#5400", 5.0), ("#<tool>", 5.0)]));
+    assert_eq!(
+        (asks(&run), shown(&run)),
+        (Vec::new(), vec!["7 rapid 4 0 9".to_owned(), "8 probe 4 0 0".to_owned(), "10 rapid 4 0 0".to_owned()])
+    );
+    // Another tool is in the spindle: the program stops itself, which is said at its line.
+    let run = run_program(text, &known(vec![("#5400", 4.0), ("#<tool>", 5.0)]));
+    let stops = run.findings.iter().position(|finding| finding.code == "program-stops").expect("it stops");
+    assert_eq!((run.len(), run.finding_lines[stops].as_slice()), (0, &[3][..]));
+}
+
+/// G65 into a program of another file, by hand: #26 is Z, #24 is X.
+#[test]
+fn subprograms_of_other_files_are_run_in_their_own_lines() {
+    let text = "%\nO1\nG21 G90\nG0 X0. Y0. Z20.\nG65 P9701 X4. Z-2.\nG0 Y7.\nM30\n%\n";
+    let file = "%\nO9701\nG31 Z#26 F100.\n#101=#5063\nIF [#101 LE [#26+0.05]] GOTO 9\nG1 X#24 F200.\nG0 Z20.\nM99\nN9\n#3000=1 (NOTHING MET)\n%\n";
+    let known = |trip: Trip| Known { touch: trip, files: vec![("O9701.nc", file)], ..Known::default() };
+    let run = run_program(text, &known(Trip::At(0.5)));
+    assert_eq!(shown(&run), ["4 rapid 0 0 20", "3 probe 0 0 -2", "6 feed 4 0 9", "7 rapid 4 0 20", "6 rapid 4 7 20"]);
+    assert_eq!(run.file, [0, 1, 1, 1, 0]);
+    let run = run_program(text, &known(Trip::Never));
+    assert_eq!(shown(&run), ["4 rapid 0 0 20", "3 probe 0 0 -2"]);
+    let stops = run.findings.iter().find(|finding| finding.code == "program-stops").expect("it stops");
+    assert!(stops.message.contains("line 10 (O9701.nc)"), "{}", stops.message);
+}
+
+#[test]
+fn klartext_runs_by_hand() {
+    let text = "0 BEGIN PGM K MM\n1 TOOL CALL 5 Z S1000\n2 L X+0 Y+0 Z+50 R0 FMAX M3\n3 CC X+0 Y+0\n4 L X+20 F500\n5 C X+0 Y+20 DR+\n6 CR X-20 Y+0 R+20 DR+\n7 LP PR+10 PA+90\n8 CP IPA-90 DR-\n9 Q1 = +5 * ( 2 + SQ 2 )\n10 FN 1: Q2 = +Q1 + +4\n11 L Z-Q2\n12 LBL 1\n13 L IX+1 F MAX\n14 CALL LBL 1 REP 3\n15 CALL LBL \"SUB\"\n16 FN 9: IF +Q2 EQU +34 GOTO LBL 9\n17 L X+999\n18 LBL 9\n19 L IZ+Q5\n20 M30\n21 LBL \"SUB\"\n22 L Y-1,5\n23 LBL 0\n24 END PGM K MM\n";
+    let run = run_program(text, &Known { set: vec![("Q5", 4.0)], ..Known::default() });
+    assert_eq!((run.dialect, run.metric), ("klartext", Some(true)));
+    assert_eq!(
+        shown(&run),
+        [
+            "3 rapid 0 0 50",
+            "5 feed 20 0 50",
+            "6 feed 0 20 50",
+            "7 feed -20 0 50",
+            "8 feed 0 10 50",
+            "9 feed 10 0 50",
+            "12 feed 10 0 -34",
+            "14 rapid 11 0 -34",
+            "14 rapid 12 0 -34",
+            "14 rapid 13 0 -34",
+            "14 rapid 14 0 -34",
+            "23 feed 14 -1.5 -34",
+            "20 feed 14 -1.5 -30",
+        ]
+    );
+    // A quarter counter-clockwise about 0, another, and a quarter clockwise on the radius of 10.
+    let arcs: Vec<[f64; 4]> = run.arcs.iter().map(|arc| [arc[0], arc[1].round(), arc[2].round(), arc[4].round()]).collect();
+    assert_eq!(arcs, [[2.0, 0.0, 0.0, 90.0], [3.0, 0.0, 0.0, 90.0], [5.0, 0.0, 0.0, -90.0]]);
+    assert_eq!(asks(&run_program(text, &Known::default())), ["Q5"]);
+    // A jump that is not known: nothing that was computed is known from there on.
+    let run = run_program(
+        "BEGIN PGM A MM\nQ1 = 5\nFN 11: IF +Q9 GT +0 GOTO LBL 7\nL X+Q1 F100\nLBL 7\nL Y+2\nEND PGM A MM\n",
+        &Known::default(),
+    );
+    assert_eq!(shown(&run), ["4 feed ? ? ?", "6 feed ? 2 ?"]);
+    let run = run_program(
+        "BEGIN PGM A INCH\nL X+1 Y+2 Z+3 FMAX\nTCH PROBE 412 DATUM INSIDE CIRCLE ~\n Q321=+1 ;CENTER ~\n Q262=+25\nL Z+3 FMAX\nL X+Q151\nEND PGM A INCH\n",
+        &Known::default(),
+    );
+    assert_eq!(shown(&run), ["2 rapid 1 2 3", "6 rapid ? ? 3", "7 feed ? ? 3"]);
+    let call = &run.calls[0];
+    assert_eq!((call.name.as_str(), call.line, run.metric), ("TCH PROBE 412", 2, Some(false)));
+    assert_eq!((call.arguments[1].value, call.arguments[1].meaning), (Some(25.0), Some("nominal diameter")));
+}
+
+#[test]
+fn sinumerik_runs_by_hand() {
+    let text = "DEF REAL HEIGHT=5, LIST[3]\nG71 G17 G90\nR1=3 R2=R1*2+1\nG0 X=R2 Y=0 Z=HEIGHT\nFOR R3=1 TO 3\nLIST[R3-1]=R3*10\nG1 Y=LIST[R3-1] F=R1*100\nENDFOR\nIF (R1>2) AND NOT (R1==4)\nG1 X=IC(-R1)\nELSE\nG1 X=99\nENDIF\nWHILE R1>0\nR1=R1-1\nIF R1==1 GOTOF NEXT\nG1 Z=R1\nNEXT:\nENDWHILE\nSIDE(2, R2)\nREPEAT\nR1=R1+1\nUNTIL R1>=2\nG1 Z=R1\nMEAS=1 G1 X=0 F50\nSTOPRE\nIF $AC_MEA[1]==0 GOTOF MISSED\nG1 X=$AA_MW[X]+1 Y=ABS(-3)\nM30\nMISSED:\nSETAL(65000)\nM30\nPROC SIDE(REAL A, INT B)\nG1 X=A Y=B\nRET\n";
+    let known = |trip: Trip| Known { touch: trip, positioning: Trip::Never, ..Known::default() };
+    let run = run_program(text, &known(Trip::At(0.5)));
+    assert_eq!(
+        shown(&run),
+        [
+            "4 rapid 7 0 5",
+            "7 feed 7 10 5",
+            "7 feed 7 20 5",
+            "7 feed 7 30 5",
+            "10 feed 4 30 5",
+            "17 feed 4 30 2",
+            "17 feed 4 30 0",
+            "34 feed 2 7 0",
+            "24 feed 2 7 2",
+            "25 probe 0 7 2",
+            "28 feed 2 3 2",
+        ]
+    );
+    assert_eq!(run.feed[1], 300.0);
+    // The alarm below the end is not reached.
+    assert_eq!((said(&run), asks(&run)), (vec!["lines-skipped"], Vec::new()), "{:?}", run.findings);
+    // Nothing met: an alarm; not told: the alarm's branch ends, the rest stands where the touch has ended.
+    assert_eq!(shown(&run_program(text, &known(Trip::Never))).last().map(String::as_str), Some("25 probe 0 7 2"));
+    assert_eq!(shown(&run_program(text, &known(Trip::Unknown))).last().map(String::as_str), Some("28 feed ? 3 2"));
+    let run = run_program(
+        "G71 G90\nG0 X0 Y0 Z5\nCYCLE977(101,,,1,25,,,2,0.5,0,10,,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\nG0 X=R7\n",
+        &Known::default(),
+    );
+    assert_eq!(run.calls[0].arguments[2].meaning, Some("diameter or width"));
+    assert_eq!((shown(&run).last().map(String::as_str), asks(&run)), (Some("4 rapid ? ? ?"), vec!["R7"]));
+}
+
+/// Each rule is broken by a program of someone else's, at its lines.
+#[test]
+fn a_rule_names_the_lines_that_break_it() {
+    let broken = |text: &str| {
+        let run = run_program(text, &Known { start: Some([0.0, 0.0, 20.0]), ..met(0.5) });
+        let rows = run.rules.iter().filter(|row| row.holds == Some(false));
+        rows.map(|row| format!("{} {:?}", row.rule, row.lines.iter().map(|line| line + 1).collect::<Vec<_>>()))
+            .collect::<Vec<_>>()
+    };
+    let good = "G21 G17 G90\nM5\nG38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\nG38.2 Z-5 F60\n#<z> = #5063\nG1 Z20 F600\nG10 L20 P1 Z0\nM2\n";
+    assert_eq!(broken(good), Vec::<String>::new());
+    for (from, to, rule) in [
+        ("G17 G90", "G90", "modes-stated [3]"),
+        ("M5\n", "M3 S500\n", "spindle-off [2]"),
+        ("G38.3 X5 Y5 F900", "G0 X5 Y5", "positioning-watched [3]"),
+        ("G38.2 Z-5 F60", "G38.3 Z-5 F60", "missed-touch-stops [7]"),
+        ("G38.2 Z-5 F60", "G38.2 Z-5", "feeds-stated [7]"),
+        ("#<z> = #5063\nG1 Z20 F600\n", "G0 X9\nG38.2 Z-6 F60\n", "no-low-rapid [8]"),
+        ("G38.2 Z-5 F60\n", "G10 L20 P1 Z0\nG38.2 Z-5 F60\n", "offset-after-touches [7]"),
+        ("G10 L20 P1 Z0\nM2\n", "#9=0\no5 while [#9 LT 2]\nG10 L20 P1 Z0\n#9=[#9+1]\no5 endwhile\nM2\n", "one-write [12]"),
+        ("M2\n", "G91\nM2\n", "modes-left []"),
+    ] {
+        let rows = broken(&good.replacen(from, to, 1));
+        assert!(rows.iter().any(|row| row == rule), "{from} → {to}: {rows:?}");
+    }
+    assert!(run_program("G21 G90\nG0 X1\nM2\n", &Known::default()).rules.is_empty());
+}
+
+#[test]
+fn a_native_call_says_what_contradicts_in_it() {
+    let text = "%\nO1\nG21 G90 G0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG65 P9814 Q3.\nG65 P9810 X1. Y2. Z-8. F800.\nG65 P8811 Z-10.\nG65 P9999 A1.\nM30\n%\n";
+    let run = run_program(text, &Known::default());
+    let calls: Vec<(&str, Option<&str>, String)> =
+        run.calls.iter().map(|call| (call.name.as_str(), call.title, call.contradictions.join(", "))).collect();
+    assert_eq!(
+        calls,
+        [
+            ("G65 P9812", Some("web or slot"), "X and Y exclude each other".to_owned()),
+            ("G65 P9814", Some("hole or boss, four touches"), "D is missing".to_owned()),
+            ("G65 P9810", Some("protected positioning move"), String::new()),
+            ("G65 P9811", Some("single surface"), String::new()),
+            ("G65 P9999", None, String::new()),
+        ]
+    );
+    assert_eq!(shown(&run)[1], "6 feed 1 2 -8");
+}
+
+/// What is handed over wrongly is said, all at once, and nothing runs.
+#[test]
+fn what_is_known_is_checked() {
+    let json = r##"{ "dialect": "apt", "set": { "#5": "x", "5": 1, "R1": 2 }, "start": [1, 2], "part": { "at": 2, "positioning": null }, "files": { "a": 5 }, "more": 1 }"##;
+    let value = touchpath::form::Value::from(&serde_json::from_str::<serde_json::Value>(json).unwrap());
+    let error = Known::of(&value).unwrap_err();
+    let found: Vec<(&str, &str)> =
+        error.findings.iter().map(|finding| (finding.code.as_str(), finding.path.as_str())).collect();
+    assert_eq!(
+        found,
+        [
+            ("unknown-value", "dialect"),
+            ("wrong-type", "files.a"),
+            ("unknown-key", "more"),
+            ("out-of-range", "part.at"),
+            ("not-a-number", "set.#5"),
+            ("unknown-value", "set.5"),
+            ("wrong-type", "start"),
+        ]
+    );
 }

@@ -69,6 +69,8 @@ pub(super) struct Macros {
     /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
     leaps: Vec<usize>,
     blocks: usize,
+    /// Where work offsets were written by their variables.
+    writes: Vec<(usize, usize)>,
     /// The lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
     /// Whether the program is run with what is known, and not only read.
@@ -99,6 +101,7 @@ impl Macros {
             unsure: 0,
             leaps: Vec::new(),
             blocks: 0,
+            writes: Vec::new(),
             runs: false,
             ran: Vec::new(),
         })
@@ -135,6 +138,15 @@ impl Macros {
             Some(b'(' | b';' | b'%') | None => Step::AsWritten,
             _ if self.index.is_flow(code) => self.flow(code, here, next),
             _ => self.macro_word(code, next, inside).unwrap_or_else(|| self.words(line, begin)),
+        }
+    }
+
+    /// Whether a variable is of a work offset.
+    fn is_offset(&self, key: &Key) -> bool {
+        match key {
+            Key::Number(number) if self.variables.linuxcnc => (5211..=5390).contains(number),
+            Key::Number(number) => matches!(number, 5201..=5340 | 7001..=7960 | 14_001..=14_999),
+            Key::Name(_) | Key::Unknown => false,
         }
     }
 
@@ -182,6 +194,9 @@ impl Macros {
         if alarm && self.is_sure() {
             return Step::Ends;
         }
+        if self.runs && sets.iter().any(|(key, _)| self.is_offset(key)) {
+            self.writes.push((self.variables.system.moves, self.variables.line));
+        }
         let known = sure && sets.iter().all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
         let assigns = !sets.is_empty();
         for (key, value) in sets {
@@ -228,6 +243,10 @@ impl Macros {
 }
 
 impl Flow for Macros {
+    fn writes(&self) -> Vec<(usize, usize)> {
+        self.writes.clone()
+    }
+
     fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
         self.blocks += 1;
         if self.blocks > MOST_BLOCKS {
@@ -284,10 +303,8 @@ impl Flow for Macros {
         }
         (self.unsure, self.leaps, self.open) = (0, Vec::new(), Vec::new());
         self.runs(begin, last);
-        let arguments = self.variables.given_arguments();
         self.enter(end, true, 0, Vec::new());
-        self.variables.forget();
-        arguments.into_iter().for_each(|(number, value)| self.variables.set_given(Key::Number(number), value));
+        self.variables.enter_uncalled();
         Some((label, begin))
     }
 }

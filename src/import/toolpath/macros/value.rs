@@ -81,7 +81,7 @@ impl Variables {
     }
 
     /// The arguments that the user gives of a subroutine that nothing calls.
-    pub fn given_arguments(&self) -> Vec<(i32, Value)> {
+    fn given_arguments(&self) -> Vec<(i32, Value)> {
         let local = |(key, value): (&Key, &f64)| match key {
             Key::Number(n) if self.is_local(key) => Some((*n, Value::Number(*value))),
             _ => None,
@@ -193,10 +193,13 @@ impl Variables {
         level.set.insert(key, value);
     }
 
-    /// An argument that the user gives: nothing in the text sets it.
-    pub fn set_given(&mut self, key: Key, value: Value) {
+    /// Into a subroutine that nothing calls, with the arguments that the user gives: where there is one, others are not given.
+    pub fn enter_uncalled(&mut self) {
+        let arguments = self.given_arguments();
+        self.forget();
         if let Some(level) = self.levels.last_mut() {
-            level.set.insert(key, value);
+            level.lost = arguments.is_empty();
+            level.set.extend(arguments.into_iter().map(|(number, value)| (Key::Number(number), value)));
         }
     }
 

@@ -51,6 +51,9 @@ pub(super) struct Sinumerik {
     blocks: usize,
     /// Whether the program is run with what is known, and not only read.
     runs: bool,
+    /// How many moves were made.
+    moves: usize,
+    writes: Vec<(usize, usize)>,
     ran: Vec<(usize, usize)>,
 }
 
@@ -65,6 +68,8 @@ impl Sinumerik {
             leaps: Vec::new(),
             blocks: 0,
             runs: false,
+            moves: 0,
+            writes: Vec::new(),
             ran: Vec::new(),
         }
     }
@@ -334,14 +339,10 @@ impl Sinumerik {
                     out.push_str(before);
                     break;
                 };
-                match value.is_nan() {
-                    true => out.push_str(&before[..before.len() - cursor.rest.len()]),
-                    false => {
-                        let number = decimal(value, 9);
-                        let text = wrap.map_or_else(|| number.clone(), |wrap| format!("{wrap}({number})"));
-                        out.push_str(&format!("{word}={text} "));
-                    }
-                }
+                // What is not known stands there as a variable, which the reader knows for one.
+                let value = if value.is_nan() { "R0".to_owned() } else { decimal(value, 9) };
+                let text = wrap.map_or_else(|| value.clone(), |wrap| format!("{wrap}({value})"));
+                out.push_str(&format!("{word}={text} "));
                 continue;
             }
             assigns = true;
@@ -353,6 +354,9 @@ impl Sinumerik {
             };
             match (name, value) {
                 (Some(name), Some(value)) => {
+                    if name.starts_with("$P_UIFR") || name.starts_with("$P_PFRAME") {
+                        self.writes.push((self.moves, self.variables.line));
+                    }
                     let value = if self.is_sure() { value } else { f64::NAN };
                     known &= !value.is_nan();
                     self.variables.set(&name, value);
@@ -429,12 +433,16 @@ impl Flow for Sinumerik {
     }
 
     fn sees(&mut self, system: System) {
-        self.runs = true;
+        (self.runs, self.moves) = (true, system.moves);
         self.variables.system = system.of_sinumerik();
     }
 
     fn asks(&self) -> Vec<Ask> {
         self.variables.asks()
+    }
+
+    fn writes(&self) -> Vec<(usize, usize)> {
+        self.writes.clone()
     }
 
     fn uncalled(&mut self, _end: Place) -> Option<(String, Place)> {
