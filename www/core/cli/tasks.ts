@@ -10,25 +10,30 @@ import {
   JobError,
   type Measurement,
   measure,
+  type ProgramKnown,
   type ProgramMoves,
   type Programmed,
   plan,
   programs,
   type ResultRow,
   readProgram,
+  runProgram,
   svg,
 } from "../node.js";
+import { examined, type ReportFormat } from "./examine.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "moves" | "evaluate" | "svg";
+  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "evaluate" | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
-  format?: "csv" | "json" | "text";
+  format?: "csv" | "json" | "text" | "sarif";
   view?: "top" | "front" | "side" | "isometric";
   /** What a machine measured, as text. */
   points?: string;
+  /** What is known of a program beside its text; without it `moves` only reads. */
+  known?: ProgramKnown;
 }
 
 /** A job's text and where it stands. */
@@ -70,7 +75,12 @@ export function perform(task: Task, { source, place, ...item }: Item): Outcome {
 function done(task: Task, source: string, { text, refused }: Pick<Item, "text" | "refused">): Done {
   if (refused !== undefined) throw new JobError(refused, [problem("too-long", refused)]);
   if (task.command === "import") return imported(text);
-  if (task.command === "moves") return moves(text, task.format ?? "text", source);
+  if (task.command === "moves") return moves(text, task, source);
+  if (task.command === "examine") {
+    const { run, text: report, broken } = examined(text, task.known ?? {}, (task.format ?? "text") as ReportFormat, source);
+    const { findings } = run;
+    return { output: { name: nameOf(source), ending: "-report.txt", text: report }, control: null, findings, failed: broken };
+  }
   const { job, overruled } = read(text, task);
   const control = controlOf(job);
   if (task.command === "check") {
@@ -124,7 +134,7 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
   }
   if (task.command === "svg") return { ending: ".svg", out: svg(job, task.view), findings: check(job) };
   if (task.command === "table") {
-    const format = task.format ?? "text";
+    const format = (task.format ?? "text") as "csv" | "json" | "text";
     return {
       ending: `-parameters.${format === "text" ? "txt" : format}`,
       out: exportTable(job, format),
@@ -183,10 +193,13 @@ function imported(text: string): Done {
   };
 }
 
+/** What the output of a program is called after it. */
+const nameOf = (source: string) => (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
+
 /** The moves of a program, line by line as an editor counts them. A text without any is a failure: there is nothing to list. */
-function moves(text: string, format: NonNullable<Task["format"]>, source: string): Done {
-  const read = readProgram(text);
-  const name = (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
+function moves(text: string, { format = "text", known }: Task, source: string): Done {
+  const read = known ? runProgram(text, known) : readProgram(text);
+  const name = nameOf(source);
   const ending = `-moves.${format === "text" ? "txt" : format}`;
   const out = format === "json" ? movesAsJson(read) : format === "csv" ? movesAsCsv(read) : movesAsText(read);
   return {

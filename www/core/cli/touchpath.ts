@@ -6,7 +6,8 @@ import { availableParallelism, constants } from "node:os";
 import { basename, dirname, extname, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
-import { catalog, type Finding, jobSchema, version } from "../node.js";
+import { catalog, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
+import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
 import { performAll } from "./pool.js";
@@ -21,6 +22,7 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath svg JOB…        the picture                  --view isometric|top|front|side
   touchpath import TEXT…    a job from a dump or a program
   touchpath moves PROGRAM…  the moves of any program     --format text|csv|json
+  touchpath examine PROGRAM…        what a program of anyone's does: safety rules, cycles, what it asks for   --format text|json|sarif
   touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
   touchpath schema          the JSON Schema of a job
   touchpath catalog         cycles, fields and controls
@@ -30,6 +32,11 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 
   --post P        for this control, in the place of the job's own
   --form F        moves or cycle, in the place of the job's own
+  --set NAME=X    for examine and moves: the value of a variable, as often as there are some: --set '#3014=5' --set R1=2
+  --start X,Y,Z   where the stylus stands before the program
+  --at F          touches meet something at this fraction of their way, 0 to 1; none: nothing
+  --positioning F the same of positioning moves that are watched
+  --with FILE     a file with subprograms, as often as there are some
   -o, --out DIR   into files there, named after the jobs, in folders as those of the jobs; existing files are replaced
   --flat          with -o: all files into DIR itself
   --ndjson        one job per line in, one outcome per line out
@@ -39,11 +46,11 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 
 With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
-Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors or a
-program without moves, 2 wrong use.
+Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
+program without moves or one that breaks a rule, 2 wrong use.
 `;
 
-const COMMANDS = ["plan", "check", "table", "import", "moves", "evaluate", "svg", "schema", "catalog"] as const;
+const COMMANDS = ["plan", "check", "table", "import", "moves", "examine", "evaluate", "svg", "schema", "catalog"] as const;
 type Command = (typeof COMMANDS)[number];
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
@@ -55,6 +62,11 @@ const OPTIONS = {
   out: { type: "string", short: "o" },
   flat: { type: "boolean" },
   jobs: { type: "string" },
+  set: { type: "string", multiple: true },
+  start: { type: "string" },
+  at: { type: "string" },
+  positioning: { type: "string" },
+  with: { type: "string", multiple: true },
   ndjson: { type: "boolean" },
   json: { type: "boolean" },
   help: { type: "boolean", short: "h" },
@@ -79,7 +91,8 @@ function taskOf(command: Task["command"], values: Values): Task {
   };
   only("out", "plan", "table", "svg", "import", "moves", "evaluate");
   if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
-  only("format", "table", "moves", "evaluate");
+  only("format", "table", "moves", "examine", "evaluate");
+  for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
   only("view", "svg");
   const jobs = ["plan", "check", "table", "svg", "evaluate"];
   only("post", ...jobs);
@@ -96,9 +109,42 @@ function taskOf(command: Task["command"], values: Values): Task {
     task.format = oneOf<NonNullable<Task["format"]>>(
       "--format",
       values.format,
-      command === "table" || command === "moves" ? ["csv", "json", "text"] : ["json", "text"],
+      command === "table" || command === "moves"
+        ? ["csv", "json", "text"]
+        : command === "examine"
+          ? ["json", "sarif", "text"]
+          : ["json", "text"],
     );
+  if (command === "examine" || values.set || values.start || values.at || values.positioning || values.with)
+    task.known = knownOf(values);
   return task;
+}
+
+/** What the options say of a program. */
+function knownOf(values: Values): ProgramKnown {
+  const number = (option: string, text: string) => {
+    const value = Number(text);
+    if (text.trim() === "" || !Number.isFinite(value)) throw new Refused(`${option} takes numbers, not ${text}`);
+    return value;
+  };
+  const known: ProgramKnown = {};
+  for (const given of values.set ?? []) {
+    const [, name, value] = /^(.+?)=([^=]*)$/.exec(given) ?? [];
+    if (name === undefined || value === undefined) throw new Refused(`--set takes NAME=VALUE, not ${given}`);
+    known.set = { ...known.set, [name.trim()]: number("--set", value) };
+  }
+  if (values.start !== undefined) {
+    const place = values.start.split(",").map((part) => number("--start", part));
+    if (place.length !== 3) throw new Refused(`--start takes X,Y,Z, not ${values.start}`);
+    known.start = place as [number, number, number];
+  }
+  const part = (option: "at" | "positioning") => {
+    const text = values[option];
+    if (text === undefined) return {};
+    return { [option]: text === "none" ? null : number(`--${option}`, text) };
+  };
+  if (values.at !== undefined || values.positioning !== undefined) known.part = { ...part("at"), ...part("positioning") };
+  return known;
 }
 
 /** The files that the arguments name, each once, in order. A pattern that matches nothing is a mistake, not nothing to do. */
@@ -234,9 +280,14 @@ async function handOut(
   progress: Progress,
 ): Promise<boolean> {
   let failed = false;
+  const results: string[] = [];
   for await (const outcome of outcomes) {
     failed ||= outcome.failed;
     progress.count();
+    if (task.format === "sarif" && outcome.output) {
+      results.push(outcome.output.text);
+      continue;
+    }
     // What is written stands on a line of its own.
     progress.clear();
     const { source, output, findings } = outcome;
@@ -247,8 +298,10 @@ async function handOut(
       continue;
     }
     if (output) await write(process.stdout, output.text);
-    await report(task, values, outcome);
+    // A report has its findings in it, but as text.
+    if (task.command !== "examine" || (task.format ?? "text") === "text") await report(task, values, outcome);
   }
+  if (task.format === "sarif") await write(process.stdout, sarif(results));
   return failed;
 }
 
@@ -313,16 +366,20 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     names.length = 1;
   }
   if (names.length === 0) throw new Refused(`${command} takes files; - is the standard input`);
+  if (task.known && values.with)
+    task.known.files = Object.fromEntries(
+      await Promise.all(values.with.map(async (file) => [basename(file), await textOf(file)] as const)),
+    );
   const files = await filesOf(names);
   const byLine = files.some((file) => isLines(file, values));
-  if (files.length > 1 && !byLine && values.out === undefined && command !== "check" && command !== "import")
+  if (files.length > 1 && !byLine && values.out === undefined && !["check", "import", "examine"].includes(command))
     throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)
     throw new Refused("--jobs is a whole number from 1 to 64");
   const { longestText, longestProgram } = catalog();
-  const longest = command === "moves" ? longestProgram : longestText;
+  const longest = command === "moves" || command === "examine" ? longestProgram : longestText;
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
   const folder = values.out === undefined ? null : await folderOf(values.out, files, values.flat === true);
