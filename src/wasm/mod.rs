@@ -210,7 +210,7 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
     let wanted = text_of(dialect, 100);
     let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
-        let message = text!("The dialect must be iso or sinumerik");
+        let message = text!("The dialect must be one of {list}", toolpath::DIALECTS.join(", "));
         return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
     }
     columns(&toolpath::read_program(&utf8(text), known)).map(JsValue::from)

@@ -5,6 +5,7 @@ import { columns, findingsOf, meaningsOf, planOf, programOf, tableOf } from "./p
 import { say } from "./said.js";
 import type {
   Catalog,
+  Dialect,
   Cycle,
   Finding,
   Imported,
@@ -129,7 +130,7 @@ export function importJob(text: string): Imported {
  * The moves of any program (G0 to G3, `G38.n`, `G31`, `MEAS=1`), up to `catalog().longestProgram` characters. Macros of LinuxCNC (O words) and Fanuc are run with
  * what they set themselves; what the control alone knows, and codes that are not known here, are not followed: `findings` say so. Without a dialect, the text decides. Throws `JobError` for a text that is too long.
  */
-export function readProgram(text: string, dialect?: "iso" | "sinumerik"): ProgramMoves {
+export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
   const bytes = bytesOf(text);
   const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, text.length, dialect));
   return { ...moves, kinds: [...MOVE_KINDS] };

@@ -1,5 +1,6 @@
 import { coded } from "./coded.js";
 import { attach, instance } from "./instance.js";
+import type { ProgramKnown } from "./types.js";
 import init, * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
@@ -62,6 +63,12 @@ export class PageView extends raw.View implements View {
   showLentoax(query?: unknown): boolean {
     const { codes, text } = coded(query);
     return this.showLentoaxCoded(codes, text);
+  }
+
+  /** Shows the moves of a program that is run with what is known, as `runProgram` runs it. */
+  showRun(text: string, known: ProgramKnown): void {
+    const { codes, text: texts } = coded(known);
+    this.showRunCoded(text, codes, texts);
   }
 
   /** Grips an end of the line of a field's dimension at a pixel; the job is the one that is shown. False where no drag moves it. */

@@ -21,10 +21,13 @@ export interface MoveColumns {
   kinds: string[];
 }
 
+/** The ways programs are written that are told apart. */
+export type Dialect = "iso" | "sinumerik" | "klartext";
+
 /** The moves of any program, column by column, in the units that it states first. Nothing is proven of what is read so. */
 export interface ProgramMoves {
   /** What it was read as. */
-  dialect: "iso" | "sinumerik";
+  dialect: Dialect;
   /** `null` where the program does not say. */
   units: "mm" | "inch" | null;
   plane: "G17" | "G18" | "G19";
@@ -47,7 +50,7 @@ export interface ProgramMoves {
 /** What is known of a program beside its text. */
 export interface ProgramKnown {
   /** Without it, the text decides. */
-  dialect?: "iso" | "sinumerik";
+  dialect?: Dialect;
   /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. What the text itself sets counts from there on. */
   set?: Record<string, number>;
   /** Where the stylus stands before the first block, in the units that the program states first; `null` along an axis where that is not known. */

@@ -35,6 +35,8 @@ export interface Viewed {
   moves: ProgramMoves;
   /** Why no job is made of it. */
   why: Finding[];
+  /** The name of its file; null of a text that was pasted. */
+  name: string | null;
 }
 
 /** What comes in from outside: files, dropped ones too, pasted text, links. What cannot be used changes nothing, and the page says so. */
@@ -67,7 +69,7 @@ export class Intake {
       const text = await file.text().catch(() => null);
       if (signal.aborted) return;
       if (text === null) this.page.tell(this.store.t("This file cannot be read"));
-      else await this.text(text, document);
+      else await this.text(text, document, file.name);
     }
   }
 
@@ -122,12 +124,12 @@ export class Intake {
   };
 
   /** Takes a text, begun when the job was this document; false where nothing could be made of it. */
-  async text(text: string, document = this.store.document): Promise<boolean> {
+  async text(text: string, document = this.store.document, name: string | null = null): Promise<boolean> {
     const { signal } = this.begin();
     try {
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
-      if (document === this.store.document) return this.take(text, reading);
+      if (document === this.store.document) return this.take(text, reading, name);
       this.page.tell(this.store.t("Nothing was changed: the job was replaced while this text was read"));
       return false;
     } catch {
@@ -177,7 +179,7 @@ export class Intake {
   }
 
   /** Shows the job of a text, or else its moves; false where it has neither. */
-  private take(text: string, reading: Reading): boolean {
+  private take(text: string, reading: Reading, name: string | null): boolean {
     try {
       if (reading.points > 0) return this.takePoints(text, reading.points);
       this.store.open(reading);
@@ -190,7 +192,7 @@ export class Intake {
         this.page.tell(why);
         return false;
       }
-      this.page.showMoves({ text, moves, why: thrown.findings.filter((f) => f.level === "error") });
+      this.page.showMoves({ text, moves, name, why: thrown.findings.filter((f) => f.level === "error") });
       this.page.tell(
         moves.kind.length > 0
           ? this.store.t("The moves of this program are drawn; no job is made of it. {why}", why)

@@ -1,6 +1,7 @@
 // The moves of any program, drawn: each kind in its own style. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { Finding, ProgramMoves, Said } from "../core/browser.js";
+import { type Finding, type PageView, type ProgramKnown, type ProgramMoves, type ProgramRun, runProgram, type Said } from "../core/browser.js";
+import { keepKnown, knownOf } from "../known.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./canvas-part.js";
@@ -8,12 +9,16 @@ import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
+import { RunPanel } from "./run-panel.js";
+
+/** A longer text is read beside the page, and only read: its run would hold up the page at each entry. */
+const LONGEST_RUN = 500_000;
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
 
 class ViewerPart extends DrawnPart {
-  declare viewed: { text: string; moves: ProgramMoves; why: Finding[] };
+  declare viewed: { text: string; moves: ProgramMoves; why: Finding[]; name: string | null };
   protected override follows: string[] = [];
   private drawn?: object;
   private pointed: number | null = null;
@@ -29,12 +34,48 @@ class ViewerPart extends DrawnPart {
   );
   /** The last move of every line that makes one. */
   private moveAt = new Map<number, number>();
+  /** What the user knows of the program; nothing: it is read as it is. */
+  private known: ProgramKnown = {};
+  /** Its run; null where the text is too long to be run at once. */
+  private run: ProgramRun | null = null;
+  private readonly panel = new RunPanel(
+    () => this.store,
+    (known) => {
+      keepKnown(this.viewed.name, known);
+      this.runs(known);
+      this.drawn = undefined;
+      this.requestUpdate();
+    },
+    (line) => {
+      const move = this.moveAt.get(line);
+      if (move === undefined) this.listing?.light(line, true);
+      else this.point(move);
+    },
+  );
+
+  /** The moves that are shown. */
+  private get moves(): ProgramMoves {
+    return this.knows && this.run ? this.run : this.viewed.moves;
+  }
+
+  /** Whether anything is known beside the text. */
+  private get knows(): boolean {
+    const { set = {}, start, part = {} } = this.known;
+    return Object.keys(set).length > 0 || start !== undefined || Object.keys(part).length > 0;
+  }
+
+  /** Runs the program with what is known. */
+  private runs(known: ProgramKnown): void {
+    this.known = known;
+    this.run = this.viewed.text.length <= LONGEST_RUN ? runProgram(this.viewed.text, known) : null;
+    this.pointed = null;
+    this.moveAt = new Map(Array.from(this.moves.line, (line, move) => [line, move]));
+  }
 
   static override properties = { viewed: { attribute: false } };
 
   override render(): TemplateResult {
-    const { moves, why } = this.viewed;
-    const notes = [...why, ...moves.findings];
+    const notes = [...this.viewed.why, ...this.moves.findings];
     return html`
       <div class="see">
       ${this.tools(this.t("Picture of the program"))}
@@ -48,6 +89,7 @@ class ViewerPart extends DrawnPart {
           ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
         ${notes.length > 0 ? html`<ul class="notes">${notes.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
+        ${this.run ? this.panel.render(this.known, this.run) : nothing}
       </div>
       <div class="read" @keydown=${this.key}>
         <div class="tools">${this.finder.render()}</div>
@@ -65,14 +107,15 @@ class ViewerPart extends DrawnPart {
 
   protected override willUpdate(changed: PropertyValues): void {
     if (!changed.has("viewed")) return;
-    this.pointed = null;
-    this.moveAt = new Map(Array.from(this.viewed.moves.line, (line, move) => [line, move]));
+    this.panel.begin();
+    this.runs(knownOf(this.viewed.name));
     this.finder.again();
   }
 
   /** The program line by line; the line of the move that is pointed at is lit. */
   private list(): void {
-    const { text, moves } = this.viewed;
+    const { text } = this.viewed;
+    const { moves } = this;
     if (!this.listing) {
       const box = this.querySelector<HTMLElement>(".listing") as HTMLElement;
       const point = (line: number | null) => this.point(line === null ? null : (this.moveAt.get(line) ?? null));
@@ -101,6 +144,7 @@ class ViewerPart extends DrawnPart {
   protected override updated(_changed: PropertyValues): void {
     // Taken out of the page, it is drawn when it is put in again.
     if (!this.isConnected) return;
+    const fresh = !this.drawing;
     if (!this.drawing) {
       const canvas = this.canvas();
       this.drawing = new Drawing(
@@ -108,7 +152,7 @@ class ViewerPart extends DrawnPart {
         (view) => {
           view.look(this.look);
           view.setLabels([], [], this.store.comma);
-          view.showProgram(this.viewed.text);
+          this.show(view);
         },
         this.over(),
       );
@@ -116,7 +160,7 @@ class ViewerPart extends DrawnPart {
     }
     this.drawing?.use((view) => {
       view.setLabels([], [], this.store.comma);
-      if (this.drawn && this.drawn !== this.viewed) view.showProgram(this.viewed.text);
+      if (this.drawn !== this.viewed && !fresh) this.show(view);
       view.highlight(this.pointed ?? undefined);
       this.querySelector(".key")?.classList.toggle("solid", view.isLong());
     });
@@ -124,10 +168,15 @@ class ViewerPart extends DrawnPart {
     this.drawn = this.viewed;
   }
 
+  private show(view: PageView): void {
+    if (this.knows && this.run) view.showRun(this.viewed.text, this.known);
+    else view.showProgram(this.viewed.text);
+  }
+
   private says(): string {
-    const { kind, kinds, units, dialect } = this.viewed.moves;
+    const { kind, kinds, units, dialect } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
-    const read = dialect === "sinumerik" ? "SINUMERIK" : "ISO";
+    const read = { iso: "ISO", sinumerik: "SINUMERIK", klartext: "HEIDENHAIN" }[dialect];
     const said: Said[] = [units ? [units] : [w("units not said")]];
     return this.t(
       "{count} moves, {probing} of them probing; {units}; read as {dialect}",
@@ -139,7 +188,7 @@ class ViewerPart extends DrawnPart {
   }
 
   private one(index: number): string {
-    const { to, kind, kinds, feed, line } = this.viewed.moves;
+    const { to, kind, kinds, feed, line } = this.moves;
     const place = ["X", "Y", "Z"].flatMap((axis, i) => {
       const x = to[3 * index + i] as number;
       return Number.isNaN(x) ? [] : [`${axis}${Number(x.toFixed(4))}`];

@@ -167,7 +167,7 @@ fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
             checker.error(
                 "out-of-range",
                 path,
-                text!("{path} must be from 0 to 1, the fraction of the way, or null where nothing is met", path.to_owned()),
+                text!("{path} must be from 0 to 1, the fraction of the way, or null for no contact", path.to_owned()),
             );
             Trip::Unknown
         }

@@ -214,7 +214,7 @@ fn missed(path: &Toolpath, touches: &[&Touch]) -> RunRule {
         _ => "IF [ABS[#5061-…] LE 0.05] GOTO …",
     };
     let message = text!(
-        "After these touches the program goes on though nothing was met: write {instead} for an end with an alarm",
+        "After these touches the program continues although there was no contact: write {instead} to end it with an alarm",
         instead.to_owned()
     );
     row(RULE, Some(false), message, bad)

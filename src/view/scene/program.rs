@@ -13,6 +13,8 @@ pub struct Moves<'a> {
     pub kind: &'a [u8],
     /// The arcs: index of the move, centre, degrees, and their plane: 17, 18 or 19.
     pub arcs: &'a [[f64; 6]],
+    /// Where probing moves met something: index of the move, and the place. The next move begins there.
+    pub contacts: &'a [[f64; 4]],
     /// The plane that it is seen in.
     pub plane: Plane,
     /// Millimetres in a unit of the program, where it says its units.
@@ -29,6 +31,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let most = (200_000 / moves.arcs.len().max(1)).clamp(3, 60);
     let scale = moves.scale.unwrap_or(1.0);
     let mut arcs = moves.arcs.iter().peekable();
+    let mut contacts = moves.contacts.iter().peekable();
     let mut from = Vec3::NAN;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
         let end = Vec3::from_slice(to) * scale;
@@ -53,7 +56,8 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             scene.beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
         }
         scene.ends.push(if end.is_finite() { spot(end) } else { Vec2::NAN });
-        from = end;
+        let contact = contacts.next_if(|contact| contact[0] == index as f64);
+        from = contact.map_or(end, |[_, x, y, z]| Vec3::new(*x, *y, *z) * scale);
     }
     scene
 }
@@ -82,7 +86,7 @@ mod tests {
     fn a_program_in_inch_is_seen_in_millimetres() {
         let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
-        let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, plane: Plane::G17, scale: Some(25.4) };
+        let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, contacts: &[], plane: Plane::G17, scale: Some(25.4) };
         let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
         assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
@@ -90,5 +94,21 @@ mod tests {
         assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
         assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
         assert!(scene(&Moves { scale: None, ..moves }, Projection::Top).unit.is_none());
+    }
+
+    /// A touch is drawn to where it would search; the way back begins where it met something.
+    #[test]
+    fn a_move_begins_where_the_touch_before_it_ended() {
+        let to = [0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 0.0, 4.0, 0.0];
+        let moves = Moves {
+            to: &to,
+            kind: &[0, 2, 1],
+            arcs: &[],
+            contacts: &[[1.0, 6.0, 0.0, 0.0]],
+            plane: Plane::G17,
+            scale: Some(1.0),
+        };
+        let lines = scene(&moves, Projection::Top).lines;
+        assert_eq!([lines[0].to, lines[1].from, lines[1].to].map(|at| at.to_array()), [[10.0, 0.0], [6.0, 0.0], [0.0, 4.0]]);
     }
 }

@@ -10,6 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::border::coded::decoded;
 use crate::geom::{Plane, Vec2, Vec3};
+use crate::import::toolpath::{Known, run_program};
 use crate::import::{Toolpath, read_program};
 use crate::job;
 use crate::view::Legend;
@@ -202,10 +203,17 @@ impl View {
         if !crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM) {
             return;
         }
-        let path = read_program(text, None);
-        self.shown = Some(self.of_program(Rc::new(path)));
-        self.measured.clear();
-        self.fit();
+        self.show_moves(read_program(text, None));
+    }
+
+    /// The same of a program that is run with what is known, coded; a text that is too long, or what is known wrongly, leaves the picture as it is.
+    #[wasm_bindgen(js_name = showRunCoded)]
+    pub fn show_run(&mut self, text: &str, codes: &[f64], known: &str) {
+        let value = decoded(codes, known);
+        let fits = crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM);
+        if let Some(known) = Known::of(&value).ok().filter(|_| fits) {
+            self.show_moves(run_program(text, &known));
+        }
     }
 
     /// Shows a job as a small picture: isometric, without axes, numbers and handles.
@@ -356,6 +364,12 @@ impl View {
 }
 
 impl View {
+    fn show_moves(&mut self, path: Toolpath) {
+        self.shown = Some(self.of_program(Rc::new(path)));
+        self.measured.clear();
+        self.fit();
+    }
+
     /// Fits the picture, unless the user has moved it or holds something in it.
     fn refit(&mut self) {
         if !self.moved && !self.held {
@@ -412,7 +426,8 @@ impl View {
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
-        let moves = Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, plane: path.plane, scale };
+        let moves =
+            Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, contacts: &path.contacts, plane: path.plane, scale };
         Shown { scene: program::scene(&moves, self.projection), content: Content::Program(path) }
     }
 

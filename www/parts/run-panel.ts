@@ -1,0 +1,133 @@
+// What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
+import { html, nothing, type TemplateResult } from "lit";
+import type { ProgramKnown, ProgramRun } from "../core/browser.js";
+import type { Store } from "../store.js";
+import { w } from "../words.js";
+
+/** Where probing moves trigger, by what `part` says. */
+const MEETS: [string, number | null | undefined, string][] = [
+  ["unknown", undefined, w("not known")],
+  ["half", 0.5, w("half way")],
+  ["end", 1, w("at the end")],
+  ["never", null, w("never")],
+];
+
+/** So many variables are asked for. */
+const MOST_ASKED = 60;
+
+const VERDICTS = {
+  true: { mark: "✓", word: w("holds") },
+  false: { mark: "!", word: w("does not hold") },
+  null: { mark: "?", word: w("not known") },
+} as const;
+
+/** The form and the report beside the moves of a program. */
+export class RunPanel {
+  /** What was asked when the program was opened, or has a value: a field does not go while it is typed in. */
+  private names: string[] = [];
+  /** The lines that read each of them. */
+  private lines = new Map<string, number[]>();
+
+  constructor(
+    private readonly store: () => Store,
+    private readonly changed: (known: ProgramKnown) => void,
+    private readonly point: (line: number) => void,
+  ) {}
+
+  /** Another program. */
+  begin(): void {
+    this.names = [];
+    this.lines.clear();
+  }
+
+  render(known: ProgramKnown, run: ProgramRun): TemplateResult {
+    const t = this.store().t.bind(this.store());
+    const asked = run.asks.map(({ name }) => name);
+    for (const { name, lines } of run.asks) this.lines.set(name, lines);
+    this.names = [...new Set([...this.names, ...Object.keys(known.set ?? {}), ...asked])].slice(0, MOST_ASKED);
+    const probes = run.kind.some((k) => run.kinds[k] === "probe");
+    const form = this.names.length > 0 || probes;
+    return html`
+      ${form ? this.form(known) : nothing}
+      ${run.rules.length > 0 ? html`<h2>${t("Safety rules of this program")}</h2><ul class="checks">${run.rules.map((row) => this.rule(row))}</ul>` : nothing}
+      ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="notes calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+    `;
+  }
+
+  private form(known: ProgramKnown): TemplateResult {
+    const t = this.store().t.bind(this.store());
+    const number = (id: string, label: string, value: number | null | undefined, note: string, take: (x: number | null) => void) =>
+      html`<div class="field"><label for=${id}>${label}</label><input type="text" id=${id} inputmode="decimal" autocomplete="off" .value=${value === null || value === undefined ? "" : String(value)} @change=${(e: Event) => this.take(e, take)} />${note ? html`<small>${note}</small>` : nothing}</div>`;
+    const start = known.start ?? [null, null, null];
+    const axis = (i: 0 | 1 | 2) =>
+      number(`start-${i}`, `${t("Start")} ${"XYZ"[i]}`, start[i], "", (x) => {
+        const place = [...start] as [number | null, number | null, number | null];
+        place[i] = x;
+        this.changed({ ...known, start: place });
+      });
+    const variable = (name: string) => {
+      const lines = this.lines.get(name) ?? [];
+      const note = lines.length === 0 ? "" : t("Line {lines}", lines.slice(0, 5).map((line) => line + 1).join(", "));
+      return number(`ask-${name}`, name, known.set?.[name], note, (x) => {
+        const { [name]: _, ...rest } = known.set ?? {};
+        this.changed({ ...known, set: x === null ? rest : { ...rest, [name]: x } });
+      });
+    };
+    return html`<details class="run" ?open=${this.names.length > 0}>
+      <summary>${t("Run it with what you know")}</summary>
+      <p>${t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.")}</p>
+      <div class="fields">
+        ${this.meets("at", t("Touches trigger"), known)}
+        ${this.meets("positioning", t("Watched positioning triggers"), known)}
+        ${axis(0)}${axis(1)}${axis(2)}
+        ${this.names.map(variable)}
+      </div>
+    </details>`;
+  }
+
+  private meets(key: "at" | "positioning", label: string, known: ProgramKnown): TemplateResult {
+    const t = this.store().t.bind(this.store());
+    const now = known.part?.[key];
+    const choose = (event: Event) => {
+      const [, value] = MEETS[(event.target as HTMLSelectElement).selectedIndex] as (typeof MEETS)[number];
+      const { [key]: _, ...rest } = known.part ?? {};
+      this.changed({ ...known, part: value === undefined ? rest : { ...rest, [key]: value } });
+    };
+    return html`<div class="field"><label for=${`meets-${key}`}>${label}</label>
+      <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${value === now}>${t(word)}</option>`)}</select></div>`;
+  }
+
+  /** A number, also with a decimal comma; none where the field is empty. What is neither stays to be mended. */
+  private take(event: Event, take: (x: number | null) => void): void {
+    const input = event.target as HTMLInputElement;
+    const text = input.value.trim().replace(",", ".").replace("−", "-");
+    const value = text === "" ? null : Number(text);
+    const wrong = value !== null && !Number.isFinite(value);
+    input.ariaInvalid = String(wrong);
+    if (!wrong) take(value);
+  }
+
+  private rule({ rule, holds, said, lines }: ProgramRun["rules"][number]): TemplateResult {
+    const store = this.store();
+    const { mark, word } = VERDICTS[`${holds}`];
+    const why = store.catalog.rules.find(({ name }) => name === rule);
+    return html`<li class=${holds === false ? "warning" : ""} title=${why ? `${why.why} (${rule})` : rule}><span class="mark" role="img" aria-label=${store.t(word)}>${mark}</span>
+      ${store.say(said)}${this.places(lines)}</li>`;
+  }
+
+  /** The first lines, each of which a click shows. */
+  private places(lines: number[]): TemplateResult | typeof nothing {
+    if (lines.length === 0) return nothing;
+    const t = this.store().t.bind(this.store());
+    const says = t("Line {lines}", lines.slice(0, 8).map((line) => line + 1).join(", "));
+    return html` <button type="button" class="quiet" title=${t("Show in the program")} @click=${() => this.point(lines[0] as number)}>${says}${lines.length > 8 ? ", …" : ""}</button>`;
+  }
+
+  private call({ line, name, title, mark, arguments: given, contradictions }: ProgramRun["calls"][number]): TemplateResult {
+    const t = this.store().t.bind(this.store());
+    const words = given.map(({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`);
+    return html`<li class=${contradictions.length > 0 ? "warning" : ""}><b>${name}</b>${this.places([line])} <span lang="en">${title ?? ""}${words.length > 0 ? `: ${words.join(", ")}` : ""}</span>
+      ${mark === "recalled" ? html`<small>${t("not verified on a control")}</small>` : nothing}
+      ${contradictions.length > 0 ? html`<b lang="en">${contradictions.join("; ")}</b>` : nothing}</li>`;
+  }
+}
