@@ -12,6 +12,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::common::with;
+use touchpath::control::native::{SETS, Unit};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind, Value};
@@ -28,6 +29,42 @@ fn keep(path: &str, text: &str) {
     }
     let kept = std::fs::read_to_string(&file).unwrap_or_default();
     assert!(kept == text, "{path} is stale: run `UPDATE=1 cargo test --lib generated`");
+}
+
+/// The table of calls, set by set.
+fn calls_page() -> String {
+    let mut page = "# Cycles of the control's own
+
+What programs call, and what each argument means, as [programs you have](programs-you-have.md) are explained. Lengths are in the program's units, angles in degrees. *Recalled* is not verified on a control.
+"
+    .to_owned();
+    for (set, calls) in SETS {
+        writeln!(page, "\n## {set}\n\n| call | what | needs | arguments | mark | source |\n|---|---|---|---|---|---|").unwrap();
+        for call in calls {
+            let excludes = call.excludes.iter().map(|(a, b)| format!("not {a} with {b}"));
+            let needs: Vec<String> = call.needs.iter().map(|names| names.replace(' ', " or ")).chain(excludes).collect();
+            // What all calls of a set have stands below it.
+            let own = if call.arguments.len() > 25 { "those below" } else { "" };
+            let words: Vec<String> = call.arguments.iter().map(|a| format!("{} {}", a.name, a.meaning)).collect();
+            let words = if own.is_empty() { words.join("; ") } else { own.to_owned() };
+            let shared = if call.shared.is_empty() { "" } else { "; and those below" };
+            let needs = needs.join(", ");
+            writeln!(page, "| `{}` | {} | {needs} | {words}{shared} | {} | {} |", call.name, call.title, call.mark.word(), call.source).unwrap();
+        }
+        let common = calls.iter().find_map(|call| match (call.shared, call.arguments) {
+            ([], all) if all.len() > 25 => Some(all),
+            ([], _) => None,
+            (shared, _) => Some(shared),
+        });
+        if let Some(common) = common {
+            page.push_str("\n| argument | meaning | unit |\n|---|---|---|\n");
+            for argument in common {
+                let unit = if argument.unit == Unit::None { "" } else { argument.unit.word() };
+                writeln!(page, "| {} | {} | {unit} |", argument.name, argument.meaning).unwrap();
+            }
+        }
+    }
+    page
 }
 
 fn value(field: &Field) -> String {
@@ -258,4 +295,5 @@ fn every_text_that_needs_words_is_listed() {
 #[test]
 fn the_matrix_of_controls_is_that_of_the_crate() {
     keep("docs/controls.md", &controls::page());
+    keep("docs/calls.md", &calls_page());
 }

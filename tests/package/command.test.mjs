@@ -70,7 +70,7 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "--post", "mazak"], /--post is one of linuxcnc/],
     [["plan", name, "--form", "dance"], /--form is one of/],
     [["table", name, "--format", "xml"], /--format is one of csv/],
-    [["plan", name, "--format", "csv"], /--format is for table, moves, evaluate/],
+    [["plan", name, "--format", "csv"], /--format is for table, moves, examine, evaluate/],
     [["check", name, "--view", "top"], /--view is for svg/],
     [["plan", name, other], /need a folder/],
     [["plan", name, "--jobs", "0"], /--jobs is a whole number/],

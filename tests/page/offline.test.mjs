@@ -133,7 +133,7 @@ test("the editor of opened programs: loaded with the first of them, there withou
   /** @type {string[]} */
   const asked = [];
   context.on("request", (request) => asked.push(new URL(request.url()).pathname));
-  const editors = () => asked.filter((path) => /\/editor-[^/]+\.js$/.test(path)).length;
+  const editors = () => asked.filter((path) => /\/program-editor-[^/]+\.js$/.test(path)).length;
   const foreign = "G21 G90\nG0 X0 Y0 Z20\nG38.2 Z-5 F100\nM2\n";
   const again = async (/** @type {boolean} */ offline) => {
     await context.setOffline(offline);

@@ -312,7 +312,7 @@ test("before its editor is there, a found line was not brought into sight; when 
   const sent = new Promise((done) => {
     send = () => done(null);
   });
-  await page.route(/\/editor-[^/]+\.js$/, async (route) => {
+  await page.route(/\/program-editor-[^/]+\.js$/, async (route) => {
     await sent;
     await route.continue();
   });

@@ -5,8 +5,8 @@ import { columns, findingsOf, meaningsOf, planOf, programOf, tableOf } from "./p
 import { say } from "./said.js";
 import type {
   Catalog,
-  Dialect,
   Cycle,
+  Dialect,
   Finding,
   Imported,
   Job,
@@ -18,8 +18,8 @@ import type {
   Plan,
   ProgramKnown,
   ProgramMoves,
-  ProgramRun,
   Programmed,
+  ProgramRun,
   ProgramText,
   ResultRow,
   Said,

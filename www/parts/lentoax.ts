@@ -4,9 +4,9 @@ import { readNumber } from "../number.js";
 import { AXES_OF } from "../sentences.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
-import { Drawing } from "./drawing.js";
 import { CanvasPart } from "./canvas-part.js";
 import { copied, copy } from "./download.js";
+import { Drawing } from "./drawing.js";
 
 const GROUPS: [string, number][] = [
   [w("Milling tools (100 to 199)"), 120],

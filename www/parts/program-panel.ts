@@ -2,8 +2,8 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { type Job, type Programmed, programs } from "../core/browser.js";
 import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
-import { Finder } from "./finder.js";
 import { copied, copy, withheld } from "./download.js";
+import { Finder } from "./finder.js";
 import { Part } from "./part.js";
 
 /** A run of lines under one heading. */

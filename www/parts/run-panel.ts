@@ -56,7 +56,13 @@ export class RunPanel {
 
   private form(known: ProgramKnown): TemplateResult {
     const t = this.store().t.bind(this.store());
-    const number = (id: string, label: string, value: number | null | undefined, note: string, take: (x: number | null) => void) =>
+    const number = (
+      id: string,
+      label: string,
+      value: number | null | undefined,
+      note: string,
+      take: (x: number | null) => void,
+    ) =>
       html`<div class="field"><label for=${id}>${label}</label><input type="text" id=${id} inputmode="decimal" autocomplete="off" .value=${value === null || value === undefined ? "" : String(value)} @change=${(e: Event) => this.take(e, take)} />${note ? html`<small>${note}</small>` : nothing}</div>`;
     const start = known.start ?? [null, null, null];
     const axis = (i: 0 | 1 | 2) =>
@@ -67,7 +73,16 @@ export class RunPanel {
       });
     const variable = (name: string) => {
       const lines = this.lines.get(name) ?? [];
-      const note = lines.length === 0 ? "" : t("Line {lines}", lines.slice(0, 5).map((line) => line + 1).join(", "));
+      const note =
+        lines.length === 0
+          ? ""
+          : t(
+              "Line {lines}",
+              lines
+                .slice(0, 5)
+                .map((line) => line + 1)
+                .join(", "),
+            );
       return number(`ask-${name}`, name, known.set?.[name], note, (x) => {
         const { [name]: _, ...rest } = known.set ?? {};
         this.changed({ ...known, set: x === null ? rest : { ...rest, [name]: x } });
@@ -119,11 +134,24 @@ export class RunPanel {
   private places(lines: number[]): TemplateResult | typeof nothing {
     if (lines.length === 0) return nothing;
     const t = this.store().t.bind(this.store());
-    const says = t("Line {lines}", lines.slice(0, 8).map((line) => line + 1).join(", "));
+    const says = t(
+      "Line {lines}",
+      lines
+        .slice(0, 8)
+        .map((line) => line + 1)
+        .join(", "),
+    );
     return html` <button type="button" class="quiet" title=${t("Show in the program")} @click=${() => this.point(lines[0] as number)}>${says}${lines.length > 8 ? ", …" : ""}</button>`;
   }
 
-  private call({ line, name, title, mark, arguments: given, contradictions }: ProgramRun["calls"][number]): TemplateResult {
+  private call({
+    line,
+    name,
+    title,
+    mark,
+    arguments: given,
+    contradictions,
+  }: ProgramRun["calls"][number]): TemplateResult {
     const t = this.store().t.bind(this.store());
     const words = given.map(({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`);
     return html`<li class=${contradictions.length > 0 ? "warning" : ""}><b>${name}</b>${this.places([line])} <span lang="en">${title ?? ""}${words.length > 0 ? `: ${words.join(", ")}` : ""}</span>

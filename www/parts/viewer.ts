@@ -1,10 +1,18 @@
 // The moves of any program, drawn: each kind in its own style. Nothing is checked here, and no job is made of it.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { type Finding, type PageView, type ProgramKnown, type ProgramMoves, type ProgramRun, runProgram, type Said } from "../core/browser.js";
+import {
+  type Finding,
+  type PageView,
+  type ProgramKnown,
+  type ProgramMoves,
+  type ProgramRun,
+  runProgram,
+  type Said,
+} from "../core/browser.js";
 import { keepKnown, knownOf } from "../known.js";
 import { w } from "../words.js";
-import { Drawing } from "./drawing.js";
 import { DrawnPart } from "./canvas-part.js";
+import { Drawing } from "./drawing.js";
 import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";

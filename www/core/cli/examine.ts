@@ -14,7 +14,8 @@ export interface Report {
 /** Runs a program and reports on it. */
 export function examined(text: string, known: ProgramKnown, format: ReportFormat, source: string): Report {
   const run = runProgram(text, known);
-  const broken = run.rules.some(({ holds }) => holds === false) || run.calls.some((call) => call.contradictions.length > 0);
+  const broken =
+    run.rules.some(({ holds }) => holds === false) || run.calls.some((call) => call.contradictions.length > 0);
   const write = { text: asText, json: asJson, sarif: asResults }[format];
   return { run, text: write(run, source), broken };
 }
@@ -38,7 +39,8 @@ function asText(run: ProgramRun, source: string): string {
     const words = given.map(
       ({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning === null ? "" : ` (${meaning})`}`,
     );
-    const what = title === null ? "not known here" : `${title}${mark === "recalled" ? ", not verified on a control" : ""}`;
+    const what =
+      title === null ? "not known here" : `${title}${mark === "recalled" ? ", not verified on a control" : ""}`;
     const wrong = contradictions.map((why) => `; REFUSED: ${why}`).join("");
     return `  calls   line ${line + 1}: ${name}, ${what}${words.length === 0 ? "" : `: ${words.join(", ")}`}${wrong}\n`;
   };
@@ -68,7 +70,9 @@ function asResults(run: ProgramRun, source: string): string {
     contradictions.flatMap((why) => result("call-unsound", "error", `${name}: ${why}`, [line])),
   );
   const levels = { error: "error", warning: "warning", info: "note" } as const;
-  const findings = run.findings.flatMap(({ level, code, message, lines }) => result(code, levels[level], message, lines));
+  const findings = run.findings.flatMap(({ level, code, message, lines }) =>
+    result(code, levels[level], message, lines),
+  );
   return JSON.stringify([...rules, ...calls, ...findings]);
 }
 

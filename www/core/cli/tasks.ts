@@ -77,9 +77,18 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
   if (task.command === "import") return imported(text);
   if (task.command === "moves") return moves(text, task, source);
   if (task.command === "examine") {
-    const { run, text: report, broken } = examined(text, task.known ?? {}, (task.format ?? "text") as ReportFormat, source);
+    const {
+      run,
+      text: report,
+      broken,
+    } = examined(text, task.known ?? {}, (task.format ?? "text") as ReportFormat, source);
     const { findings } = run;
-    return { output: { name: nameOf(source), ending: "-report.txt", text: report }, control: null, findings, failed: broken };
+    return {
+      output: { name: nameOf(source), ending: "-report.txt", text: report },
+      control: null,
+      findings,
+      failed: broken,
+    };
   }
   const { job, overruled } = read(text, task);
   const control = controlOf(job);

@@ -50,7 +50,18 @@ Findings are printed to the standard error output; those of check are its output
 program without moves or one that breaks a rule, 2 wrong use.
 `;
 
-const COMMANDS = ["plan", "check", "table", "import", "moves", "examine", "evaluate", "svg", "schema", "catalog"] as const;
+const COMMANDS = [
+  "plan",
+  "check",
+  "table",
+  "import",
+  "moves",
+  "examine",
+  "evaluate",
+  "svg",
+  "schema",
+  "catalog",
+] as const;
 type Command = (typeof COMMANDS)[number];
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
@@ -143,7 +154,8 @@ function knownOf(values: Values): ProgramKnown {
     if (text === undefined) return {};
     return { [option]: text === "none" ? null : number(`--${option}`, text) };
   };
-  if (values.at !== undefined || values.positioning !== undefined) known.part = { ...part("at"), ...part("positioning") };
+  if (values.at !== undefined || values.positioning !== undefined)
+    known.part = { ...part("at"), ...part("positioning") };
   return known;
 }
 
