@@ -281,7 +281,11 @@ const BEFORE = { raw: 988_298, gzip: 411_649, brotli: 319_000, "page, gzip": 443
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
 const gzip = (/** @type {Buffer} */ file) => gzipSync(file, { level: 9 }).length;
 // Loaded only where they are wanted: a language's words, the editor of opened programs and the worker that reads long texts.
-const rare = [...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")), "program-editor-", "reader-"];
+const rare = [
+  ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
+  "program-editor-",
+  "reader-",
+];
 const page = readdirSync(at("dist", "page", "assets"))
   .filter((name) => !rare.some((start) => name.startsWith(start)))
   .map((name) => readFileSync(at("dist", "page", "assets", name)));

@@ -103,7 +103,7 @@ function writeWorker() {
     .sort();
   const hash = createHash("sha256");
   for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
-  const rare = ["editor", ...readdirSync(at("www", "words")).map((name) => name.replace(".json", ""))];
+  const rare = ["program-editor", ...readdirSync(at("www", "words")).map((name) => name.replace(".json", ""))];
   const names = rare.map((name) => `assets/${name}-`);
   const wanted = files.filter((file) =>
     names.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),

@@ -49,7 +49,15 @@ What programs call, and what each argument means, as [programs you have](program
             let words = if own.is_empty() { words.join("; ") } else { own.to_owned() };
             let shared = if call.shared.is_empty() { "" } else { "; and those below" };
             let needs = needs.join(", ");
-            writeln!(page, "| `{}` | {} | {needs} | {words}{shared} | {} | {} |", call.name, call.title, call.mark.word(), call.source).unwrap();
+            writeln!(
+                page,
+                "| `{}` | {} | {needs} | {words}{shared} | {} | {} |",
+                call.name,
+                call.title,
+                call.mark.word(),
+                call.source
+            )
+            .unwrap();
         }
         let common = calls.iter().find_map(|call| match (call.shared, call.arguments) {
             ([], all) if all.len() > 25 => Some(all),

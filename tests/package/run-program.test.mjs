@@ -95,13 +95,13 @@ test("examine: rules, calls and what is asked for, as text, JSON and SARIF; exit
   ]);
   const has = (/** @type {any[]} */ ...row) =>
     assert.ok(
-      places.some((own) => row.every((x, i) => own[i] === x)),
+      places.some((/** @type {any[]} */ own) => row.every((x, i) => own[i] === x)),
       row.join(" "),
     );
   has("offset-after-touches", "error", "edge.ngc", 6);
   has("call-unsound", "error", "calls.nc", 2);
   const ids = log.runs[0].tool.driver.rules.map((/** @type {any} */ rule) => rule.id);
-  assert.deepEqual([...new Set(places.map(([id]) => id))].sort(), ids);
+  assert.deepEqual([...new Set(places.map((/** @type {any[]} */ [id]) => id))].sort(), ids);
   // Nothing is broken: exit code 0. Subprograms of other files are run.
   const main = file("main.nc", "G21 G17 G90\nM5\no<go> call\nM2\n");
   const sub = file("go.ngc", "o<go> sub\nG38.2 Z-5 F50\no<go> endsub\n");

@@ -50,7 +50,7 @@ export class RunPanel {
     return html`
       ${form ? this.form(known) : nothing}
       ${run.rules.length > 0 ? html`<h2>${t("Safety rules of this program")}</h2><ul class="checks">${run.rules.map((row) => this.rule(row))}</ul>` : nothing}
-      ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="notes calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
     `;
   }
 

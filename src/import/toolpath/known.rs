@@ -116,10 +116,8 @@ fn numbers<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'
         match value {
             Value::Number(x) if x.is_finite() && is_variable(name) => set.push((name.trim(), *x)),
             Value::Number(x) if x.is_finite() => {
-                let message = text!(
-                    "{name} is no variable: write #5, R1, Q1, or its name as the program has it",
-                    printable(name)
-                );
+                let message =
+                    text!("{name} is no variable: write #5, R1, Q1, or its name as the program has it", printable(name));
                 checker.error("unknown-value", path, message);
             }
             other => checker.error(

@@ -111,14 +111,13 @@ impl Klartext {
     /// `CC X+10 Y+5`, `CC IX+5`; alone, where the stylus is.
     fn set_pole(&mut self, said: &Said, reader: &Reader) {
         let here = reader.place.map(|x| x / reader.modes.scale);
-        for axis in 0..3 {
-            self.pole[axis] = match said.axes[axis] {
-                Some((x, false)) => x,
-                Some((x, true)) => here[axis] + x,
-                None if said.axes.iter().all(Option::is_none) => here[axis],
-                None => self.pole[axis],
-            };
-        }
+        let alone = said.axes.iter().all(Option::is_none);
+        self.pole = [0, 1, 2].map(|axis: usize| match said.axes[axis] {
+            Some((x, false)) => x,
+            Some((x, true)) => here[axis] + x,
+            None if alone => here[axis],
+            None => self.pole[axis],
+        });
     }
 
     /// Makes the move of a block.

@@ -64,6 +64,13 @@ struct Span {
     below: Place,
 }
 
+/// One that is open yet.
+struct Open {
+    structure: Structure,
+    begin: Place,
+    other: Option<(usize, Place)>,
+}
+
 /// What a line does to the way of a program, where it does.
 #[derive(Clone, Debug, PartialEq)]
 enum Turn {
@@ -97,7 +104,7 @@ impl Index {
     pub fn of(text: &str) -> Self {
         let bytes = text.as_bytes();
         let mut index = Index::default();
-        let mut open: Vec<(Structure, Place, Option<(usize, Place)>)> = Vec::new();
+        let mut open: Vec<Open> = Vec::new();
         let (mut at, mut line) = (0, 0);
         while at < bytes.len() {
             let (end, next) = line_end(bytes, at);
@@ -113,16 +120,16 @@ impl Index {
             let block = without_label(block);
             match Structure::of(block) {
                 Some(begin @ (Structure::If | Structure::While | Structure::For | Structure::Loop | Structure::Repeat)) => {
-                    open.push((begin, here, None));
+                    open.push(Open { structure: begin, begin: here, other: None });
                 }
                 Some(Structure::Else) => {
-                    if let Some((Structure::If, _, other)) = open.last_mut() {
-                        *other = Some((line, below));
+                    if let Some(own) = open.last_mut().filter(|own| own.structure == Structure::If) {
+                        own.other = Some((line, below));
                     }
                 }
                 Some(close) => {
-                    if open.last().is_some_and(|(begin, ..)| close.closes(*begin))
-                        && let Some((_, begin, other)) = open.pop()
+                    if open.last().is_some_and(|own| close.closes(own.structure))
+                        && let Some(Open { begin, other, .. }) = open.pop()
                     {
                         index.spans.push(Span { begin, other, end: line, below });
                     }

@@ -154,8 +154,7 @@ impl Sinumerik {
             // The branch before it was run.
             Structure::Else if self.unsure.is_empty() => self.index.end(here.line).map_or(Step::AsWritten, Step::Go),
             Structure::EndIf if self.unsure.is_empty() => Step::Done,
-            Structure::Else => Step::AsWritten,
-            Structure::EndIf => Step::AsWritten,
+            Structure::Else | Structure::EndIf => Step::AsWritten,
             Structure::While => {
                 cursor.eat("WHILE");
                 let holds = cursor.value(&mut self.variables);
@@ -168,7 +167,7 @@ impl Sinumerik {
             }
             Structure::EndWhile | Structure::EndLoop | Structure::EndFor => match self.own_loop(here.line) {
                 Some(begin) => Step::Go(begin),
-                None => self.unsure_loop_ends(here.line),
+                None => self.unsure_loop_ends(),
             },
             Structure::Until => {
                 cursor.eat("UNTIL");
@@ -184,7 +183,7 @@ impl Sinumerik {
                         self.variables.forget();
                         Step::LoopEnds
                     }
-                    (None, _) => self.unsure_loop_ends(here.line),
+                    (None, _) => self.unsure_loop_ends(),
                 }
             }
         })
@@ -237,7 +236,7 @@ impl Sinumerik {
     }
 
     /// What another round may set is not known.
-    fn unsure_loop_ends(&mut self, _line: usize) -> Step {
+    fn unsure_loop_ends(&mut self) -> Step {
         self.variables.forget();
         Step::AsWritten
     }

@@ -1,0 +1,63 @@
+// An opened program is run with what its user knows: what it reads is asked for, and the verdict has its lines.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openText, page, painted, settles, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+/** The way of the touch is 20, from 10 to −10. */
+const MACRO = `o<edge> sub
+G21 G90
+G38.2 X[0 - #1] F50
+#<edge> = [#5061 - #5410 / 2]
+G1 X[#<edge> + 3] F200
+G10 L20 P1 X0
+G38.2 Y[#1 * 2] F50
+o<edge> endsub
+`;
+
+const enter = async (/** @type {string} */ id, /** @type {string} */ text) => {
+  const field = page.locator(`[id="${id}"]`);
+  await field.fill(text);
+  await field.press("Tab");
+};
+
+test("what a macro reads and nothing sets could not be entered: it is asked for, and the picture follows", async () => {
+  await openText(MACRO, "edge.ngc");
+  const viewer = page.locator("tp-viewer");
+  await viewer.waitFor();
+  assert.match(await textOf(viewer.locator(".run")), /#1.*Line 3, 7.*#5410.*Line 4/s);
+  assert.equal((await painted("tp-viewer", "touch")).count, 0, "nowhere is no place");
+  for (const [id, text] of [
+    ["start-0", "10"],
+    ["start-1", "0"],
+    ["start-2", "-2,5"],
+    ["ask-#1", "10"],
+    ["ask-#5410", "6"],
+  ])
+    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  await page.locator("#meets-at").selectOption("half");
+  await settles(async () => (await painted("tp-viewer", "touch")).count > 0);
+  // A field that is wrong stays, and changes nothing.
+  await enter("ask-#1", "ten");
+  assert.equal(await page.locator('[id="ask-#1"]').getAttribute("aria-invalid"), "true");
+  await enter("ask-#1", "10");
+  const rule = viewer.locator(".checks li", { hasText: "before the last touch has succeeded" });
+  assert.match(await textOf(rule), /^!\s.*Line 6/s);
+  await rule.getByRole("button", { name: "Line 6" }).click();
+  // Opened again, it is known by the name of its file.
+  await page.getByRole("button", { name: "Back to the job" }).click();
+  await openText(MACRO, "edge.ngc");
+  await viewer.waitFor();
+  assert.equal(await page.locator('[id="ask-#5410"]').inputValue(), "6");
+  await openText(MACRO, "other.ngc");
+  await settles(async () => (await page.locator('[id="ask-#5410"]').inputValue()) === "");
+});
+
+test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {
+  await openText("%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG65 P9814 D25.\nM30\n%\n", "calls.nc");
+  const calls = page.locator("tp-viewer .calls li");
+  await calls.first().waitFor();
+  assert.match(await textOf(calls.nth(0)), /G65 P9812 Line 5 web or slot: X 30 .*X and Y exclude each other/s);
+  assert.match(await textOf(calls.nth(1)), /G65 P9814 Line 6 hole or boss, four touches: D 25 \(diameter\)/);
+});
