@@ -1,5 +1,6 @@
 //! A job from text: a dump of a CAM system's parameters, or a program.
 
+mod adopt;
 mod codes;
 mod dump;
 mod klartext;

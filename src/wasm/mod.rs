@@ -230,7 +230,16 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);
-    set(&result, "calls", &to_js(&run.calls)?);
+    let calls: Result<Array, JsValue> = run
+        .calls
+        .iter()
+        .map(|call| {
+            let row = to_js(call)?;
+            set(&row, "job", &call.job.as_ref().map_or(JsValue::NULL, value_to_js));
+            Ok(row)
+        })
+        .collect();
+    set(&result, "calls", &calls?);
     set(&result, "rules", &to_js(&run.rules)?);
     Ok(result.into())
 }

@@ -55,9 +55,13 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
 });
 
 test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {
-  await openText("%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG65 P9814 D25.\nM30\n%\n", "calls.nc");
+  await openText("%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG0 X0. Y0. Z-5.\nG65 P9814 D25.\nM30\n%\n", "calls.nc");
   const calls = page.locator("tp-viewer .calls li");
   await calls.first().waitFor();
   assert.match(await textOf(calls.nth(0)), /G65 P9812 Line 5 web or slot: X 30 .*X and Y exclude each other/s);
-  assert.match(await textOf(calls.nth(1)), /G65 P9814 Line 6 hole or boss, four touches: D 25 \(diameter\)/);
+  assert.match(await textOf(calls.nth(1)), /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/);
+  // A hole of 25 where the stylus stands: with a click it is the job.
+  await calls.nth(1).getByRole("button", { name: "Make it a job" }).click();
+  await page.locator('[id="cycle.diameter"]').waitFor();
+  assert.equal(await page.locator('[id="cycle.diameter"]').inputValue(), "25");
 });

@@ -96,6 +96,8 @@ export interface NativeCall {
   }[];
   /** What contradicts in its arguments: the control refuses such a call. */
   contradictions: string[];
+  /** The same as a job, where it is one of the documented cycles and says enough: what it does not say has the form's default. */
+  job: Job | null;
 }
 
 /** The outcome of one job among many. */

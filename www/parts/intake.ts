@@ -1,4 +1,4 @@
-import { type Finding, JobError, type ProgramMoves } from "../core/browser.js";
+import { type Finding, type Job, JobError, type ProgramMoves } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -135,6 +135,18 @@ export class Intake {
     } catch {
       if (!signal.aborted) this.page.tell(this.store.t("This text cannot be read"));
       return false;
+    }
+  }
+
+  /** Takes the job of a call in an opened program. */
+  adopt(job: Job): void {
+    try {
+      this.store.open({ imported: { kind: "job", job, findings: [] }, findings: [], moves: null, points: 0 });
+      this.page.showJob();
+      this.page.tell(this.store.t("This is the job of that call; what the call does not say is the form's default. Undo brings back the one before."));
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      this.page.tell(this.store.why(thrown));
     }
   }
 

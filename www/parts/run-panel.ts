@@ -1,6 +1,6 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
 import { html, nothing, type TemplateResult } from "lit";
-import type { ProgramKnown, ProgramRun } from "../core/browser.js";
+import type { Job, ProgramKnown, ProgramRun } from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 
@@ -32,6 +32,7 @@ export class RunPanel {
     private readonly store: () => Store,
     private readonly changed: (known: ProgramKnown) => void,
     private readonly point: (line: number) => void,
+    private readonly adopt: (job: Job) => void,
   ) {}
 
   /** Another program. */
@@ -156,6 +157,7 @@ export class RunPanel {
     const words = given.map(({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`);
     return html`<li class=${contradictions.length > 0 ? "warning" : ""}><b>${name}</b>${this.places([line])} <span lang="en">${title ?? ""}${words.length > 0 ? `: ${words.join(", ")}` : ""}</span>
       ${mark === "recalled" ? html`<small>${t("not verified on a control")}</small>` : nothing}
-      ${contradictions.length > 0 ? html`<b lang="en">${contradictions.join("; ")}</b>` : nothing}</li>`;
+      ${contradictions.length > 0 ? html`<b lang="en">${contradictions.join("; ")}</b>` : nothing}
+      ${job && !this.store().readonly ? html`<button type="button" class="quiet" @click=${() => this.adopt(job)}>${t("Make it a job")}</button>` : nothing}</li>`;
   }
 }

@@ -59,6 +59,7 @@ class ViewerPart extends DrawnPart {
       if (move === undefined) this.listing?.light(line, true);
       else this.point(move);
     },
+    (job) => this.dispatchEvent(new CustomEvent("adopt", { detail: job, bubbles: true })),
   );
 
   /** The moves that are shown. */

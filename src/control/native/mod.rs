@@ -94,13 +94,14 @@ impl Call {
 }
 
 /// The sets of calls.
-pub static SETS: [(&str, &[Call]); 6] = [
+pub static SETS: [(&str, &[Call]); 7] = [
     ("Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)", &renishaw::CALLS),
     ("Haas: the macros of its probing screens", &renishaw::HAAS),
     ("HEIDENHAIN: touch probe cycles", &heidenhain::CALLS),
     ("SINUMERIK: measuring cycles", &siemens::CALLS),
     ("LNC: the macros of the maker", &small::LNC),
     ("RepRapFirmware with MillenniumOS", &small::MILLENNIUM),
+    ("Carvera, community firmware", &small::CARVERA),
 ];
 
 /// A call by its name, blanks aside; P88xx is P98xx of a Brother.

@@ -1,6 +1,6 @@
 //! Calls of smaller controls.
 
-use super::{Argument, Call, Mark, length, plain};
+use super::{Argument, Call, Mark, Unit, angle, length, plain};
 
 const MACROS: &str = "the maker's own macro set for a CAM system";
 
@@ -79,4 +79,37 @@ pub static MILLENNIUM: [Call; 14] = [
     rrf("G6508.1", "outside corner"),
     rrf("G6510", "single surface, asked for step by step"),
     rrf("G6510.1", "single surface"),
+];
+
+const FIRMWARE: &str = "the firmware's own source and its test of the cycles";
+
+const RADII: [Argument; 14] = [
+    length("X", "way of the touches along X, from the middle"),
+    length("Y", "way of the touches along Y, from the middle"),
+    length("Z", "way of the touch along Z"),
+    length("E", "way down from the top to the touches; of M465 the distance of the two touches"),
+    length("H", "way down before probing"),
+    length("C", "clearance"),
+    angle("Q", "angle that is added to the one in force"),
+    Argument { name: "F", meaning: "feed of the touches", unit: Unit::Feed },
+    Argument { name: "K", meaning: "feed of the way between", unit: Unit::Feed },
+    plain("L", "how often the last touch is repeated"),
+    length("R", "way back from a touch"),
+    plain("S", "1: the place becomes the origin"),
+    length("D", "diameter of the ball"),
+    plain("I", "1: the input of the probe is inverted"),
+];
+
+const fn carvera(name: &'static str, title: &'static str, needs: &'static [&'static str]) -> Call {
+    Call { name, title, arguments: &RADII, shared: &[], needs, excludes: &[], mark: Mark::Sourced, source: FIRMWARE }
+}
+
+pub static CARVERA: [Call; 7] = [
+    carvera("M460", "calibrates the ball", &["X Y"]),
+    carvera("M461", "bore or pocket, from its middle", &["X Y"]),
+    carvera("M462", "boss or block, from above its middle", &["X Y"]),
+    carvera("M463", "inside corner", &["X", "Y"]),
+    carvera("M464", "outside corner", &["X", "Y"]),
+    carvera("M465", "angle of a wall, two touches", &["X Y"]),
+    carvera("M466", "single axis", &["X Y Z"]),
 ];

@@ -21,6 +21,7 @@ impl Reader {
         let moves = block.motion || block.once.is_some();
         // Axis words behind a motion are the motion's, and an M code without axis words moves none.
         let led = if names_axes && !moves { block.led } else { Foreign::No };
+        let here = self.here();
         match if block.foreign == Foreign::No { led } else { block.foreign } {
             Foreign::No => return false,
             Foreign::Sets if !names_axes => return false,
@@ -35,7 +36,7 @@ impl Reader {
         let foreign = if block.foreign == Foreign::No { led } else { block.foreign };
         let name = String::from_utf8_lossy(&line[begin..end]).to_ascii_uppercase();
         if foreign == Foreign::Unknown && native::find(&name).is_some() {
-            self.native(&name, letters(&line[end..]));
+            self.native(&name, letters(&line[end..]), here);
             return true;
         }
         self.named(&line[begin..end], foreign);
@@ -43,8 +44,8 @@ impl Reader {
     }
 
     /// One of the control's own cycles is called: it is listed, and named.
-    pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>) {
-        let call = native_call(&mut self.path, self.line, name, arguments);
+    pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
+        let call = native_call(&mut self.path, self.line, name, arguments, place);
         let named = call.map_or(name, |call| call.name);
         self.count_named(named.to_owned(), Foreign::Unknown, call.map(|call| call.title));
     }
@@ -53,6 +54,7 @@ impl Reader {
     #[cold]
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
         self.called_out = true;
+        let place = self.here();
         let name = |p: f64| "G65 P".to_owned() + &crate::num::decimal(p, 0);
         let arguments = || {
             let all = letters(&line[block.begin..]);
@@ -60,17 +62,17 @@ impl Reader {
         };
         match block.p {
             Some(p @ (9810.0 | 8810.0)) => {
-                native_call(&mut self.path, self.line, &name(p), arguments());
+                native_call(&mut self.path, self.line, &name(p), arguments(), place);
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
             // They switch the probe on and off.
             Some(p @ (9832.0 | 9833.0)) => {
-                native_call(&mut self.path, self.line, &name(p), arguments());
+                native_call(&mut self.path, self.line, &name(p), arguments(), place);
             }
             Some(p) => {
                 self.forget(7);
-                self.native(&name(p), arguments());
+                self.native(&name(p), arguments(), place);
             }
             None => self.lose(self.line),
         }

@@ -17,6 +17,7 @@ impl Reader {
     pub fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
+        let stale = self.stale;
         // Which axes are given as places, and not as distances.
         let places = if self.modes.absolute { !block.moved } else { block.placed };
         for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
@@ -29,13 +30,14 @@ impl Reader {
             } else if places & (1 << axis) != 0 {
                 x
             } else if from[axis].is_nan() {
-                // The start is not known: it is counted from 0.
+                // The start is not known: it is counted from 0, but in a run, which knows nothing then.
                 count(&mut self.from_unknown, self.line);
-                x
+                if self.run.is_some() { f64::NAN } else { x }
             } else {
                 from[axis] + x
             };
         }
+        self.stale &= !(block.given & places);
         self.relative = self.relative & !block.given | block.given & !places;
         if block.machine {
             count(&mut self.machine, self.line);
@@ -72,7 +74,8 @@ impl Reader {
         self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
         if kind == PROBE && self.run.is_some() {
-            self.touched(from, motion, block.feed.is_some());
+            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
+            self.touched([known(0), known(1), known(2)], motion, block.feed.is_some());
         }
     }
 

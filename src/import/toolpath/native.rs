@@ -7,6 +7,7 @@ use crate::control::heidenhain::read::{Given, assignments};
 use crate::control::iso::lex::number;
 use crate::control::native::{self, Call};
 use crate::form::{Value, printable};
+use crate::import::adopt::Called;
 use crate::import::toolpath::Toolpath;
 
 /// So many calls are listed.
@@ -29,6 +30,9 @@ pub struct NativeCall {
     pub arguments: Vec<NativeArgument>,
     /// What contradicts in them: `X and Y exclude each other`.
     pub contradictions: Vec<String>,
+    /// The same as a job, where it is one of the documented cycles and says enough.
+    #[serde(skip)]
+    pub job: Option<Value>,
 }
 
 /// An argument of a call.
@@ -44,9 +48,17 @@ pub struct NativeArgument {
     pub unit: Option<&'static str>,
 }
 
-/// Lists a call, and gives what it is. `arguments` are names and values; NaN is not known.
-pub(super) fn listed(path: &mut Toolpath, line: usize, name: &str, arguments: Vec<(String, f64)>) -> Option<&'static Call> {
+/// Lists a call, and gives what it is. `arguments` are names and values, and `place` is where the stylus stands, in the program's units; NaN is not known.
+pub(super) fn listed(
+    path: &mut Toolpath,
+    line: usize,
+    name: &str,
+    arguments: Vec<(String, f64)>,
+    place: [f64; 3],
+) -> Option<&'static Call> {
     let call = native::find(name);
+    let metric = path.metric.unwrap_or(true);
+    let job = call.and_then(|call| Called { name: call.name, arguments: &arguments, place, metric }.job());
     if path.calls.len() == MOST_CALLS {
         return call;
     }
@@ -67,6 +79,7 @@ pub(super) fn listed(path: &mut Toolpath, line: usize, name: &str, arguments: Ve
         mark: call.map(|call| call.mark.word()),
         source: call.map(|call| call.source),
         contradictions: call.map_or_else(Vec::new, |call| contradictions(call, &arguments)),
+        job,
         arguments,
     });
     call

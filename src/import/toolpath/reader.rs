@@ -66,6 +66,11 @@ pub(super) struct Reader {
     /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
     pub heidenhain: bool,
     pub place: [f64; 3],
+    /// The axes whose place is from before the work system was moved.
+    pub stale: Axes,
+    /// A code of the block shifts or turns the work system; and whether one did.
+    pub turned: bool,
+    pub shifted: bool,
     /// What a run knows of touches; none where the text is read only.
     pub run: Option<Touching>,
     /// What happens beside the moves, for the rules.
@@ -147,6 +152,9 @@ impl Reader {
             sinumerik: dialect == DIALECTS[1],
             heidenhain: false,
             place: [f64::NAN; 3],
+            stale: 0,
+            turned: false,
+            shifted: false,
             run: None,
             log: None,
             next_tool: f64::NAN,
@@ -202,9 +210,10 @@ impl Reader {
     /// What the control itself knows now, in the units of the program.
     pub fn system(&self) -> System {
         let scale = self.modes.scale;
+        let now = |axis: usize| if self.stale & (1 << axis) == 0 { self.place[axis] / scale } else { f64::NAN };
         let (contact, met) = self.run.as_ref().map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
         System {
-            place: self.place.map(|x| x / scale),
+            place: [now(0), now(1), now(2)],
             contact: contact.map(|x| x / scale),
             met,
             rests: self.run.as_ref().is_some_and(|run| run.met.is_none() && run.touch != Trip::Unknown),
@@ -216,6 +225,11 @@ impl Reader {
             feed: self.feed / scale,
             moves: self.path.len(),
         }
+    }
+
+    /// Where the stylus stands, in the units that the program has now.
+    pub fn here(&self) -> [f64; 3] {
+        self.place.map(|x| x / self.modes.scale)
     }
 
     pub fn family(&self) -> Family {
@@ -255,7 +269,10 @@ impl Reader {
             _ if self.inside => return,
             Some(b'%') if self.heidenhain => return self.ended = true,
             Some(_) if self.sinumerik => match frame(&line[begin..]) {
-                Some(true) => return count(&mut self.transformed, self.line),
+                Some(true) => {
+                    self.moved_system();
+                    return count(&mut self.transformed, self.line);
+                }
                 // Alone it takes the shifts away.
                 Some(false) => return,
                 None => {}
@@ -308,6 +325,7 @@ impl Reader {
             self.modes = before;
         }
         self.settle(block, before);
+        let here = self.here();
         let cycle = self.sinumerik && runs_cycle(line);
         let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
         let gone = if lost { 7 } else { block.given };
@@ -320,10 +338,10 @@ impl Reader {
             let word = &line[block.begin..][..line[block.begin..].iter().take_while(named).count()];
             self.branch(word, self.sinumerik);
             if cycle {
-                return self.native(&String::from_utf8_lossy(word), places(line));
+                return self.native(&String::from_utf8_lossy(word), places(line), here);
             }
             if let Some(name) = lnc_macro(&line[block.begin..]) {
-                return self.native(&name, letters(&line[block.begin + name.len()..]));
+                return self.native(&name, letters(&line[block.begin + name.len()..]), here);
             }
         }
         count(&mut self.skipped, self.line);
@@ -341,6 +359,7 @@ impl Reader {
                 block.ends = true;
             }
         }
+        let transformed = self.transformed.times;
         if block.renames && block.given != 0 {
             count(&mut self.transformed, self.line);
         }
@@ -349,6 +368,13 @@ impl Reader {
         if block.offset.is_some() | block.writes {
             self.shift(block);
         }
+        // What ends a shift without naming anything changes nothing where there is none.
+        if (self.transformed.times > transformed || self.turned)
+            && (block.given != 0 || block.radius.is_some() || block.offset.is_some())
+        {
+            self.moved_system();
+        }
+        self.turned = false;
         if self.log.is_some() {
             self.logs(block);
         }
@@ -361,6 +387,15 @@ impl Reader {
         self.place_of(block);
         if let Some(code) = block.calls.filter(|_| block.special) {
             self.call(code, block);
+        }
+    }
+
+    /// Places that were given before are of another system from here on.
+    #[cold]
+    fn moved_system(&mut self) {
+        (self.stale, self.shifted) = (7, true);
+        if let Some(run) = &mut self.run {
+            run.contact = [f64::NAN; 3];
         }
     }
 

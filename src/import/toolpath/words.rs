@@ -189,6 +189,7 @@ impl Reader {
             Effect::Rename => (block.elsewhere, block.renames) = (true, true),
             Effect::Transform { own_axes } => {
                 block.elsewhere |= own_axes;
+                self.turned = true;
                 count(&mut self.transformed, self.line);
             }
             Effect::ThereAndBack => {

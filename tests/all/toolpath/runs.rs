@@ -1,7 +1,8 @@
 //! Programs that are run with what is known beside their text.
 
 use super::*;
-use touchpath::import::toolpath::{Known, RUN_RULES, Trip, run_program};
+use proptest::prelude::*;
+use touchpath::import::toolpath::{DIALECTS, Known, RUN_RULES, Trip, run_program};
 
 fn met(at: f64) -> Known<'static> {
     Known { touch: Trip::At(at), positioning: Trip::Never, ..Known::default() }
@@ -296,4 +297,136 @@ fn what_is_known_is_checked() {
             ("wrong-type", "start"),
         ]
     );
+}
+
+/// A work offset that is written moves the system under the stylus: what stood before is not known in the new one. G92.1 alone changes nothing.
+#[test]
+fn places_from_before_a_shift_are_not_known_after_it() {
+    let run = |text: &str| shown(&run_program(text, &Known { start: Some([0.0; 3]), ..met(0.5) }));
+    let last = |text: &str| run(text).pop().unwrap();
+    assert_eq!(last("G21 G90\nG92.1\nG0 X5\nG0 Y#<_x>\n"), "4 rapid 5 5 0");
+    for shift in ["G10 L20 P1 X0", "G10 L2 P1 X4", "G92 X1", "G55", "G68 X0 Y0 R30", "G52 X3"] {
+        let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG0 Y#<_x>\n");
+        assert_eq!(last(&text), "4 rapid 5 ? 0", "{shift}");
+        let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG0 X7\nG0 Y#<_x>\n");
+        assert_eq!(last(&text), "5 rapid 7 7 0", "{shift}");
+        // A touch from a place of the old system meets something at no known place.
+        let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG38.3 X1 F9\nG0 Y#5061\n");
+        assert_eq!(last(&text), "5 rapid ? ? ?", "{shift}");
+    }
+    assert_eq!(last("G71 G90\nG0 X5 Y0 Z0\nTRANS X3\nG0 Y=$AA_IW[X]\n"), "4 rapid 5 ? 0");
+    // By a distance from nowhere is nowhere.
+    assert_eq!(shown(&run_program("G21 G91\nG0 X5\nM2\n", &Known::default())), ["2 rapid ? ? ?"]);
+}
+
+/// Lines of every dialect, whole and broken.
+const LINES: [&str; 74] = [
+    "G21 G90",
+    "G91",
+    "G0 X1 Y2 Z3",
+    "G38.2 Z-5 F50",
+    "G38.3 X#1",
+    "#1=5",
+    "#1=[#1+1]",
+    "#<a>=#5061",
+    "G1 X#<a> F#2",
+    "o1 sub",
+    "o1 endsub",
+    "o1 call [1] [2]",
+    "o1 if [#5070 EQ 0]",
+    "o1 else",
+    "o1 elseif [#1 GT 2]",
+    "o1 endif",
+    "o2 while [#1 LT 9]",
+    "o2 endwhile",
+    "o2 do",
+    "o2 repeat [3]",
+    "o2 endrepeat",
+    "o2 break",
+    "o2 continue",
+    "o1 return",
+    "(ABORT, x)",
+    "M2",
+    "M30",
+    "M99",
+    "%",
+    "O100",
+    "O200 (SUB)",
+    "G65 P100 A1. B2.",
+    "G65 P9814 D25.",
+    "M98 P200 L3",
+    "IF [#1 EQ 5] GOTO 10",
+    "N10 G31 X5. F9.",
+    "GOTO 10",
+    "WHILE [#1 LT 4] DO1",
+    "END1",
+    "#3000=1 (STOP)",
+    "#[#1]=#[#2]",
+    "IF R1==2 GOTOF A",
+    "A: G1 X=R1",
+    "GOTOB A",
+    "R1=R1+1",
+    "R[R1]=$AA_IW[X]",
+    "DEF REAL B[3]=2",
+    "FOR R1=1 TO 3",
+    "ENDFOR",
+    "WHILE TRUE",
+    "ENDWHILE",
+    "LOOP",
+    "ENDLOOP",
+    "REPEAT",
+    "UNTIL R1>3",
+    "IF R1",
+    "ELSE",
+    "ENDIF",
+    "PROC P(REAL A)",
+    "P(1,R1)",
+    "RET",
+    "MEAS=1 G1 X=IC(5)",
+    "CYCLE977(1,,2)",
+    "BEGIN PGM A MM",
+    "END PGM A MM",
+    "L IX+1 FMAX",
+    "L X+Q1 F100",
+    "CC",
+    "C X+1 Y+1 DR+",
+    "LBL 1",
+    "CALL LBL 1 REP 9",
+    "FN 9: IF +Q1 EQU +0 GOTO LBL 1",
+    "Q1 = +Q1 + 1",
+    "TCH PROBE 412 X ~",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 30, ..ProptestConfig::default() })]
+
+    /// Whatever a text says, a run comes back, the same each time, and no move is in a line that is not there.
+    #[test]
+    fn any_text_comes_back(
+        picks in proptest::collection::vec(0..LINES.len(), 1..40),
+        dialect in 0..4_usize,
+        trip in 0..3_usize,
+        file in proptest::bool::ANY,
+    ) {
+        let lines: Vec<&str> = picks.iter().map(|pick| LINES[*pick]).collect();
+        let text = lines.join("\n");
+        let trip = [Trip::Unknown, Trip::At(0.5), Trip::Never][trip];
+        let known = Known {
+            dialect: (dialect < 3).then(|| DIALECTS[dialect]),
+            touch: trip,
+            set: vec![("#1", 2.0), ("R1", 1.0), ("Q1", 1.0)],
+            files: if file { vec![("b", "o1 sub\nG38.3 X9 F9\no1 endsub\n")] } else { Vec::new() },
+            ..Known::default()
+        };
+        let run = run_program(&text, &known);
+        prop_assert!(run.to.len() == 3 * run.len() && run.feed.len() == run.len() && run.line.len() == run.len());
+        prop_assert_eq!(run.findings.len(), run.finding_lines.len());
+        for (i, line) in run.line.iter().enumerate() {
+            let most = if run.file.get(i).is_some_and(|file| *file > 0) { 3 } else { lines.len() };
+            prop_assert!((*line as usize) < most, "{} of {}", line, text);
+        }
+        prop_assert!(run.contacts.iter().all(|contact| contact[0] < run.len() as f64));
+        prop_assert!(run.finding_lines.iter().flatten().all(|line| (*line as usize) < lines.len()));
+        prop_assert_eq!(format!("{run:?}"), format!("{:?}", run_program(&text, &known)));
+    }
 }

@@ -142,8 +142,9 @@ impl Klartext {
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
         self.assign_all(text);
         self.q.forget_results();
+        let here = reader.here();
         reader.forget(7);
-        reader.native(name, q_parameters(text));
+        reader.native(name, q_parameters(text), here);
     }
 
     /// The parameters of a cycle.

@@ -79,7 +79,7 @@ impl Macros {
             return Step::to(to);
         }
         // One of the two ways ends: the other one is the program's.
-        if self.runs && holds.is_none() && to.is_some_and(|to| self.index.leads_out(to)) {
+        if self.runs && holds.is_none() && to.is_some_and(|to| self.index.leads_out(to)) && self.spares() {
             return Step::BranchEnds(None);
         }
         self.leap(to, next);
@@ -92,7 +92,7 @@ impl Macros {
         if below.is_none() {
             self.forget();
         }
-        self.leaps.push(below.map_or(NOWHERE, |place| place.line));
+        self.leaps_to(below.map_or(NOWHERE, |place| place.line));
     }
 
     /// The statement after THEN.

@@ -22,6 +22,9 @@ use value::{Cursor, Value, Variables};
 /// So many blocks are run: whoever repeats more has an end.
 const MOST_BLOCKS: usize = 500_000;
 
+/// So many structures may be open: whoever jumps out of more has an end.
+const MOST_OPEN: usize = 5000;
+
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
 
@@ -69,6 +72,8 @@ pub(super) struct Macros {
     /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
     leaps: Vec<usize>,
     blocks: usize,
+    /// How often a branch that ends the program was not taken, by its line.
+    spared: Vec<(usize, usize)>,
     /// Where work offsets were written by their variables.
     writes: Vec<(usize, usize)>,
     /// The lines of subprograms that ran: from, up to.
@@ -101,6 +106,7 @@ impl Macros {
             unsure: 0,
             leaps: Vec::new(),
             blocks: 0,
+            spared: Vec::new(),
             writes: Vec::new(),
             runs: false,
             ran: Vec::new(),
@@ -139,6 +145,29 @@ impl Macros {
             _ if self.index.is_flow(code) => self.flow(code, here, next),
             _ => self.macro_word(code, next, inside).unwrap_or_else(|| self.words(line, begin)),
         }
+    }
+
+    /// Up to a line nothing is sure, in this call: each line once, however often a loop comes by.
+    fn leaps_to(&mut self, line: usize) {
+        let own = self.frames.last().map_or(0, |frame| frame.leaps).min(self.leaps.len());
+        if !self.leaps[own..].contains(&line) {
+            self.leaps.push(line);
+        }
+    }
+
+    /// Whether the branch of a line that ends the program may be left once more: a loop that only it ends would not end.
+    fn spares(&mut self) -> bool {
+        const MOST_SPARED: usize = 1000;
+        let line = self.variables.line;
+        let times = match self.spared.iter_mut().find(|(known, _)| *known == line) {
+            Some((_, times)) => times,
+            None => {
+                self.spared.push((line, 0));
+                &mut self.spared.last_mut().expect("just pushed").1
+            }
+        };
+        *times += 1;
+        self.runs && *times <= MOST_SPARED
     }
 
     /// Whether a variable is of a work offset.
@@ -249,7 +278,7 @@ impl Flow for Macros {
 
     fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
         self.blocks += 1;
-        if self.blocks > MOST_BLOCKS {
+        if self.blocks > MOST_BLOCKS || self.open.len() > MOST_OPEN {
             return Step::Stop;
         }
         self.variables.line = here.line;

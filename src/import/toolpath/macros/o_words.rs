@@ -71,7 +71,7 @@ impl Macros {
             Keyword::EndRepeat => self.again(&label),
             // It may leave the loop here, or a round of it.
             Keyword::Break | Keyword::Continue if self.is_guarded() => {
-                self.leaps.push(NOWHERE);
+                self.leaps_to(NOWHERE);
                 Step::AsWritten
             }
             Keyword::Break => self.out_of(&label, here),
@@ -109,7 +109,7 @@ impl Macros {
                 Step::Done
             }
             Some(Value::Number(_)) => self.other_branch(label, here),
-            _ => match Some(&self.index).filter(|_| self.runs).and_then(|index| index.ending_branch(&label, here.line)) {
+            _ => match self.index.ending_branch(&label, here.line).filter(|_| self.spares()) {
                 Some(below) => Step::BranchEnds(Some(below)),
                 None => self.unsure_begins(label),
             },

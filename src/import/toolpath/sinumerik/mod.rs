@@ -19,6 +19,9 @@ use value::{Cursor, Variables};
 /// So many blocks are run: whoever repeats more has an end.
 const MOST_BLOCKS: usize = 500_000;
 
+/// So many conditions and loops may be open: whoever jumps out of more has an end.
+const MOST_OPEN: usize = 5000;
+
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
 
@@ -127,7 +130,10 @@ impl Sinumerik {
         if below.is_none() {
             self.variables.forget();
         }
-        self.leaps.push(below.map_or(NOWHERE, |to| to.line));
+        let line = below.map_or(NOWHERE, |to| to.line);
+        if !self.leaps.contains(&line) {
+            self.leaps.push(line);
+        }
         Step::AsWritten
     }
 
@@ -391,7 +397,7 @@ impl Sinumerik {
 impl Flow for Sinumerik {
     fn step(&mut self, line: &[u8], here: Place, next: Place, _inside: usize) -> Step {
         self.blocks += 1;
-        if self.blocks > MOST_BLOCKS {
+        if self.blocks > MOST_BLOCKS || self.unsure.len() + self.loops.len() > MOST_OPEN {
             return Step::Stop;
         }
         self.variables.line = here.line;
