@@ -230,16 +230,16 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);
-    let calls: Result<Array, JsValue> = run
+    let calls: Array = run
         .calls
         .iter()
         .map(|call| {
             let row = to_js(call)?;
             set(&row, "job", &call.job.as_ref().map_or(JsValue::NULL, value_to_js));
-            Ok(row)
+            Ok::<JsValue, JsValue>(row)
         })
-        .collect();
-    set(&result, "calls", &calls?);
+        .collect::<Result<Array, JsValue>>()?;
+    set(&result, "calls", &calls);
     set(&result, "rules", &to_js(&run.rules)?);
     Ok(result.into())
 }

@@ -1,7 +1,7 @@
 // An opened program is run with what its user knows: what it reads is asked for, and the verdict has its lines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openText, page, painted, settles, setUp, textOf } from "./common.mjs";
+import { field, openText, page, painted, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -17,9 +17,9 @@ o<edge> endsub
 `;
 
 const enter = async (/** @type {string} */ id, /** @type {string} */ text) => {
-  const field = page.locator(`[id="${id}"]`);
-  await field.fill(text);
-  await field.press("Tab");
+  const input = page.locator(`[id="${id}"]`);
+  await input.fill(text);
+  await input.press("Tab");
 };
 
 test("what a macro reads and nothing sets could not be entered: it is asked for, and the picture follows", async () => {
@@ -55,13 +55,16 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
 });
 
 test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {
-  await openText("%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG0 X0. Y0. Z-5.\nG65 P9814 D25.\nM30\n%\n", "calls.nc");
+  await openText(
+    "%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG0 X0. Y0. Z-5.\nG65 P9814 D25.\nM30\n%\n",
+    "calls.nc",
+  );
   const calls = page.locator("tp-viewer .calls li");
   await calls.first().waitFor();
   assert.match(await textOf(calls.nth(0)), /G65 P9812 Line 5 web or slot: X 30 .*X and Y exclude each other/s);
   assert.match(await textOf(calls.nth(1)), /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/);
   // A hole of 25 where the stylus stands: with a click it is the job.
   await calls.nth(1).getByRole("button", { name: "Make it a job" }).click();
-  await page.locator('[id="cycle.diameter"]').waitFor();
-  assert.equal(await page.locator('[id="cycle.diameter"]').inputValue(), "25");
+  await field("cycle.diameter").waitFor();
+  assert.equal(await field("cycle.diameter").inputValue(), "25");
 });

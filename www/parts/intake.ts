@@ -143,7 +143,11 @@ export class Intake {
     try {
       this.store.open({ imported: { kind: "job", job, findings: [] }, findings: [], moves: null, points: 0 });
       this.page.showJob();
-      this.page.tell(this.store.t("This is the job of that call; what the call does not say is the form's default. Undo brings back the one before."));
+      this.page.tell(
+        this.store.t(
+          "This is the job of that call; what the call does not say is the form's default. Undo brings back the one before.",
+        ),
+      );
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       this.page.tell(this.store.why(thrown));

@@ -152,6 +152,7 @@ export class RunPanel {
     mark,
     arguments: given,
     contradictions,
+    job,
   }: ProgramRun["calls"][number]): TemplateResult {
     const t = this.store().t.bind(this.store());
     const words = given.map(({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`);

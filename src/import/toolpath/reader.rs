@@ -270,7 +270,7 @@ impl Reader {
             Some(b'%') if self.heidenhain => return self.ended = true,
             Some(_) if self.sinumerik => match frame(&line[begin..]) {
                 Some(true) => {
-                    self.moved_system();
+                    self.moved_system(7);
                     return count(&mut self.transformed, self.line);
                 }
                 // Alone it takes the shifts away.
@@ -372,7 +372,9 @@ impl Reader {
         if (self.transformed.times > transformed || self.turned)
             && (block.given != 0 || block.radius.is_some() || block.offset.is_some())
         {
-            self.moved_system();
+            // Without a turn these are shifted alone.
+            let shifts = (block.writes || block.renames) && block.radius.is_none() && block.offset.is_none() && !self.turned;
+            self.moved_system(if shifts { block.given } else { 7 });
         }
         self.turned = false;
         if self.log.is_some() {
@@ -390,12 +392,12 @@ impl Reader {
         }
     }
 
-    /// Places that were given before are of another system from here on.
+    /// Places along these axes that were given before are of another system from here on.
     #[cold]
-    fn moved_system(&mut self) {
-        (self.stale, self.shifted) = (7, true);
+    fn moved_system(&mut self, axes: Axes) {
+        (self.stale, self.shifted) = (self.stale | axes, true);
         if let Some(run) = &mut self.run {
-            run.contact = [f64::NAN; 3];
+            (0..3).filter(|axis| axes & (1 << axis) != 0).for_each(|axis| run.contact[axis] = f64::NAN);
         }
     }
 
