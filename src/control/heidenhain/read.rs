@@ -85,19 +85,24 @@ pub fn wanted_iso(word: &str) -> bool {
 
 /// The logical blocks of a program: comments, block numbers and continuation signs taken off.
 pub fn blocks(text: &str) -> Vec<String> {
-    let mut blocks: Vec<String> = Vec::new();
+    numbered_blocks(text).into_iter().map(|(_, block)| block).collect()
+}
+
+/// The same, each with the 0-based line in which it begins.
+pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
+    let mut blocks: Vec<(usize, String)> = Vec::new();
     let mut goes_on = false;
-    for line in lines_of(text).map(str::trim) {
+    for (number, line) in lines_of(text).map(str::trim).enumerate() {
         let continued = line.ends_with('~');
         let line = line.trim_end_matches('~');
         // `*` ends an ISO block.
         let line = code(line, false).trim().trim_end_matches('*').trim_end();
         if goes_on {
-            let block = blocks.last_mut().expect("a continuation line follows a block");
+            let (_, block) = blocks.last_mut().expect("a continuation line follows a block");
             block.push(' ');
             block.push_str(line);
         } else {
-            blocks.push(without_count(without_number(line)).to_owned());
+            blocks.push((number, without_count(without_number(line)).to_owned()));
         }
         goes_on = continued;
     }

@@ -12,67 +12,16 @@ impl Reader {
     pub fn finish(mut self) -> Toolpath {
         let mut checker = Checker::default();
         let mut lines = Vec::new();
-        let mut say = |count: Count, code: &str, what: Text| {
-            if let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) {
-                let message = if count.times == 1 {
-                    text!("{what}: once, in line {line}", what, first)
-                } else {
-                    text!("{what}: {times} times, the first in line {line}", what, count.times, first)
-                };
-                checker.warning(code, "", message);
-                lines.push(count.sorted());
-            }
-        };
-        say(
-            self.skipped,
-            "lines-skipped",
-            text!(
-                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
-            ),
-        );
-        self.foreign.into_iter().for_each(|named| {
-            let message = by_name(&named);
-            say(named.count, "lines-skipped", message);
-        });
-        say(self.after_end, "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed"));
-        say(
-            self.computed,
-            "places-computed",
-            text!(
-                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
-            ),
-        );
-        say(self.machine, "machine-places", text!("Positions in machine coordinates are not known in work coordinates"));
-        say(
-            self.transformed,
-            "places-transformed",
-            text!(
-                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
-            ),
-        );
-        say(
-            self.from_unknown,
-            "start-unknown",
-            text!("Incremental moves begin at a place that is not known: they are counted from 0"),
-        );
-        say(
-            self.arcs_unsolved,
-            "arc-unsolved",
-            text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here"),
-        );
-        say(self.others, "lines-skipped", text!("Axes other than X, Y and Z are not followed"));
-        say(
-            self.optional,
-            "lines-optional",
-            text!("Blocks with / are read: the control leaves them out where block skip is on"),
-        );
-        say(
-            self.branches,
-            "branch-ends",
-            text!("Branches whose condition is not known end the program: the run continues as if they were not taken"),
-        );
-        say(self.aborted, "program-stops", text!("The program stops itself with a message"));
-        say(self.twice, "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read"));
+        for (count, code, what) in self.counted() {
+            let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) else { continue };
+            let message = if count.times == 1 {
+                text!("{what}: once, in line {line}", what, first)
+            } else {
+                text!("{what}: {times} times, the first in line {line}", what, count.times, first)
+            };
+            checker.warning(code, "", message);
+            lines.push(count.sorted());
+        }
         say_units(self.late_units, &self.path, &mut checker);
         self.path.findings = checker.findings();
         lines.resize_with(self.path.findings.len(), Vec::new);
@@ -82,6 +31,40 @@ impl Reader {
         self.path.finding_lines = lines;
         self.path.plane = self.plane.unwrap_or_default();
         self.path
+    }
+
+    /// What was passed over, in the order in which it is reported.
+    fn counted(&mut self) -> Vec<(Count, &'static str, Text)> {
+        let take = std::mem::take::<Count>;
+        let mut all = vec![(
+            take(&mut self.skipped),
+            "lines-skipped",
+            text!(
+                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
+            ),
+        )];
+        all.extend(std::mem::take(&mut self.foreign).into_iter().map(|named| {
+            let message = by_name(&named);
+            (named.count, "lines-skipped", message)
+        }));
+        all.extend([
+            (take(&mut self.after_end), "lines-skipped", text!("Lines below the end of the program, M2, M30, M99 or %, are not followed")),
+            (take(&mut self.computed), "places-computed", text!(
+                "Places that the control computes, or along a tool whose length was changed, are not known here until a number is given"
+            )),
+            (take(&mut self.machine), "machine-places", text!("Positions in machine coordinates are not known in work coordinates")),
+            (take(&mut self.transformed), "places-transformed", text!(
+                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
+            )),
+            (take(&mut self.from_unknown), "start-unknown", text!("Incremental moves begin at a place that is not known: they are counted from 0")),
+            (take(&mut self.arcs_unsolved), "arc-unsolved", text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here")),
+            (take(&mut self.others), "lines-skipped", text!("Axes other than X, Y and Z are not followed")),
+            (take(&mut self.optional), "lines-optional", text!("Blocks with / are read: the control leaves them out where block skip is on")),
+            (take(&mut self.branches), "branch-ends", text!("Branches whose condition is not known end the program: the run continues as if they were not taken")),
+            (take(&mut self.aborted), "program-stops", text!("The program stops itself with a message")),
+            (take(&mut self.twice), "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read")),
+        ]);
+        all
     }
 }
 

@@ -72,29 +72,12 @@ impl<'t> Known<'t> {
                     checker.error("unknown-value", "dialect", text!("The dialect must be one of {list}", list));
                 }
                 ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),
-                ("start", Value::List(place)) if place.len() == 3 => {
-                    let axis = |i: usize| match place[i] {
-                        Value::Number(x) if x.is_finite() => Some(x),
-                        Value::Null => Some(f64::NAN),
-                        _ => None,
-                    };
-                    match (axis(0), axis(1), axis(2)) {
-                        (Some(x), Some(y), Some(z)) => known.start = Some([x, y, z]),
-                        _ => checker.error(
-                            "wrong-type",
-                            "start",
-                            text!("start must be three numbers, or null for what is not known"),
-                        ),
-                    }
-                }
+                ("start", place) => known.start = start(place, &mut checker),
                 ("part", Value::Map(_)) => {
                     known.touch = trip(value.get("at"), "part.at", &mut checker);
                     known.positioning = trip(value.get("positioning"), "part.positioning", &mut checker);
                 }
                 ("files", Value::Map(files)) => known.files = texts(files, &mut checker),
-                ("start", _) => {
-                    checker.error("wrong-type", "start", text!("start must be three numbers, or null for what is not known"));
-                }
                 ("set" | "part" | "files", other) => {
                     checker.error("wrong-type", key, text!("{path} must be an object, not {given}", key.clone(), other.noun()));
                 }
@@ -106,6 +89,24 @@ impl<'t> Known<'t> {
         }
         if checker.failed() { Err(JobError { findings: checker.findings() }) } else { Ok(known) }
     }
+}
+
+/// Three numbers, or null for what is not known.
+fn start(value: &Value, checker: &mut Checker) -> Option<[f64; 3]> {
+    let axis = |value: &Value| match value {
+        Value::Number(x) if x.is_finite() => Some(*x),
+        Value::Null => Some(f64::NAN),
+        _ => None,
+    };
+    let place = match value {
+        Value::List(place) => place.iter().map(axis).collect::<Option<Vec<f64>>>(),
+        _ => None,
+    };
+    let place = place.and_then(|place| <[f64; 3]>::try_from(place).ok());
+    if place.is_none() {
+        checker.error("wrong-type", "start", text!("start must be three numbers, or null for what is not known"));
+    }
+    place
 }
 
 /// Values of variables by their names.

@@ -18,6 +18,40 @@ impl Reader {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
         let stale = self.stale;
+        self.goes(block, from);
+        if matches!(motion, Motion::Clockwise | Motion::Counter) {
+            match self.arc(block, from, motion == Motion::Counter) {
+                Some([a, b, c, sweep]) => {
+                    let plane = match self.modes.plane.unwrap_or_default() {
+                        Plane::G17 => 17.0,
+                        Plane::G18 => 18.0,
+                        Plane::G19 => 19.0,
+                    };
+                    self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
+                }
+                None => count(&mut self.arcs_unsolved, self.line),
+            }
+        }
+        if block.curve || block.once.is_none() && self.modes.curve {
+            count(&mut self.arcs_unsolved, self.line);
+        }
+        self.place.into_iter().for_each(|x| self.path.to.push(x));
+        let kind = match motion {
+            Motion::Rapid => RAPID,
+            motion if motion.probes() => PROBE,
+            _ => FEED,
+        };
+        self.path.kind.push(kind);
+        self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
+        self.path.line.push(self.line as u32);
+        if kind == PROBE && self.run.is_some() {
+            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
+            self.touched([known(0), known(1), known(2)], motion, block.feed.is_some());
+        }
+    }
+
+    /// Where a block goes.
+    fn goes(&mut self, block: &Block, from: [f64; 3]) {
         // Which axes are given as places, and not as distances.
         let places = if self.modes.absolute { !block.moved } else { block.placed };
         for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
@@ -47,35 +81,6 @@ impl Reader {
                 count(&mut self.computed, self.line);
             }
             self.lost = 0;
-        }
-        if matches!(motion, Motion::Clockwise | Motion::Counter) {
-            match self.arc(block, from, motion == Motion::Counter) {
-                Some([a, b, c, sweep]) => {
-                    let plane = match self.modes.plane.unwrap_or_default() {
-                        Plane::G17 => 17.0,
-                        Plane::G18 => 18.0,
-                        Plane::G19 => 19.0,
-                    };
-                    self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
-                }
-                None => count(&mut self.arcs_unsolved, self.line),
-            }
-        }
-        if block.curve || block.once.is_none() && self.modes.curve {
-            count(&mut self.arcs_unsolved, self.line);
-        }
-        self.place.into_iter().for_each(|x| self.path.to.push(x));
-        let kind = match motion {
-            Motion::Rapid => RAPID,
-            motion if motion.probes() => PROBE,
-            _ => FEED,
-        };
-        self.path.kind.push(kind);
-        self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
-        self.path.line.push(self.line as u32);
-        if kind == PROBE && self.run.is_some() {
-            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
-            self.touched([known(0), known(1), known(2)], motion, block.feed.is_some());
         }
     }
 

@@ -56,7 +56,25 @@ pub(super) struct Touching {
     pub met: Option<bool>,
 }
 
+impl Default for Modes {
+    fn default() -> Self {
+        Modes {
+            motion: Motion::Rapid,
+            curve: false,
+            given: Given::Place,
+            absolute: true,
+            stated: false,
+            centers_absolute: false,
+            plane: None,
+            scale: 1.0,
+            by_other: false,
+            diameter: false,
+        }
+    }
+}
+
 /// Follows a program block by block.
+#[derive(Default)]
 pub(super) struct Reader {
     pub path: Toolpath,
     /// The first line and the name of each file that is below the program.
@@ -147,63 +165,11 @@ impl Reader {
         };
         Reader {
             path,
-            files: Vec::new(),
-            line: 0,
             sinumerik: dialect == DIALECTS[1],
-            heidenhain: false,
             place: [f64::NAN; 3],
-            stale: 0,
-            turned: false,
-            shifted: false,
-            run: None,
-            log: None,
             next_tool: f64::NAN,
-            tool: None,
-            modes: Modes {
-                motion: Motion::Rapid,
-                curve: false,
-                given: Given::Place,
-                absolute: true,
-                stated: false,
-                centers_absolute: false,
-                plane: None,
-                scale: 1.0,
-                by_other: false,
-                diameter: false,
-            },
-            plane: None,
-            offset: None,
-            inside: false,
-            conditions: 0,
-            loops: 0,
-            relative: 0,
-            leaps: false,
-            begun: false,
-            ended: false,
-            call: None,
-            called_out: false,
-            returned: false,
-            turns_off: false,
             feed: f64::NAN,
-            turns: 0.0,
-            kept: None,
-            long: 0,
-            lengthened: 0,
-            lost: 0,
-            skipped: Count::default(),
-            after_end: Count::default(),
-            computed: Count::default(),
-            from_unknown: Count::default(),
-            arcs_unsolved: Count::default(),
-            machine: Count::default(),
-            transformed: Count::default(),
-            others: Count::default(),
-            optional: Count::default(),
-            twice: Count::default(),
-            aborted: Count::default(),
-            branches: Count::default(),
-            foreign: Vec::new(),
-            late_units: None,
+            ..Reader::default()
         }
     }
 

@@ -8,8 +8,7 @@ mod value;
 
 use std::collections::BTreeMap;
 
-use crate::control::heidenhain::read::{Given, assignments, transforms};
-use crate::control::iso::lex::{code, lines_of, without_count, without_number};
+use crate::control::heidenhain::read::{Given, assignments, numbered_blocks, transforms};
 use crate::form::Value;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Ask;
@@ -52,7 +51,8 @@ pub(super) struct Klartext {
 
 impl Klartext {
     pub fn new(text: &str, set: &[(&str, f64)]) -> Self {
-        let lines = blocks(text);
+        let lines: Vec<Line> =
+            numbered_blocks(text).into_iter().map(|(number, text)| Line { number, text: text.to_ascii_uppercase() }).collect();
         let mut labels = BTreeMap::new();
         for (at, line) in lines.iter().enumerate() {
             if let Some(label) = line.text.strip_prefix("LBL ").map(label).filter(|label| label != "0") {
@@ -274,27 +274,4 @@ fn label(text: &str) -> String {
 
 fn is_m(word: &str) -> bool {
     word.strip_prefix('M').is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
-}
-
-/// The blocks of a text, each with the line it begins in: comments, block numbers and continuation signs taken off.
-fn blocks(text: &str) -> Vec<Line> {
-    let mut blocks: Vec<Line> = Vec::new();
-    let mut continues = false;
-    for (number, line) in lines_of(text).map(str::trim).enumerate() {
-        // The sign of continuation stands behind the comment.
-        let (line, goes_on) = match line.strip_suffix('~') {
-            Some(line) => (line, true),
-            None => (line, false),
-        };
-        let line = code(line, false).trim().to_ascii_uppercase();
-        match blocks.last_mut().filter(|_| continues) {
-            Some(block) => {
-                block.text.push(' ');
-                block.text.push_str(&line);
-            }
-            None => blocks.push(Line { number, text: without_count(without_number(&line)).to_owned() }),
-        }
-        continues = goes_on;
-    }
-    blocks
 }

@@ -60,6 +60,13 @@ pub fn o_word(code: &[u8]) -> Option<(String, Keyword, usize)> {
 
 /// What a block does to the way of the program.
 fn turn(code: &[u8]) -> Option<Turn> {
+    // Most blocks begin with a G code, or with an axis.
+    let may = match code {
+        [b'G' | b'g', next, ..] => next.eq_ignore_ascii_case(&b'O'),
+        [first, ..] => matches!(first.to_ascii_uppercase(), b'M' | b'#' | b'(' | b'O' | b'I'),
+        [] => false,
+    };
+    may.then_some(())?;
     let plain: Vec<u8> = code.iter().filter(|b| !b.is_ascii_whitespace()).map(u8::to_ascii_uppercase).collect();
     let is = |word: &[u8]| plain.starts_with(word) && !plain.get(word.len()).is_some_and(u8::is_ascii_digit);
     if is(b"M2") || is(b"M02") || is(b"M30") || plain.starts_with(b"#3000=") || plain.starts_with(b"(ABORT,") {

@@ -351,22 +351,9 @@ impl Sinumerik {
                 continue;
             }
             assigns = true;
-            let value = cursor.value(&mut self.variables);
-            let name = match (word, index) {
-                ("R", Some(index)) if index.len() > 2 => Some(format!("R{}", &index[1..index.len() - 1])),
-                (word, Some(index)) => Some(format!("{word}{index}")),
-                (_, None) => None,
-            };
-            match (name, value) {
-                (Some(name), Some(value)) => {
-                    if name.starts_with("$P_UIFR") || name.starts_with("$P_PFRAME") {
-                        self.writes.push((self.moves, self.variables.line));
-                    }
-                    let value = if self.is_sure() { value } else { f64::NAN };
-                    known &= !value.is_nan();
-                    self.variables.set(&name, value);
-                }
-                _ => {
+            match self.assign(word, index, &mut cursor) {
+                Some(value) => known &= !value.is_nan(),
+                None => {
                     // It may be any of them, or the text is not understood.
                     self.variables.forget();
                     return Step::AsWritten;
@@ -378,6 +365,22 @@ impl Sinumerik {
             true if assigns => Step::AsWritten,
             _ => Step::Read(out.trim().as_bytes().to_vec()),
         }
+    }
+
+    /// Gives a variable the value that follows; none where it is not known which, or the value is not understood.
+    fn assign(&mut self, word: &str, index: Option<String>, cursor: &mut Cursor<'_>) -> Option<f64> {
+        let value = cursor.value(&mut self.variables)?;
+        let index = index?;
+        let name = match word {
+            "R" if index.len() > 2 => format!("R{}", &index[1..index.len() - 1]),
+            word => format!("{word}{index}"),
+        };
+        if name.starts_with("$P_UIFR") || name.starts_with("$P_PFRAME") {
+            self.writes.push((self.moves, self.variables.line));
+        }
+        let value = if self.is_sure() { value } else { f64::NAN };
+        self.variables.set(&name, value);
+        Some(value)
     }
 
     /// What stands behind the sign of an address: a value, or one in `IC( )`, `AC( )`, `DC( )`.
