@@ -79,8 +79,9 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
 
 /** A call of one of the control's own probing cycles. */
 export interface NativeCall {
-  /** Its 0-based line. */
+  /** Its 0-based line in its own text: `file` 0 is the program, others are `files` in their order, from 1. */
   line: number;
+  file: number;
   /** As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`. */
   name: string;
   /** What it measures or does, how well that is known and where it was read; `null` for a call that is not known here. */

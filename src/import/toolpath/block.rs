@@ -78,6 +78,8 @@ pub(super) struct Block {
     pub writes: bool,
     /// It changes the length of the tool.
     pub lengthens: bool,
+    /// A Haas' M78 and M79: what a contact, or none, is an alarm of.
+    pub contact: Option<Motion>,
     /// It starts (true) or stops the spindle.
     pub spindle: Option<bool>,
     /// It puts the tool of the last T into the spindle.
@@ -146,6 +148,7 @@ pub(super) const EMPTY: Block = Block {
     lengthens: false,
     changes: false,
     spindle: None,
+    contact: None,
     keeps: None,
     offset: None,
     counts: false,
@@ -178,7 +181,7 @@ impl Block {
         (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
-        (self.curve, self.counts, self.changes, self.spindle) = (false, false, false, None);
+        (self.curve, self.counts, self.changes, self.spindle, self.contact) = (false, false, false, None, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);

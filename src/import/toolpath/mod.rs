@@ -177,6 +177,11 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         let own = files[0].0;
         path.finding_lines.iter_mut().for_each(|lines| lines.retain(|line| *line < own));
         path.asks.iter_mut().for_each(|ask| ask.lines.retain(|line| *line < own));
+        path.rules.iter_mut().for_each(|rule| rule.lines.retain(|line| *line < own));
+        for call in &mut path.calls {
+            call.file = files.partition_point(|(first, _)| *first <= call.line) as u32;
+            call.line -= call.file.checked_sub(1).map_or(0, |file| files[file as usize].0);
+        }
     }
     path
 }

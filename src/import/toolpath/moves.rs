@@ -46,7 +46,7 @@ impl Reader {
         self.path.line.push(self.line as u32);
         if kind == PROBE && self.run.is_some() {
             let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
-            self.touched([known(0), known(1), known(2)], motion, block.feed.is_some());
+            self.touched([known(0), known(1), known(2)], motion, block);
         }
     }
 
@@ -86,9 +86,15 @@ impl Reader {
 
     /// Where a probing move ends on its way to the place that its block gives.
     #[cold]
-    fn touched(&mut self, from: [f64; 3], motion: Motion, own_feed: bool) {
+    fn touched(&mut self, from: [f64; 3], motion: Motion, block: &Block) {
         let Some(run) = &mut self.run else { return };
         let to = self.place;
+        // A Haas says itself what the move is.
+        match block.contact {
+            Some(Motion::MustBeFree) => (run.watched, run.asked) = (true, true),
+            Some(_) => (run.watched, run.asked) = (false, true),
+            None => {}
+        }
         self.path.by_g38 |= motion == Motion::MustTouch || self.modes.motion.probes();
         if let Some(log) = &mut self.log {
             log.touches.push(Touch {
@@ -97,7 +103,7 @@ impl Reader {
                 stops: motion == Motion::MustTouch,
                 asked: run.asked,
                 positions: run.watched,
-                own_feed,
+                own_feed: block.feed.is_some(),
             });
         }
         let trip = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };

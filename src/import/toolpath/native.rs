@@ -16,8 +16,10 @@ const MOST_CALLS: usize = 10_000;
 /// A call of one of the control's own cycles.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NativeCall {
-    /// Its 0-based line.
+    /// Its 0-based line, in its own text.
     pub line: u32,
+    /// That text: 0 is the program, what is above it a file of subprograms, counted from 1.
+    pub file: u32,
     /// As programs write it: `G65 P9814`, `TCH PROBE 412`, `CYCLE977`.
     pub name: String,
     /// What it measures or does; none for a call that is not known here.
@@ -74,6 +76,7 @@ pub(super) fn listed(
     let arguments: Vec<NativeArgument> = arguments.into_iter().map(argument).collect();
     path.calls.push(NativeCall {
         line: line as u32,
+        file: 0,
         name: call.map_or_else(|| printable(name), |call| call.name.to_owned()),
         title: call.map(|call| call.title),
         mark: call.map(|call| call.mark.word()),

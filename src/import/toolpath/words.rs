@@ -219,7 +219,10 @@ impl Reader {
                 (block.calls, block.special) = (Some(code), true);
                 return Foreign::Unknown;
             }
-            Effect::Contact(_) => return Foreign::Unknown,
+            Effect::Contact(motion) => {
+                block.contact = Some(motion);
+                return Foreign::Unknown;
+            }
             Effect::Sets | Effect::Ahead => return Foreign::Sets,
             Effect::Spindle(on) => block.spindle = Some(on),
             Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}

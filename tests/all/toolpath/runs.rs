@@ -320,6 +320,21 @@ fn places_from_before_a_shift_are_not_known_after_it() {
     assert_eq!(shown(&run_program("G21 G91\nG0 X5\nM2\n", &Known::default())), ["2 rapid ? ? ?"]);
 }
 
+/// A Haas says in the block itself what a contact is; rules and calls of another file stay there.
+#[test]
+fn an_alarm_of_the_block_itself_counts_and_lines_are_those_of_their_text() {
+    let text = "%\nO1\nG21 G17 G90\nM5\nG31 X5. Y5. F500. M78\nG31 Z-5. F50. M79\nG1 Z20. F500.\nM30\n%\n";
+    let run = run_program(text, &Known { start: Some([0.0, 0.0, 20.0]), ..met(0.5) });
+    assert_eq!(shown(&run), ["5 probe 5 5 20", "6 probe 5 5 -5", "7 feed 5 5 20"]);
+    assert!(run.rules.iter().all(|rule| rule.holds == Some(true)), "{:?}", run.rules);
+    let text = "G21 G17 G90\nM5\nG65 P50\nM30\n";
+    let file = "O50\nG31 Z-5.\nG65 P9814 D5.\nM99\n";
+    let run = run_program(text, &Known { files: vec![("O50", file)], ..met(0.5) });
+    assert_eq!((run.calls[0].line, run.calls[0].file), (2, 1));
+    let missed = run.rules.iter().find(|rule| rule.rule == "missed-touch-stops").unwrap();
+    assert_eq!((missed.holds, missed.lines.as_slice()), (Some(false), &[][..]));
+}
+
 /// Lines of every dialect, whole and broken.
 const LINES: [&str; 74] = [
     "G21 G90",
