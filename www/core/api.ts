@@ -137,7 +137,7 @@ export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
 }
 
 /**
- * Runs any program with what is known beside its text: values of variables, where the stylus stands, what touches meet, the files of its subprograms. What
+ * Runs any program with what is known beside its text: values of variables, where the stylus stands, where touches trigger, the files of its subprograms. What
  * stays unknown is `NaN`, never a guess: after a touch of which `part` says nothing, the place along its way. Throws `JobError` for a text that is too long, and for
  * what is known where that is wrong.
  */

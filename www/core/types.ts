@@ -21,7 +21,7 @@ export interface MoveColumns {
   kinds: string[];
 }
 
-/** The ways programs are written that are told apart. */
+/** How a program is written. */
 export type Dialect = "iso" | "sinumerik" | "klartext";
 
 /** The moves of any program, column by column, in the units that it states first. Nothing is proven of what is read so. */
@@ -55,13 +55,13 @@ export interface ProgramKnown {
   set?: Record<string, number>;
   /** Where the stylus stands before the first block, in the units that the program states first; `null` along an axis where that is not known. */
   start?: [number | null, number | null, number | null];
-  /** What probing moves meet: the fraction of the way at which a touch, and a positioning move that is watched, meets something; `null`: nothing; left out: not known. */
+  /** Where probing moves trigger: the fraction of its way at which a touch, and a positioning move that is watched, makes contact; `null`: never; left out: not known. */
   part?: { at?: number | null; positioning?: number | null };
   /** Texts with subprograms, by their names. */
   files?: Record<string, string>;
 }
 
-/** A program's moves as it runs with what is known. A touch ends where its block says; `contacts` is where it met something, and the next move begins there. */
+/** A program's moves as it runs with what is known. A touch ends where its block says; `contacts` is where it triggered, and the next move begins there. */
 export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   /** The text of each move, whose `line` counts in it: 0 is the program, others are `files` in their order, from 1. Empty where there are none. */
   file: Uint32Array;

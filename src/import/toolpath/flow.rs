@@ -41,6 +41,11 @@ pub(super) trait Flow {
     /// Nothing is known of any variable: something else may have set them.
     fn forget(&mut self);
 
+    /// The same of those that calls share: a macro was called, which has locals of its own.
+    fn forget_shared(&mut self) {
+        self.forget();
+    }
+
     /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
     fn fall_out(&mut self, at_end: bool) -> Option<Place>;
 

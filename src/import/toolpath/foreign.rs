@@ -53,7 +53,7 @@ impl Reader {
     /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
     #[cold]
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
-        self.called_out = true;
+        self.called_macro = true;
         let place = self.here();
         let name = |p: f64| "G65 P".to_owned() + &crate::num::decimal(p, 0);
         let arguments = || {

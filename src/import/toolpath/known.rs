@@ -5,7 +5,7 @@ use crate::import::toolpath::DIALECTS;
 use crate::job::JobError;
 use crate::text::text;
 
-/// Where a probing move meets something, as a fraction of its way.
+/// Where a probing move triggers, as a fraction of its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Trip {
     /// Not known.
@@ -13,7 +13,7 @@ pub enum Trip {
     Unknown,
     /// At this fraction, 0 to 1.
     At(f64),
-    /// Nothing is met: the move comes to its end.
+    /// There is no contact: the move comes to its end.
     Never,
 }
 
@@ -26,9 +26,9 @@ pub struct Known<'t> {
     pub set: Vec<(&'t str, f64)>,
     /// Where the stylus stands before the first block, in the program's first units; NaN where that is not known.
     pub start: Option<[f64; 3]>,
-    /// What touches meet.
+    /// Where touches trigger.
     pub touch: Trip,
-    /// What positioning moves meet that are watched by probing.
+    /// Where positioning moves trigger that are watched by probing.
     pub positioning: Trip,
     /// Texts with subprograms, by their names.
     pub files: Vec<(&'t str, &'t str)>,
@@ -156,7 +156,7 @@ fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t 
     files
 }
 
-/// A fraction of a way; null: nothing is met; left out: not known.
+/// A fraction of a way; null: no contact; left out: not known.
 fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
     match value {
         None | Some(Value::Other("undefined")) => Trip::Unknown,

@@ -86,7 +86,7 @@ pub struct Toolpath {
     pub arcs: Vec<[f64; 6]>,
     /// The plane that the program chose first; arcs may be in another one.
     pub plane: Plane,
-    /// Where probing moves met something: index of the move, and the place. Of a run that is told where touches meet something.
+    /// Where probing moves made contact: index of the move, and the place. Of a run that is told where they trigger.
     pub contacts: Vec<[f64; 4]>,
     /// What was ignored, and where the path is not known.
     pub findings: Vec<Finding>,
@@ -288,6 +288,11 @@ impl Run<'_> {
                 && let Some(macros) = &mut self.macros
             {
                 macros.forget();
+            }
+            if std::mem::take(&mut self.reader.called_macro)
+                && let Some(macros) = &mut self.macros
+            {
+                macros.forget_shared();
             }
             while at >= bytes.len() && self.calls.is_inside() {
                 let next = Place { at, line: self.reader.line };

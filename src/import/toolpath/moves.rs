@@ -126,7 +126,7 @@ impl Reader {
             let [x, y, z] = self.place;
             self.path.contacts.push([(self.path.kind.len() - 1) as f64, x, y, z]);
         }
-        // LinuxCNC's G38.2 and G38.4 stop the program where nothing is met.
+        // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
         if trip == Trip::Never && matches!(motion, Motion::MustTouch) {
             self.ended = true;
         }

@@ -119,6 +119,8 @@ pub(super) struct Reader {
     pub call: Option<Call>,
     /// Whether something was called that is not in this text, or not known: it may set any variable.
     pub called_out: bool,
+    /// The same of a macro, which has locals of its own: G65.
+    pub called_macro: bool,
     /// Whether the block goes back to where its subprogram was called from.
     pub returned: bool,
     /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.

@@ -1,6 +1,6 @@
 //! Whether a probing move is a touch or a positioning move that is watched: what the program does after it says so.
 //!
-//! A touch that misses, or a positioning move that meets something, leads away. So it is a positioning move where the first condition behind it, before the
+//! A touch without a contact, or a positioning move with one, leads away. So it is a positioning move where the first condition behind it, before the
 //! next motion, asks for a contact and then leaves: by a jump, a call, an alarm or an end. This reading is ours: a program may do otherwise.
 
 use crate::control::iso::lex::{code, head, lines_of, trimmed};
@@ -32,7 +32,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else {
         return Behind::default();
     };
-    // A miss of G38.2 and G38.4 is an alarm: nobody moves to a free place with them.
+    // A miss of G38.2 and G38.4 is an alarm: they do not position.
     let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
     let touches = memchr::memchr2_iter(b'G', b'g', line).any(must) || !asks_for_contact(&condition);
     let mut leaves_then = || match condition.find("GOTO").or_else(|| condition.find("THEN")) {

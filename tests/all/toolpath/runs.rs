@@ -320,6 +320,14 @@ fn places_from_before_a_shift_are_not_known_after_it() {
     assert_eq!(shown(&run_program("G21 G91\nG0 X5\nM2\n", &Known::default())), ["2 rapid ? ? ?"]);
 }
 
+/// What is called and not there has locals of its own: those here stay known.
+#[test]
+fn a_call_that_is_not_there_leaves_the_locals() {
+    let last = |text: &str| shown(&run_program(text, &Known { start: Some([0.0; 3]), ..met(0.5) })).pop().unwrap();
+    assert_eq!(last("G21 G90\n#1=4\n#<l>=2\n#100=3\no<gone> call [5]\nG0 X#1 Y#<l> Z#100\n"), "6 rapid 4 2 ?");
+    assert_eq!(last("%\nO1\nG21 G90\n#1=4.\n#100=3.\nG65 P9999 A1.\nG0 X#1 Y0. Z#100\nG31 X0. F9.\nM30\n"), "8 probe 0 0 ?");
+}
+
 /// A Haas says in the block itself what a contact is; rules and calls of another file stay there.
 #[test]
 fn an_alarm_of_the_block_itself_counts_and_lines_are_those_of_their_text() {

@@ -34,7 +34,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
   --form F        moves or cycle, in the place of the job's own
   --set NAME=X    for examine and moves: the value of a variable, as often as there are some: --set '#3014=5' --set R1=2
   --start X,Y,Z   where the stylus stands before the program
-  --at F          touches meet something at this fraction of their way, 0 to 1; none: nothing
+  --at F          touches trigger at this fraction of their way, 0 to 1; none: never
   --positioning F the same of positioning moves that are watched
   --with FILE     a file with subprograms, as often as there are some
   -o, --out DIR   into files there, named after the jobs, in folders as those of the jobs; existing files are replaced

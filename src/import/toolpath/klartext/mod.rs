@@ -56,7 +56,7 @@ impl Klartext {
         let mut labels = BTreeMap::new();
         for (at, line) in lines.iter().enumerate() {
             if let Some(label) = line.text.strip_prefix("LBL ").map(label).filter(|label| label != "0") {
-                // A label that is there twice is none.
+                // A label that is there twice leads nowhere.
                 labels.entry(label).and_modify(|place| *place = None).or_insert(Some(at));
             }
         }

@@ -303,6 +303,10 @@ impl Flow for Macros {
         self.variables.forget();
     }
 
+    fn forget_shared(&mut self) {
+        self.variables.forget_shared();
+    }
+
     fn fall_out(&mut self, at_end: bool) -> Option<Place> {
         self.frames.last().filter(|frame| at_end || !frame.linuxcnc)?;
         self.leave()

@@ -93,8 +93,8 @@ impl Macros {
         }
         let understood = !matches!(cursor.peek(), Some(b'['));
         let Some((begin, end)) = self.index.subroutine(label).filter(|_| understood && self.frames.len() < DEEPEST) else {
-            // It may set any variable.
-            self.forget();
+            // It may set any variable but the locals here.
+            self.variables.forget_shared();
             return Step::AsWritten;
         };
         self.runs(begin, end);

@@ -203,6 +203,11 @@ impl Variables {
         }
     }
 
+    /// Nothing is known of the variables that calls share: something else was called, which has its own locals.
+    pub fn forget_shared(&mut self) {
+        self.globals = Level { set: BTreeMap::new(), lost: true };
+    }
+
     /// Nothing is known of any variable.
     pub fn forget(&mut self) {
         for level in self.levels.iter_mut().chain([&mut self.globals]) {
