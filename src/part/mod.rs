@@ -89,6 +89,11 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
     Some((found, near))
 }
 
+/// At which fraction of a straight way the ball makes contact with these surfaces; none where it makes none. `up` is the tool axis.
+pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
+    Obstacles::of(surfaces, up).first_contact(radius, from, to).map(|contact| contact.fraction)
+}
+
 /// Runs the whole path on the actual surfaces. A touch starts where the ball stands and runs along the inverted target vector
 /// until it meets a surface, or until it is `search` past its nominal contact. The way back starts at the trigger.
 pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {

@@ -42,6 +42,22 @@ test("runProgram: what is known moves the probe, what is not is NaN and asked fo
   assert.deepEqual(runProgram(MACRO, known), told, "the same text and knowledge give the same run");
 });
 
+test("runProgram: a job as the part: a program touches it where its ball makes contact", () => {
+  /** @type {any} */
+  const part = {
+    cycle: { type: "hole", origin: [0, 0, 0], diameter: 40 },
+    part: { offset: [0.5, 0, 0], rotation: 0, sizes: {} },
+    stylus: { diameter: 6 },
+  };
+  const text = "G21 G90\nG0 X0 Y0 Z-5\nG38.2 X30 F50\nG0 X0\nG38.2 X-30\nG0 X0 Z20\nG38.2 X30\nM2\n";
+  const run = touchpath.runProgram(text, { part, start: [0, 0, 20] });
+  // The wall is at 20.5 and at −19.5, the ball's radius is 3; above the hole there is nothing, and G38.2 stops the program.
+  const near = (/** @type {number[]} */ own, /** @type {number[]} */ wanted) =>
+    assert.ok(own.length === wanted.length && own.every((x, i) => Math.abs(x - Number(wanted[i])) < 1e-9), `${own}`);
+  near([...run.contacts], [1, 17.5, 0, -5, 3, -16.5, 0, -5]);
+  assert.throws(() => touchpath.runProgram(text, { part: { cycle: { ...part.cycle, diameter: -1 } } }), /diameter/i);
+});
+
 test("runProgram: what is handed over wrongly is refused, all of it at once; nothing hangs or breaks", () => {
   /** @type {any} */
   const anything = touchpath.runProgram;

@@ -68,3 +68,21 @@ test("a cycle of the control's own was a line that is not understood: it is name
   await field("cycle.diameter").waitFor();
   assert.equal(await field("cycle.diameter").inputValue(), "25");
 });
+
+test("a program could not be tried on a part: it is run on the one in the form", async () => {
+  await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "form.ngc");
+  await page.getByText("Run it with what you know").click();
+  for (const [id, text] of [
+    ["start-0", "0"],
+    ["start-1", "0"],
+    ["start-2", "-5"],
+  ])
+    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  await page.locator("#meets-at").selectOption("form");
+  // The pocket of the form is 80 wide, the ball has a radius of 3: 37.
+  const shown = async () =>
+    page.locator("tp-viewer").evaluate((viewer) => [.../** @type {any} */ (viewer).moves.to].slice(-3));
+  await settles(async () => (await shown())[1] === 37);
+  await page.locator("#meets-at").selectOption("never");
+  await settles(async () => (await shown())[1] === 60);
+});

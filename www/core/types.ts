@@ -47,6 +47,9 @@ export interface ProgramMoves {
   findings: Finding[];
 }
 
+/** A part to probe: a job, of which its cycle's feature, its virtual part, its stylus and its units count. What probing moves meet of it is computed. */
+export type ProgramPart = Partial<Omit<Job, "cycle">> & { cycle: Job["cycle"] };
+
 /** What is known of a program beside its text. */
 export interface ProgramKnown {
   /** Without it, the text decides. */
@@ -56,7 +59,7 @@ export interface ProgramKnown {
   /** Where the stylus stands before the first block, in the units that the program states first; `null` along an axis where that is not known. */
   start?: [number | null, number | null, number | null];
   /** Where probing moves trigger: the fraction of its way at which a touch, and a positioning move that is watched, makes contact; `null`: never; left out: not known. */
-  part?: { at?: number | null; positioning?: number | null };
+  part?: { at?: number | null; positioning?: number | null } | ProgramPart;
   /** Texts with subprograms, by their names. */
   files?: Record<string, string>;
 }

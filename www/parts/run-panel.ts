@@ -1,6 +1,6 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
 import { html, nothing, type TemplateResult } from "lit";
-import type { Job, ProgramKnown, ProgramRun } from "../core/browser.js";
+import type { Job, ProgramKnown, ProgramPart, ProgramRun } from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 
@@ -11,6 +11,9 @@ const MEETS: [string, number | null | undefined, string][] = [
   ["end", 1, w("at the end")],
   ["never", null, w("never")],
 ];
+
+/** The part of the job in the form. */
+const FORM = "form";
 
 /** So many variables are asked for. */
 const MOST_ASKED = 60;
@@ -103,14 +106,22 @@ export class RunPanel {
 
   private meets(key: "at" | "positioning", label: string, known: ProgramKnown): TemplateResult {
     const t = this.store().t.bind(this.store());
-    const now = known.part?.[key];
+    const part = known.part ?? {};
+    const onForm = "cycle" in part;
+    const now = onForm ? undefined : part[key];
     const choose = (event: Event) => {
-      const [, value] = MEETS[(event.target as HTMLSelectElement).selectedIndex] as (typeof MEETS)[number];
-      const { [key]: _, ...rest } = known.part ?? {};
+      const chosen = (event.target as HTMLSelectElement).value;
+      if (chosen === FORM) {
+        const job = structuredClone(this.store().draft) as unknown as ProgramPart;
+        return this.changed({ ...known, part: job });
+      }
+      const value = MEETS.find(([id]) => id === chosen)?.[1];
+      const { [key]: _, ...rest } = onForm ? ({} as { at?: number | null; positioning?: number | null }) : part;
       this.changed({ ...known, part: value === undefined ? rest : { ...rest, [key]: value } });
     };
     return html`<div class="field"><label for=${`meets-${key}`}>${label}</label>
-      <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${value === now}>${t(word)}</option>`)}</select></div>`;
+      <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${!onForm && value === now}>${t(word)}</option>`)}
+        <option value=${FORM} ?selected=${onForm}>${t("on the part in the form")}</option></select></div>`;
   }
 
   /** A number, also with a decimal comma; none where the field is empty. What is neither stays to be mended. */

@@ -2,6 +2,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import {
   type Finding,
+  JobError,
   type PageView,
   type ProgramKnown,
   type ProgramMoves,
@@ -76,7 +77,7 @@ class ViewerPart extends DrawnPart {
   /** Runs the program with what is known. */
   private runs(known: ProgramKnown): void {
     this.known = known;
-    this.run = this.viewed.text.length <= LONGEST_RUN ? runProgram(this.viewed.text, known) : null;
+    this.run = this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
     this.pointed = null;
     this.moveAt = new Map(Array.from(this.moves.line, (line, move) => [line, move]));
   }
@@ -175,6 +176,18 @@ class ViewerPart extends DrawnPart {
     });
     this.list();
     this.drawn = this.viewed;
+  }
+
+  /** A run; one without the part where the job of the form has errors. */
+  private tried(known: ProgramKnown): ProgramRun {
+    try {
+      return runProgram(this.viewed.text, known);
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      const { part: _, ...rest } = known;
+      this.known = rest;
+      return runProgram(this.viewed.text, rest);
+    }
   }
 
   private show(view: PageView): void {

@@ -1,8 +1,11 @@
 //! What is known beside the text of a program, and what is asked for.
 
-use crate::form::{Checker, Value, printable};
+use std::rc::Rc;
+
+use crate::form::{Checker, Level, Value, printable};
+use crate::geom::Vec3;
 use crate::import::toolpath::DIALECTS;
-use crate::job::JobError;
+use crate::job::{FORMAT, JobError, Planned};
 use crate::text::text;
 
 /// Where a probing move triggers, as a fraction of its way.
@@ -15,6 +18,23 @@ pub enum Trip {
     At(f64),
     /// There is no contact: the move comes to its end.
     Never,
+}
+
+/// The virtual part of a job, which probing moves meet.
+#[derive(Clone, Debug)]
+pub struct Feature(Rc<Planned>);
+
+impl Feature {
+    /// The part of a job; none of a job with errors.
+    pub fn of(job: &Value) -> Option<Self> {
+        crate::job::planned(job).map(|planned| Feature(Rc::new(planned)))
+    }
+
+    /// At which fraction of a straight way, in mm, the job's ball makes contact with it.
+    pub(super) fn contact(&self, from: Vec3, to: Vec3) -> Option<f64> {
+        let Planned { job, path, surfaces, .. } = &*self.0;
+        crate::part::first_contact(surfaces, path.frame.w, job.setup.radius, from, to)
+    }
 }
 
 /// What is known beside the text.
@@ -30,6 +50,8 @@ pub struct Known<'t> {
     pub touch: Trip,
     /// Where positioning moves trigger that are watched by probing.
     pub positioning: Trip,
+    /// What probing moves meet, in the place of both.
+    pub feature: Option<Feature>,
     /// Texts with subprograms, by their names.
     pub files: Vec<(&'t str, &'t str)>,
 }
@@ -73,6 +95,7 @@ impl<'t> Known<'t> {
                 }
                 ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),
                 ("start", place) => known.start = start(place, &mut checker),
+                ("part", job) if job.get("cycle").is_some() => known.feature = feature(job, &mut checker),
                 ("part", Value::Map(_)) => {
                     known.touch = trip(value.get("at"), "part.at", &mut checker);
                     known.positioning = trip(value.get("positioning"), "part.positioning", &mut checker);
@@ -89,6 +112,22 @@ impl<'t> Known<'t> {
         }
         if checker.failed() { Err(JobError { findings: checker.findings() }) } else { Ok(known) }
     }
+}
+
+/// The part of a job, which need not say its format.
+fn feature(job: &Value, checker: &mut Checker) -> Option<Feature> {
+    let mut job = job.clone();
+    if let Value::Map(entries) = &mut job
+        && entries.iter().all(|(key, _)| key != "format")
+    {
+        entries.push(("format".to_owned(), Value::Number(FORMAT)));
+    }
+    let feature = Feature::of(&job);
+    if feature.is_none() {
+        let errors = crate::job::check(&job).into_iter().filter(|finding| finding.level == Level::Error);
+        errors.for_each(|finding| checker.error(&finding.code, format!("part.{}", finding.path), finding.said));
+    }
+    feature
 }
 
 /// Three numbers, or null for what is not known.

@@ -34,7 +34,7 @@ use calls::{Calls, Place};
 use flow::{Flow, Step};
 pub(super) use guess::guessed;
 use klartext::Klartext;
-pub use known::{Ask, Known, Trip};
+pub use known::{Ask, Feature, Known, Trip};
 use macros::Macros;
 pub use native::{NativeArgument, NativeCall};
 use reader::{Reader, Touching};
@@ -159,6 +159,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     reader.run = Some(Touching {
         touch: known.touch,
         positioning: known.positioning,
+        feature: known.feature.clone(),
         watched: false,
         asked: false,
         contact: [f64::NAN; 3],

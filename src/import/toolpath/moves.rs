@@ -1,7 +1,7 @@
 //! The moves that blocks make: where each ends, and the arcs.
 
 use crate::control::iso::script::Motion;
-use crate::geom::Plane;
+use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::block::Block;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Trip;
@@ -106,7 +106,14 @@ impl Reader {
                 own_feed: block.feed.is_some(),
             });
         }
-        let trip = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };
+        let stated = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };
+        let scale = if self.path.metric == Some(false) { 25.4 } else { 1.0 };
+        let (begin, end) = (Vec3::from_array(from) * scale, Vec3::from_array(to) * scale);
+        let trip = match &run.feature {
+            None => stated,
+            Some(_) if begin.is_nan() || end.is_nan() => Trip::Unknown,
+            Some(feature) => feature.contact(begin, end).map_or(Trip::Never, Trip::At),
+        };
         // What does not move is where it is.
         let stays = |axis: usize| to[axis] == from[axis];
         let end = |axis: usize| match trip {

@@ -6,7 +6,7 @@ use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange, Named};
 use crate::import::toolpath::count::{Count, count};
-use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::known::{Feature, Trip};
 use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::system::System;
@@ -47,6 +47,8 @@ pub(super) struct Modes {
 pub(super) struct Touching {
     pub touch: Trip,
     pub positioning: Trip,
+    /// What probing moves meet, in the place of both.
+    pub feature: Option<Feature>,
     /// Whether the next probing move is a positioning move that is watched.
     pub watched: bool,
     /// Whether the program asks behind it for a contact.
@@ -184,7 +186,10 @@ impl Reader {
             place: [now(0), now(1), now(2)],
             contact: contact.map(|x| x / scale),
             met,
-            rests: self.run.as_ref().is_some_and(|run| run.met.is_none() && run.touch != Trip::Unknown),
+            rests: self
+                .run
+                .as_ref()
+                .is_some_and(|run| run.met.is_none() && (run.touch != Trip::Unknown || run.feature.is_some())),
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
             plane: self.modes.plane,

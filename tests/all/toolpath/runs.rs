@@ -1,8 +1,9 @@
 //! Programs that are run with what is known beside their text.
 
 use super::*;
+use crate::common::with;
 use proptest::prelude::*;
-use touchpath::import::toolpath::{DIALECTS, Known, RUN_RULES, Trip, run_program};
+use touchpath::import::toolpath::{DIALECTS, Feature, Known, RUN_RULES, Trip, run_program};
 
 fn met(at: f64) -> Known<'static> {
     Known { touch: Trip::At(at), positioning: Trip::Never, ..Known::default() }
@@ -326,6 +327,39 @@ fn a_call_that_is_not_there_leaves_the_locals() {
     let last = |text: &str| shown(&run_program(text, &Known { start: Some([0.0; 3]), ..met(0.5) })).pop().unwrap();
     assert_eq!(last("G21 G90\n#1=4\n#<l>=2\n#100=3\no<gone> call [5]\nG0 X#1 Y#<l> Z#100\n"), "6 rapid 4 2 ?");
     assert_eq!(last("%\nO1\nG21 G90\n#1=4.\n#100=3.\nG65 P9999 A1.\nG0 X#1 Y0. Z#100\nG31 X0. F9.\nM30\n"), "8 probe 0 0 ?");
+}
+
+/// A program that is made here, run on the displaced part of its job: each touch triggers where the plan says that it does, and no positioning move does.
+#[test]
+fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
+    let mut seen = 0;
+    for (name, job) in jobs() {
+        for (offset, turn) in [([0.0, 0.0, 0.0], 0.0), ([0.3, -0.2, 0.1], 0.2)] {
+            let part = touchpath::job::from_json(&format!(
+                r#"{{ "offset": [{}, {}, {}], "rotation": {turn} }}"#,
+                offset[0], offset[1], offset[2]
+            ))
+            .unwrap();
+            let job = with(&job, "part", part);
+            let (Some(planned), Ok(plan)) = (touchpath::job::planned(&job), touchpath::job::plan(&job)) else { continue };
+            if plan.program.proof.is_none() || plan.moves.is_empty() || planned.run.triggers.iter().any(Option::is_none) {
+                continue;
+            }
+            let known = Known { feature: Feature::of(&job), start: Some(plan.moves[0].to), ..Known::default() };
+            let run = run_program(&plan.program.text, &known);
+            let scale = planned.job.scale;
+            let touches: Vec<[f64; 3]> = run.contacts.iter().map(|contact| [contact[1], contact[2], contact[3]]).collect();
+            // An alarm, where a result is implausible, comes after the last touch.
+            assert_eq!(touches.len(), planned.run.triggers.len(), "{name} {offset:?}: {:?}", run.findings);
+            for (own, trigger) in touches.iter().zip(&planned.run.triggers) {
+                let trigger = trigger.expect("checked").to_array();
+                let off = (0..3).map(|axis| (own[axis] * scale - trigger[axis]).abs()).fold(0.0, f64::max);
+                assert!(off < 2e-3, "{name} {offset:?}: {own:?} {trigger:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 200, "{seen}");
 }
 
 /// A Haas says in the block itself what a contact is; rules and calls of another file stay there.
