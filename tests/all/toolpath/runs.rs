@@ -231,6 +231,16 @@ fn sinumerik_runs_by_hand() {
     assert_eq!((shown(&run).last().map(String::as_str), asks(&run)), (Some("4 rapid ? ? ?"), vec!["R7"]));
 }
 
+/// A condition of a SINUMERIK that is not known: both branches are read, what they set is not known, an end behind it ends; a known one within it is decided.
+#[test]
+fn an_unknown_condition_of_a_sinumerik_is_left_at_its_end() {
+    let text = "G71 G90\nR1=1 R2=5\nG0 X0 Y0 Z0\nIF R9==1\nR2=6\nIF R1==1\nG1 X1 F9\nELSE\nG1 X99\nENDIF\nELSE\nG1 X2\nENDIF\nG1 Y=R1 Z=R2\nM30\nG1 X77\n";
+    let run = run_program(text, &Known::default());
+    assert_eq!(shown(&run), ["3 rapid 0 0 0", "7 feed 1 0 0", "12 feed 2 0 0", "14 feed 2 1 ?"]);
+    let run = run_program(text, &Known { set: vec![("R9", 0.0)], ..Known::default() });
+    assert_eq!(shown(&run), ["3 rapid 0 0 0", "12 feed 2 0 0", "14 feed 2 1 5"]);
+}
+
 /// Each rule is broken by a program of someone else's, at its lines.
 #[test]
 fn a_rule_names_the_lines_that_break_it() {

@@ -195,9 +195,10 @@ impl Index {
         self.spans.iter().find(own).map(|span| span.below)
     }
 
-    /// Where the loop begins that a line closes.
+    /// Where the condition or the loop begins that a line closes, or whose ELSE it is.
     pub fn begin(&self, line: usize) -> Option<Place> {
-        self.spans.iter().find(|span| span.end == line).map(|span| span.begin)
+        let own = |span: &&Span| span.end == line || span.other.is_some_and(|(other, _)| other == line);
+        self.spans.iter().find(own).map(|span| span.begin)
     }
 
     /// Whether the lines between two end the program, outside of conditions of their own.

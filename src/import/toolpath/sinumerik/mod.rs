@@ -49,6 +49,8 @@ pub(super) struct Sinumerik {
     frames: Vec<Frame>,
     /// The lines that close the conditions and loops that are open and not known.
     unsure: Vec<usize>,
+    /// The first lines of the conditions among them: the reader counts them until their ENDIF.
+    unknown: Vec<usize>,
     /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
     leaps: Vec<usize>,
     blocks: usize,
@@ -68,6 +70,7 @@ impl Sinumerik {
             loops: Vec::new(),
             frames: Vec::new(),
             unsure: Vec::new(),
+            unknown: Vec::new(),
             leaps: Vec::new(),
             blocks: 0,
             runs: false,
@@ -146,9 +149,17 @@ impl Sinumerik {
             None if self.runs && other.is_none() && self.index.ends_before(here.line, end.line) => Step::BranchEnds(Some(end)),
             None => {
                 self.unsure.push(end.line);
+                if !self.unknown.contains(&here.line) {
+                    self.unknown.push(here.line);
+                }
                 Step::AsWritten
             }
         }
+    }
+
+    /// Whether the condition that a line closes, or whose ELSE it is, is not known.
+    fn is_unknown(&self, line: usize) -> bool {
+        self.index.begin(line).is_none_or(|begin| self.unknown.contains(&begin.line))
     }
 
     /// The words of conditions and loops behind their first one.
@@ -158,9 +169,14 @@ impl Sinumerik {
         Some(match structure {
             Structure::If => return None,
             // The branch before it was run.
-            Structure::Else if self.unsure.is_empty() => self.index.end(here.line).map_or(Step::AsWritten, Step::Go),
-            Structure::EndIf if self.unsure.is_empty() => Step::Done,
-            Structure::Else | Structure::EndIf => Step::AsWritten,
+            Structure::Else if !self.is_unknown(here.line) => self.index.end(here.line).map_or(Step::AsWritten, Step::Go),
+            Structure::EndIf if !self.is_unknown(here.line) => Step::Done,
+            Structure::EndIf => {
+                let begin = self.index.begin(here.line);
+                self.unknown.retain(|line| begin.is_none_or(|begin| begin.line != *line));
+                Step::AsWritten
+            }
+            Structure::Else => Step::AsWritten,
             Structure::While => {
                 cursor.eat("WHILE");
                 let holds = cursor.value(&mut self.variables);
