@@ -241,6 +241,19 @@ fn an_unknown_condition_of_a_sinumerik_is_left_at_its_end() {
     assert_eq!(shown(&run), ["3 rapid 0 0 0", "12 feed 2 0 0", "14 feed 2 1 5"]);
 }
 
+/// A jump that only skips some lines comes to the planned end, too: what it skips may not have run.
+#[test]
+fn a_jump_to_the_rest_of_a_program_is_no_way_out() {
+    let text = "%\nO1\nG21 G90\nG0 X0. Y0. Z9.\n#100=1.\nIF [#500 EQ 1] GOTO 20\n#100=2.\nN20\nG31 Z0. F9.\nG0 X#100\nM30\n";
+    let run = run_program(text, &met(0.5));
+    assert_eq!(shown(&run), ["4 rapid 0 0 9", "9 probe 0 0 0", "10 rapid ? 0 4.5"]);
+    let text = "G71 G90\nG0 X0 Y0 Z9\nR1=1\nIF R9==1 GOTOF REST\nR1=2\nREST:\nG1 X=R1 F9\nM30\n";
+    assert_eq!(shown(&run_program(text, &Known::default())), ["2 rapid 0 0 9", "7 feed ? 0 9"]);
+    // To an alarm it is one.
+    let text = text.replace("M30\n", "M30\nFAIL:\nSETAL(65000)\nM30\n").replace("GOTOF REST", "GOTOF FAIL");
+    assert_eq!(shown(&run_program(&text, &Known::default())), ["2 rapid 0 0 9", "7 feed 2 0 9"]);
+}
+
 /// Each rule is broken by a program of someone else's, at its lines.
 #[test]
 fn a_rule_names_the_lines_that_break_it() {

@@ -69,8 +69,9 @@ fn turn(code: &[u8]) -> Option<Turn> {
     may.then_some(())?;
     let plain: Vec<u8> = code.iter().filter(|b| !b.is_ascii_whitespace()).map(u8::to_ascii_uppercase).collect();
     let is = |word: &[u8]| plain.starts_with(word) && !plain.get(word.len()).is_some_and(u8::is_ascii_digit);
-    if is(b"M2") || is(b"M02") || is(b"M30") || plain.starts_with(b"#3000=") || plain.starts_with(b"(ABORT,") {
-        return Some(Turn::Ends);
+    let alarm = plain.starts_with(b"#3000=") || plain.starts_with(b"(ABORT,");
+    if alarm || is(b"M2") || is(b"M02") || is(b"M30") {
+        return Some(Turn::Ends(alarm));
     }
     if is(b"M99") {
         return Some(Turn::Back);
@@ -118,8 +119,8 @@ const MOST_LOOKED: usize = 4000;
 /// What a line does to the way of a program, where it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Turn {
-    /// It ends the program, by an end, an alarm or an abort.
-    Ends,
+    /// It ends the program: by an alarm (true), or as planned.
+    Ends(bool),
     /// It goes back to a caller.
     Back,
     /// It jumps to a block; under a condition, or always.
@@ -200,7 +201,8 @@ impl Index {
         }
     }
 
-    /// Whether the way from a place leads to the end of the program, wherever else it may branch.
+    /// Whether the way from a place leads to an alarm, wherever else it may branch. A planned end may be that of the whole program, which a jump only
+    /// comes to sooner.
     pub fn leads_out(&self, from: Place) -> bool {
         self.leads_out_within(from, &mut 200, 0)
     }
@@ -217,7 +219,7 @@ impl Index {
             }
             let below = Place { at: 0, line: line + 1 };
             match turn {
-                Turn::Ends => return true,
+                Turn::Ends(alarm) => return *alarm,
                 Turn::Back | Turn::Somewhere => return false,
                 Turn::Jumps(number, sure) => {
                     let Some(to) = self.block(*number, below) else { return false };
@@ -255,7 +257,7 @@ impl Index {
         }
         let first = self.turns[self.turns.partition_point(|(turn, _)| *turn <= line)..].iter();
         let mut own = first.take_while(|(turn, _)| *turn < end.here.line).filter(|(turn, _)| !self.is_nested(line, *turn));
-        own.next().filter(|(_, turn)| *turn == Turn::Ends).map(|_| end.below)
+        own.next().filter(|(_, turn)| matches!(turn, Turn::Ends(_))).map(|_| end.below)
     }
 
     /// Whether the lines of a subroutine end the program before it goes back, outside of its conditions.
@@ -266,7 +268,7 @@ impl Index {
         let mut own = inside
             .take_while(|(line, _)| *line < end.here.line)
             .filter(|(line, _)| !self.is_nested(begin.saturating_sub(1), *line));
-        own.next().is_some_and(|(_, turn)| *turn == Turn::Ends)
+        own.next().is_some_and(|(_, turn)| matches!(turn, Turn::Ends(_)))
     }
 
     /// Whether a line below another one is inside of an `if` or a loop that begins between them.

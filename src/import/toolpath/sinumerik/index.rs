@@ -74,7 +74,8 @@ struct Open {
 /// What a line does to the way of a program, where it does.
 #[derive(Clone, Debug, PartialEq)]
 enum Turn {
-    Ends,
+    /// It ends the program: by an alarm (true), or as planned.
+    Ends(bool),
     Back,
     Jumps(String, bool),
 }
@@ -208,13 +209,13 @@ impl Index {
         let own = self.turns.iter().filter(|(line, _)| (from + 1..to).contains(line));
         let mut own = own.filter(|(line, _)| nested.iter().all(|(begin, end)| !(*begin..=*end).contains(line)));
         own.next().is_some_and(|(_, turn)| match turn {
-            Turn::Ends => true,
+            Turn::Ends(_) => true,
             Turn::Jumps(label, true) => self.label(label, from).is_some_and(|to| self.leads_out(to)),
             _ => false,
         })
     }
 
-    /// Whether the way from a place leads to the end of the program, wherever else it may branch.
+    /// Whether the way from a place leads to an alarm, wherever else it may branch. A planned end may be that of the whole program.
     pub fn leads_out(&self, from: Place) -> bool {
         self.leads_out_within(from.line, &mut 200, 0)
     }
@@ -225,7 +226,7 @@ impl Index {
             let Some((line, turn)) = self.turns.get(next).filter(|_| *budget > 0 && depth < 10) else { return false };
             *budget -= 1;
             match turn {
-                Turn::Ends => return true,
+                Turn::Ends(alarm) => return *alarm,
                 Turn::Back => return false,
                 Turn::Jumps(label, sure) => {
                     let Some(to) = self.label(label, line + 1) else { return false };
@@ -245,8 +246,9 @@ impl Index {
 /// What a block in capitals does to the way of the program.
 fn turn(code: &str) -> Option<Turn> {
     let first = code.split_whitespace().next()?;
-    if matches!(first, "M2" | "M02" | "M30") || code.starts_with("SETAL(") {
-        return Some(Turn::Ends);
+    let alarm = code.starts_with("SETAL(");
+    if alarm || matches!(first, "M2" | "M02" | "M30") {
+        return Some(Turn::Ends(alarm));
     }
     if matches!(first, "M17" | "RET") || first.starts_with("PROC") || first.starts_with("%_N_") {
         return Some(Turn::Back);
