@@ -162,6 +162,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         feature: known.feature.clone(),
         watched: false,
         asked: false,
+        reads: false,
         contact: [f64::NAN; 3],
         met: None,
     });
@@ -319,7 +320,7 @@ impl Run<'_> {
         let Some(touching) = &mut self.reader.run else { return };
         if probes(line) || self.reader.modes.motion.probes() {
             let behind = watch::behind(line, &self.text[below..]);
-            (touching.watched, touching.asked) = (behind.watched, behind.asked);
+            (touching.watched, touching.asked, touching.reads) = (behind.watched, behind.asked, behind.reads);
         }
         if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some()) {
             macros.sees(self.reader.system());

@@ -102,7 +102,7 @@ impl Reader {
                 line: self.line,
                 stops: motion == Motion::MustTouch,
                 asked: run.asked,
-                positions: run.watched,
+                positions: run.watched || motion != Motion::MustTouch && !run.asked && !run.reads,
                 own_feed: block.feed.is_some(),
             });
         }

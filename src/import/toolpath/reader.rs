@@ -51,8 +51,9 @@ pub(super) struct Touching {
     pub feature: Option<Feature>,
     /// Whether the next probing move is a positioning move that is watched.
     pub watched: bool,
-    /// Whether the program asks behind it for a contact.
+    /// Whether the program asks behind it for a contact, and whether it reads where it ended.
     pub asked: bool,
+    pub reads: bool,
     /// Where the last one ended, in the units of the path, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,

@@ -33,7 +33,7 @@ pub(super) struct Touch {
     pub stops: bool,
     /// The program asks behind it whether it met something.
     pub asked: bool,
-    /// It is a positioning move that is watched.
+    /// It is a positioning move: a contact leads away, or the program takes no notice of where it ended.
     pub positions: bool,
     /// Its block states a feed.
     pub own_feed: bool,
@@ -69,13 +69,15 @@ pub const RUN_RULES: [&str; 9] = [
 
 /// Asks every rule of a run that probes; none of one that does not.
 pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
-    let touches: Vec<&Touch> = log.touches.iter().filter(|touch| !touch.positions).collect();
+    // A program that takes no notice of any has touches all the same.
+    let all = log.touches.iter().all(|touch| touch.positions);
+    let touches: Vec<&Touch> = log.touches.iter().filter(|touch| all || !touch.positions).collect();
     let (Some(first), Some(last)) = (touches.first(), touches.last()) else { return Vec::new() };
     let (first, last) = (first.index, last.index);
     let rows = [
         modes(path, log),
         spindle(log, last),
-        watched(path, last),
+        watched(path, log, last),
         missed(path, &touches),
         feeds(&touches),
         rapids(path, first, last),
@@ -165,8 +167,10 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     Some(up || back || way.length() < 1e-9)
 }
 
-fn watched(path: &Toolpath, last: usize) -> RunRule {
-    let (mut bad, mut unknown) = (Vec::new(), Vec::new());
+fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
+    // A contact stops such a move, and the program continues from there.
+    let unnoticed = log.touches.iter().filter(|touch| touch.index < last && touch.positions && !touch.asked);
+    let (mut bad, mut unknown): (Vec<usize>, Vec<usize>) = (unnoticed.map(|touch| touch.line).collect(), Vec::new());
     for index in (0..last).filter(|index| path.kind[*index] != PROBE) {
         match is_free(path, index) {
             Some(true) => {}

@@ -23,14 +23,18 @@ pub(super) struct Behind {
     pub asked: bool,
     /// And leaves where there was one: it is a positioning move.
     pub watched: bool,
+    /// It reads where the move ended.
+    pub reads: bool,
 }
 
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     const MOST_LINES: usize = 8;
-    let mut lines = lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let behind = || lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let reads = behind().take_while(|line| !moves(line)).any(|line| reads_place(&line));
+    let mut lines = behind();
     let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else {
-        return Behind::default();
+        return Behind { reads, ..Behind::default() };
     };
     // A miss of G38.2 and G38.4 is an alarm: they do not position.
     let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
@@ -39,7 +43,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         Some(_) => true,
         None => lines.next().is_some_and(|line| leaves(&line)),
     };
-    Behind { asked: true, watched: !touches && leaves_then() }
+    Behind { asked: true, watched: !touches && leaves_then(), reads }
 }
 
 /// The code of a line without blanks, in capitals.
@@ -58,7 +62,15 @@ fn code_of(line: &str) -> String {
 
 fn moves(line: &str) -> bool {
     line.starts_with("MEAS")
-        || line.starts_with(['G', 'X', 'Y', 'Z']) && line.contains(['X', 'Y', 'Z']) && !line.starts_with("G53")
+        || line.starts_with(['G', 'X', 'Y', 'Z'])
+            && line.contains(['X', 'Y', 'Z'])
+            && !["G53", "G10", "G92"].iter().any(|code| line.starts_with(code))
+}
+
+/// Whether it reads where the axes are or where the contact was, or sets that place.
+fn reads_place(line: &str) -> bool {
+    const WORDS: [&str; 9] = ["#506", "#504", "#500", "#542", "#<_X", "#<_Y", "#<_Z", "$AA_", "G10L20"];
+    line.starts_with("G92") || WORDS.iter().any(|word| line.contains(word))
 }
 
 /// Whether it is a condition about the last probing move.

@@ -270,6 +270,8 @@ fn a_rule_names_the_lines_that_break_it() {
         ("M5\n", "M3 S500\n", "spindle-off [2]"),
         ("G38.3 X5 Y5 F900", "G0 X5 Y5", "positioning-watched [3]"),
         ("G38.2 Z-5 F60", "G38.3 Z-5 F60", "missed-touch-stops [7]"),
+        // Nothing reads where it ended, and nothing asks: a positioning move whose contact goes unnoticed.
+        ("G38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n", "G38.3 X5 Y5 F900\n", "positioning-watched [3]"),
         ("G38.2 Z-5 F60", "G38.2 Z-5", "feeds-stated [7]"),
         ("#<z> = #5063\nG1 Z20 F600\n", "G0 X9\nG38.2 Z-6 F60\n", "no-low-rapid [8]"),
         ("G38.2 Z-5 F60\n", "G10 L20 P1 Z0\nG38.2 Z-5 F60\n", "offset-after-touches [7]"),
