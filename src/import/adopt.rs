@@ -4,6 +4,7 @@
 //! and the ball's radius, and R from the ball's surface, follows from the macros [I].
 
 use crate::form::{Level, Value};
+use crate::import::set;
 use crate::job::{Units, check, default_job_in, job_name};
 
 /// A call, as far as a job needs it.
@@ -43,24 +44,22 @@ impl Called<'_> {
         };
         said.origin.iter().all(|x| x.is_finite()).then_some(())?;
         let mut job = default_job_in(said.cycle, units)?;
-        put(&mut job, "units", Value::Text(units.word().to_owned()));
-        let cycle = entry(&mut job, "cycle")?;
-        put(cycle, "origin", Value::List(said.origin.map(Value::Number).to_vec()));
+        set(&mut job, "units", Value::Text(units.word().to_owned()));
+        set(&mut job, "cycle.origin", Value::List(said.origin.map(Value::Number).to_vec()));
         for (key, value) in said.fields {
-            put(cycle, key, Value::Number(value));
+            set(&mut job, &format!("cycle.{key}"), Value::Number(value));
         }
         if let Some(overtravel) = said.overtravel {
-            put(&mut job, "overtravel", Value::Number(overtravel));
+            set(&mut job, "overtravel", Value::Number(overtravel));
         }
-        let control = entry(&mut job, "control")?;
         if let Some(post) = said.post {
-            put(control, "post", Value::Text(post.to_owned()));
+            set(&mut job, "control.post", Value::Text(post.to_owned()));
         }
         if let Some(offset) = said.offset {
-            put(control, "workOffset", Value::Number(offset));
+            set(&mut job, "control.workOffset", Value::Number(offset));
         }
         let name = job_name(&job);
-        put(&mut job, "name", Value::Text(name));
+        set(&mut job, "name", Value::Text(name));
         check(&job).iter().all(|finding| finding.level != Level::Error).then_some(job)
     }
 
@@ -166,24 +165,6 @@ impl Called<'_> {
             _ => return None,
         };
         Some(Said { cycle, fields, origin, overtravel: None, post: None, offset: None })
-    }
-}
-
-fn entry<'a>(value: &'a mut Value, key: &str) -> Option<&'a mut Value> {
-    match value {
-        Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, v)| v),
-        _ => None,
-    }
-}
-
-fn put(value: &mut Value, key: &str, new: Value) {
-    match entry(value, key) {
-        Some(place) => *place = new,
-        None => {
-            if let Value::Map(entries) = value {
-                entries.push((key.to_owned(), new));
-            }
-        }
     }
 }
 
