@@ -26,7 +26,7 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   await openText(MACRO, "edge.ngc");
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
-  assert.match(await textOf(viewer.locator(".run")), /#1.*Line 3, 7.*#5410.*Line 4/s);
+  assert.match(await textOf(viewer.locator(".known")), /#1.*Line 3, 7.*#5410.*Line 4/s);
   assert.equal((await painted("tp-viewer", "touch")).count, 0, "nowhere is no place");
   for (const [id, text] of [
     ["start-0", "10"],
@@ -85,4 +85,12 @@ test("a program could not be tried on a part: it is run on the one in the form",
   await settles(async () => (await shown())[1] === 37);
   await page.locator("#meets-at").selectOption("never");
   await settles(async () => (await shown())[1] === 60);
+});
+
+test("on a phone the form was not there: it had the class of something that makes room", async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await openText(MACRO, "phone.ngc");
+  await page.getByText("Run it with what you know").waitFor();
+  await enter("ask-#1", "10");
+  await page.setViewportSize({ width: 1440, height: 900 });
 });

@@ -92,7 +92,7 @@ export class RunPanel {
         this.changed({ ...known, set: x === null ? rest : { ...rest, [name]: x } });
       });
     };
-    return html`<details class="run" ?open=${this.names.length > 0}>
+    return html`<details class="known" ?open=${this.names.length > 0}>
       <summary>${t("Run it with what you know")}</summary>
       <p>${t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.")}</p>
       <div class="fields">
