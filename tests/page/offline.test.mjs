@@ -34,6 +34,14 @@ const kept = (tab = page) =>
     return (await caches.keys()).length;
   });
 
+/** Until the worker has written this file down: it does so beside the answer, not before it. */
+const written = (/** @type {string} */ name) =>
+  page.waitForFunction(async (part) => {
+    const caches = await Promise.all((await self.caches.keys()).map((key) => self.caches.open(key)));
+    const requests = (await Promise.all(caches.map((cache) => cache.keys()))).flat();
+    return requests.some((request) => request.url.includes(`/assets/${part}-`));
+  }, name);
+
 test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
   assert.equal(await kept(), 1);
   await context.setOffline(true);
@@ -116,6 +124,7 @@ test("the language that was chosen is there without a network, and no other is l
   const { Results: german } = wordsOf("de");
   await page.getByRole("tab", { name: german }).waitFor();
   assert.equal(asked.filter((path) => /\/(ru|zh-Hant)-[^/]+\.js$/.test(path)).length, 0, "words that are not wanted");
+  await written("de");
   await context.setOffline(true);
   await page.goto(new URL("./", page.url()).href);
   await ready();
@@ -151,6 +160,7 @@ test("the editor of opened programs: loaded with the first of them, there withou
   await openText(foreign, "foreign.nc");
   await page.locator("tp-viewer .line").first().waitFor();
   assert.ok(editors() > 0);
+  await written("program-editor");
   await again(true);
   await openText(foreign, "foreign.nc");
   await page.locator("tp-viewer .line").first().waitFor();
