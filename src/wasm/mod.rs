@@ -227,6 +227,7 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     let result = columns(&run)?;
     set(&result, "file", &Uint32Array::from(run.file.as_slice()));
     set(&result, "contacts", &Float64Array::from(run.contacts.concat().as_slice()));
+    set(&result, "resumes", &Float64Array::from(run.resumes.concat().as_slice()));
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);

@@ -70,6 +70,8 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   file: Uint32Array;
   /** Four numbers a contact: the index of its move, and the place X, Y, Z. */
   contacts: Float64Array;
+  /** Four numbers a move that does not begin where the one before ended: its index, and the place where it begins; NaN is not known. A condition that is not known has two ways: both begin where they part. */
+  resumes: Float64Array;
   /** What was ignored and what could not be known, each with all its 0-based lines. */
   findings: (Finding & { lines: number[] })[];
   /** What the program reads before anything sets it, with the lines that read it: what `set` is for. */

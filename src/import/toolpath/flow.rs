@@ -14,6 +14,8 @@ pub(super) enum Step {
     Done,
     /// The program continues elsewhere.
     Go(Place),
+    /// It is read as it is written, and the program may continue at that line below.
+    MayJump(usize),
     /// A condition that is not known begins here, though the line is another.
     Condition,
     /// A loop ends here of which it is not known how often it runs.

@@ -10,6 +10,9 @@ const ALONE: [&str; 12] = ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "
 /// What others have, too: an Okuma assigns, a macro has texts.
 const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
 
+/// Words of its structures: elsewhere they are O words.
+const ENDS: [&[u8]; 4] = [b"ENDIF", b"ENDWHILE", b"ENDFOR", b"ENDLOOP"];
+
 /// Axes that are assigned, and codes of units that they stand beside on a SINUMERIK: G70, G710 …
 const AXES: [&str; 3] = ["X=", "Y=", "Z="];
 const UNITS: [&str; 2] = ["G70", "G71"];
@@ -32,6 +35,9 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
             return DIALECTS[1];
         }
         let line = &line[head(line).end..];
+        if matches!(line.first(), Some(b'E' | b'e')) && ENDS.iter().any(|word| line.trim_ascii().eq_ignore_ascii_case(word)) {
+            return DIALECTS[1];
+        }
         units |= matches!(line, [b'G' | b'g', b'7', b'0' | b'1', ..]);
         // Most lines begin with a G or an axis, and assign nothing.
         let begins =

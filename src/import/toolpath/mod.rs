@@ -9,8 +9,10 @@ mod count;
 mod findings;
 mod flow;
 mod foreign;
+mod fork;
 mod guess;
 mod heidenhain;
+mod heidenhain_iso;
 mod key;
 mod klartext;
 mod known;
@@ -33,6 +35,7 @@ use block::EMPTY;
 use calls::{Calls, Place};
 use flow::{Flow, Step};
 pub(super) use guess::guessed;
+use heidenhain_iso::HeidenhainIso;
 use klartext::Klartext;
 pub use known::{Ask, Feature, Known, Trip};
 use macros::Macros;
@@ -88,6 +91,8 @@ pub struct Toolpath {
     pub plane: Plane,
     /// Where probing moves made contact: index of the move, and the place. Of a run that is told where they trigger.
     pub contacts: Vec<[f64; 4]>,
+    /// Where moves begin that do not begin where the one before ended, of a run: index of the move, and the place. The ways of a condition that is not known.
+    pub resumes: Vec<[f64; 4]>,
     /// What was ignored, and where the path is not known.
     pub findings: Vec<Finding>,
     /// The 0-based lines of each finding.
@@ -123,11 +128,11 @@ impl Toolpath {
     /// Where a move begins: where the one before ended, or met something.
     fn begin(&self, index: usize) -> Vec3 {
         let Some(before) = index.checked_sub(1) else { return self.start.into() };
-        let at = self.contacts.partition_point(|contact| contact[0] < before as f64);
-        match self.contacts.get(at) {
-            Some([index, x, y, z]) if *index == before as f64 => Vec3::new(*x, *y, *z),
-            _ => self.end(before),
-        }
+        let found = |places: &[[f64; 4]], index: usize| {
+            let at = places.partition_point(|place| place[0] < index as f64);
+            places.get(at).filter(|place| place[0] == index as f64).map(|[_, x, y, z]| Vec3::new(*x, *y, *z))
+        };
+        found(&self.resumes, index).or_else(|| found(&self.contacts, before)).unwrap_or_else(|| self.end(before))
     }
 }
 
@@ -198,7 +203,10 @@ fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut r
     let macros: Option<Box<dyn Flow>> = match dialect == DIALECTS[1] {
         // A text that is only read is read as it was: the run is what knows more.
         true => reader.run.is_some().then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
-        false => Macros::of(text, end, set).map(|macros| Box::new(macros) as Box<dyn Flow>),
+        false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
+            Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
+            None => Macros::of(text, end, set).map(|macros| Box::new(macros) as Box<dyn Flow>),
+        },
     };
     let mut macros = macros;
     if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
@@ -259,6 +267,9 @@ impl Run<'_> {
                 _ => self.text[at..end].trim().as_bytes(),
             };
             let here = Place { at, line: self.reader.line };
+            if !self.reader.forks.is_empty() {
+                self.reader.meet(Some(here.line));
+            }
             self.looks_ahead(line, below);
             match self.step(line, here, below) {
                 Step::AsWritten => self.reader.read(line, &mut block),
@@ -267,6 +278,10 @@ impl Run<'_> {
                 Step::Go(to) => {
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
+                }
+                Step::MayJump(to) => {
+                    self.reader.parts(Some(to));
+                    self.reader.read(line, &mut block);
                 }
                 Step::Condition => self.reader.condition_begins(),
                 Step::LoopEnds => self.reader.loop_ends(),
@@ -322,6 +337,9 @@ impl Run<'_> {
             let behind = watch::behind(line, &self.text[below..]);
             (touching.watched, touching.asked, touching.reads) = (behind.watched, behind.asked, behind.reads);
         }
+        if watch::judges(line) {
+            self.reader.asks();
+        }
         if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some()) {
             macros.sees(self.reader.system());
         }
@@ -348,7 +366,7 @@ impl Run<'_> {
         match &mut self.macros {
             _ if ended && self.calls.has_run(here.line) => Step::Done,
             Some(macros) if ended && macros.has_run(here.line) => Step::Done,
-            Some(macros) if !ended && !self.reader.heidenhain => {
+            Some(macros) if !ended && (!self.reader.heidenhain || self.reader.run.is_some()) => {
                 macros.step(line, here, Place { at: below, line: here.line + 1 }, self.calls.depth())
             }
             _ => Step::AsWritten,

@@ -18,6 +18,10 @@ impl Reader {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
         let stale = self.stale;
+        if std::mem::take(&mut self.resumes) {
+            let [x, y, z] = from;
+            self.path.resumes.push([self.path.kind.len() as f64, x, y, z]);
+        }
         self.goes(block, from);
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             match self.arc(block, from, motion == Motion::Counter) {

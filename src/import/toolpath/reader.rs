@@ -6,6 +6,7 @@ use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Axes, Block, Call, Foreign, ModeChange, Named};
 use crate::import::toolpath::count::{Count, count};
+use crate::import::toolpath::fork::Fork;
 use crate::import::toolpath::known::{Feature, Trip};
 use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
@@ -108,6 +109,10 @@ pub(super) struct Reader {
     pub inside: bool,
     /// How many conditions are open.
     pub conditions: usize,
+    /// The conditions of a run that are not known, and whose ways have not met.
+    pub forks: Vec<Fork>,
+    /// Whether the next move begins elsewhere than where the one before ended.
+    pub resumes: bool,
     /// How many loops are open.
     pub loops: usize,
     /// The axes that were last moved by a distance, not to a place.
@@ -352,7 +357,7 @@ impl Reader {
         }
         self.turned = false;
         if self.log.is_some() {
-            self.logs(block);
+            self.logs(line, block);
         }
         self.settle(block, before);
         if block.macros && block.foreign == Foreign::No {
@@ -377,7 +382,9 @@ impl Reader {
 
     /// What the rules ask for beside moves.
     #[cold]
-    fn logs(&mut self, block: &Block) {
+    fn logs(&mut self, line: &[u8], block: &Block) {
+        let timed = || line[block.begin..].iter().any(|b| matches!(b.to_ascii_uppercase(), b'P' | b'X' | b'U' | b'S' | b'F'));
+        let waits = block.dwells && !timed();
         let (moves, line) = (self.path.len(), self.line);
         let [units, plane, distance] = [self.path.metric.is_some(), self.modes.plane.is_some(), self.modes.stated];
         let incremental = !self.modes.absolute;
@@ -392,6 +399,9 @@ impl Reader {
         }
         if block.given != 0 && !block.elsewhere && log.stated.is_none() {
             log.stated = Some((line, [units, plane, distance]));
+        }
+        if waits {
+            log.endless_waits.push(line);
         }
         log.left_incremental = incremental;
         log.ends |= block.ends;
@@ -547,8 +557,14 @@ impl Reader {
         let is = |words: &[&[u8]]| words.iter().any(|name| word.eq_ignore_ascii_case(name));
         if is(&[b"IF"]) {
             self.conditions += usize::from(conditional);
+            if conditional {
+                self.parts(None);
+            }
+        } else if is(&[b"ELSE", b"ELSEIF"]) {
+            self.other_way(is(&[b"ELSE"]));
         } else if is(&[b"ENDIF"]) {
             self.conditions = self.conditions.saturating_sub(1);
+            self.meet(None);
         } else if is(&[b"WHILE", b"DO", b"REPEAT", b"FOR", b"LOOP"]) {
             if self.loops == 0 {
                 self.relative = 0;
@@ -556,9 +572,11 @@ impl Reader {
                 self.forget(self.relative);
             }
             self.loops += 1;
+            self.parts(None);
         } else if is(&[b"END", b"ENDWHILE", b"ENDREPEAT", b"ENDFOR", b"ENDLOOP", b"UNTIL"]) {
             self.loops = self.loops.saturating_sub(1);
             self.forget(self.relative);
+            self.meet(None);
         }
     }
 
@@ -577,10 +595,18 @@ impl Reader {
         count(&mut self.branches, self.line);
     }
 
+    /// A condition that asks for something else than a contact.
+    pub fn asks(&mut self) {
+        if let Some(log) = &mut self.log {
+            log.conditions.push((self.path.len(), self.line));
+        }
+    }
+
     /// A condition that is not known begins.
     #[cold]
     pub fn condition_begins(&mut self) {
         self.conditions += 1;
+        self.parts(None);
         count(&mut self.skipped, self.line);
     }
 

@@ -3,7 +3,7 @@
 
 use serde::Serialize;
 
-use crate::control::rules::{NO_LOW_RAPID, ONE_WRITE, WATCHED, WRITE_LAST};
+use crate::control::rules::{NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, WATCHED, WRITE_LAST};
 use crate::import::toolpath::{DIALECTS, PROBE, RAPID, Toolpath};
 use crate::text::{Text, text};
 
@@ -16,6 +16,10 @@ pub(super) struct Log {
     pub spindle: Vec<(usize, usize, bool)>,
     /// Work offsets are written.
     pub writes: Vec<(usize, usize)>,
+    /// Conditions that ask for something else than a contact.
+    pub conditions: Vec<(usize, usize)>,
+    /// Waits that do not say how long.
+    pub endless_waits: Vec<usize>,
     /// Whether units, plane, absolute or incremental places and the kind of feed were stated before the first motion, and its line.
     pub stated: Option<(usize, [bool; 3])>,
     /// Whether places are distances at the end.
@@ -55,7 +59,7 @@ pub struct RunRule {
 }
 
 /// The names of the rules that are asked of any program, in their order.
-pub const RUN_RULES: [&str; 9] = [
+pub const RUN_RULES: [&str; 11] = [
     "modes-stated",
     "spindle-off",
     WATCHED,
@@ -64,6 +68,8 @@ pub const RUN_RULES: [&str; 9] = [
     NO_LOW_RAPID,
     WRITE_LAST,
     ONE_WRITE,
+    PLAUSIBLE,
+    "waits-stated",
     "modes-left",
 ];
 
@@ -83,6 +89,8 @@ pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
         rapids(path, first, last),
         writes(log, last),
         one_write(log),
+        plausible(log, last),
+        waits(log),
         left(log),
     ];
     debug_assert!(rows.iter().map(|row| row.rule).eq(RUN_RULES), "in their order");
@@ -293,6 +301,44 @@ fn one_write(log: &Log) -> RunRule {
             ONE_WRITE,
             Some(false),
             text!("A block writes a work offset more than once: a value written twice is corrected twice"),
+            lines,
+        ),
+    }
+}
+
+/// Whether something is asked between the last touch and the write: what, a run does not know.
+fn plausible(log: &Log, last: usize) -> RunRule {
+    let asked = |moves: usize| log.conditions.iter().any(|(before, _)| (last + 1..=moves).contains(before));
+    let unasked: Vec<usize> = log.writes.iter().filter(|(moves, _)| !asked(*moves)).map(|(_, line)| *line).collect();
+    match (log.writes.is_empty(), unasked.is_empty()) {
+        (true, _) => row(PLAUSIBLE, Some(true), text!("The program writes no work offset"), unasked),
+        (false, false) => row(
+            PLAUSIBLE,
+            Some(false),
+            text!(
+                "A work offset is written whatever was measured: compare the results with what they should be before, and stop with an alarm where they are off by too much"
+            ),
+            unasked,
+        ),
+        (false, true) => row(
+            PLAUSIBLE,
+            None,
+            text!("Conditions stand between the last touch and the write: whether they compare the results is not known"),
+            log.conditions.iter().filter(|(moves, _)| *moves > last).map(|(_, line)| *line).collect(),
+        ),
+    }
+}
+
+fn waits(log: &Log) -> RunRule {
+    let lines = log.endless_waits.clone();
+    match lines.is_empty() {
+        true => row("waits-stated", Some(true), text!("Every wait says how long"), lines),
+        false => row(
+            "waits-stated",
+            Some(false),
+            text!(
+                "These waits do not say how long: an alarm on one control, none at all on the next. Write the time behind G4"
+            ),
             lines,
         ),
     }

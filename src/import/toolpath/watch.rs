@@ -80,6 +80,15 @@ fn asks(line: &str) -> bool {
         || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }
 
+/// Whether a line is a condition that asks for something else.
+pub(super) fn judges(line: &[u8]) -> bool {
+    let begins = memchr::memchr2_iter(b'F', b'f', line).any(|at| at > 0 && line[at - 1].eq_ignore_ascii_case(&b'I'));
+    begins && {
+        let code = code_of(&String::from_utf8_lossy(line));
+        (code.starts_with("IF") || code.starts_with('O') && code.contains("IF[")) && !asks(&code)
+    }
+}
+
 /// Whether the condition holds after a contact: by #5070 and `$AC_MEA[1]`, on a Fanuc by a place that is not the target.
 fn asks_for_contact(condition: &str) -> bool {
     match condition.split_once("#5070").or_else(|| condition.split_once("$AC_MEA[1]")) {

@@ -15,6 +15,8 @@ pub struct Moves<'a> {
     pub arcs: &'a [[f64; 6]],
     /// Where probing moves met something: index of the move, and the place. The next move begins there.
     pub contacts: &'a [[f64; 4]],
+    /// Where moves begin that do not begin where the one before ended.
+    pub resumes: &'a [[f64; 4]],
     /// The plane that it is seen in.
     pub plane: Plane,
     /// Millimetres in a unit of the program, where it says its units.
@@ -32,9 +34,13 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let scale = moves.scale.unwrap_or(1.0);
     let mut arcs = moves.arcs.iter().peekable();
     let mut contacts = moves.contacts.iter().peekable();
+    let mut resumes = moves.resumes.iter().peekable();
     let mut from = Vec3::NAN;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
         let end = Vec3::from_slice(to) * scale;
+        if let Some([_, x, y, z]) = resumes.next_if(|place| place[0] == index as f64) {
+            from = Vec3::new(*x, *y, *z) * scale;
+        }
         let arc = arcs.next_if(|arc| arc[0] == index as f64).map(|[_, a, b, c, sweep, plane]| {
             let plane = [Plane::G17, Plane::G18, Plane::G19][(*plane as usize).saturating_sub(17).min(2)];
             let center = Vec3::new(*a, *b, *c) * scale;
@@ -86,7 +92,15 @@ mod tests {
     fn a_program_in_inch_is_seen_in_millimetres() {
         let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
-        let moves = Moves { to: &to, kind: &[0, 1, 0, 2], arcs: &arcs, contacts: &[], plane: Plane::G17, scale: Some(25.4) };
+        let moves = Moves {
+            to: &to,
+            kind: &[0, 1, 0, 2],
+            arcs: &arcs,
+            contacts: &[],
+            resumes: &[],
+            plane: Plane::G17,
+            scale: Some(25.4),
+        };
         let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
         assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
@@ -105,6 +119,7 @@ mod tests {
             kind: &[0, 2, 1],
             arcs: &[],
             contacts: &[[1.0, 6.0, 0.0, 0.0]],
+            resumes: &[],
             plane: Plane::G17,
             scale: Some(1.0),
         };

@@ -426,8 +426,15 @@ impl View {
 
     fn of_program(&self, path: Rc<Toolpath>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
-        let moves =
-            Moves { to: &path.to, kind: &path.kind, arcs: &path.arcs, contacts: &path.contacts, plane: path.plane, scale };
+        let moves = Moves {
+            to: &path.to,
+            kind: &path.kind,
+            arcs: &path.arcs,
+            contacts: &path.contacts,
+            resumes: &path.resumes,
+            plane: path.plane,
+            scale,
+        };
         Shown { scene: program::scene(&moves, self.projection), content: Content::Program(path) }
     }
 

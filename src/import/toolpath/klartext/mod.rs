@@ -4,7 +4,7 @@
 //! approach and departure, tangential arcs, cycles, datum shifts and tilted planes, other programs.
 
 mod path;
-mod value;
+pub(super) mod value;
 
 use std::collections::BTreeMap;
 
@@ -73,6 +73,7 @@ impl Klartext {
         while at < self.lines.len() {
             reader.line = self.lines[at].number;
             self.q.line = reader.line;
+            reader.meet(Some(reader.line));
             ran += 1;
             if ran > MOST_BLOCKS {
                 return reader.lose(reader.line);
@@ -203,6 +204,7 @@ impl Klartext {
 
     /// `+Q1 EQU +Q3 GOTO LBL 5`. Where the condition is not known the blocks are read in their order, and nothing is known of any parameter.
     fn jump(&mut self, rest: &str, reader: &mut Reader) -> Next {
+        reader.asks();
         let mut cursor = Cursor::new(rest);
         let holds = self.condition(&mut cursor);
         let target = cursor.rest.split_once("LBL").map(|(_, name)| label(name));
@@ -213,6 +215,9 @@ impl Klartext {
             _ => {
                 count(&mut reader.skipped, reader.line);
                 self.q.forget();
+                if let Some(below) = place.and_then(|place| self.lines.get(place)).filter(|line| line.number > reader.line) {
+                    reader.parts(Some(below.number));
+                }
                 Next::Below
             }
         }

@@ -82,17 +82,17 @@ impl Macros {
         if self.runs && holds.is_none() && to.is_some_and(|to| self.index.leads_out(to)) && self.spares() {
             return Step::BranchEnds(None);
         }
-        self.leap(to, next);
-        Step::AsWritten
+        self.leap(to, next)
     }
 
     /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
-    pub(super) fn leap(&mut self, to: Option<Place>, next: Place) {
+    pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> Step {
         let below = to.filter(|place| place.line >= next.line);
         if below.is_none() {
             self.forget();
         }
         self.leaps_to(below.map_or(NOWHERE, |place| place.line));
+        below.map_or(Step::AsWritten, |place| Step::MayJump(place.line))
     }
 
     /// The statement after THEN.
@@ -104,8 +104,7 @@ impl Macros {
             if holds == Some(true) {
                 return self.flow(rest, here, next);
             }
-            self.leap(None, next);
-            return Step::AsWritten;
+            return self.leap(None, next);
         }
         let guards = usize::from(holds.is_none());
         self.unsure += guards;

@@ -290,8 +290,7 @@ impl Flow for Macros {
         }
         // With block skip on, the control leaves it out.
         if self.index.is_flow(code) || o_word(code).is_some_and(|(_, keyword, _)| keyword.jumps()) || flow::calls(code) {
-            self.leap(None, next);
-            return Step::AsWritten;
+            return self.leap(None, next);
         }
         self.unsure += 1;
         let step = self.block(line, head.end, here, next, inside);

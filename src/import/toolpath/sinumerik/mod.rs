@@ -137,7 +137,7 @@ impl Sinumerik {
         if !self.leaps.contains(&line) {
             self.leaps.push(line);
         }
-        Step::AsWritten
+        below.map_or(Step::AsWritten, |to| Step::MayJump(to.line))
     }
 
     /// `IF` with `ENDIF`.
