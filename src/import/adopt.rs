@@ -40,7 +40,10 @@ impl Called<'_> {
         let (radius, depth) = (3.0 / inch, 10.0 / inch);
         let said = match self.name.strip_prefix("G65 P") {
             Some(number) => self.renishaw(number, radius, depth)?,
-            None => self.heidenhain(self.name.strip_prefix("TCH PROBE ")?, radius, depth)?,
+            None => match self.name.strip_prefix("TCH PROBE ") {
+                Some(number) => self.heidenhain(number, radius, depth)?,
+                None => self.sinumerik(self.name.strip_prefix("CYCLE")?, radius, depth)?,
+            },
         };
         said.origin.iter().all(|x| x.is_finite()).then_some(())?;
         let mut job = default_job_in(said.cycle, units)?;
@@ -110,6 +113,70 @@ impl Called<'_> {
         };
         let offset = self.get("S").filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
         Some(Said { cycle, fields, origin, overtravel: self.get("Q").map(|q| q + radius), post: Some("fanuc"), offset })
+    }
+
+    /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
+    /// from where the stylus stands, where the cycle does.
+    fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
+        let [x, y, z] = self.place;
+        let variant = self.get("1")?;
+        let corrects = self.get("2").filter(|_| (variant / 100.0).trunc() % 10.0 == 1.0);
+        let offset = corrects.map(|n| n - 10_000.0).filter(|n| (1.0..=99.0).contains(n));
+        if number == "978" {
+            let (surface, axis) = (self.get("5")?, self.get("8").filter(|axis| (1.0..=3.0).contains(axis))? as usize - 1);
+            let sign = if self.get("9")? == 1.0 { 1.0 } else { -1.0 };
+            let away = (surface - self.place[axis]) * sign;
+            let mut fields = vec![("clearance", away), ("elevation", if axis == 2 { 90.0 } else { 0.0 })];
+            if axis < 2 {
+                let turn = if sign > 0.0 { [180.0, -90.0] } else { [0.0, 90.0] };
+                fields.push(("rotation", turn[axis]));
+            }
+            let mut origin = self.place;
+            origin[axis] = surface;
+            (axis < 2 || sign < 0.0).then_some(())?;
+            return Some(Said { cycle: "surface", fields, origin, overtravel: self.get("6"), post: Some("sinumerik"), offset });
+        }
+        (number == "977").then_some(())?;
+        let (kind, protected) = (variant % 10.0, variant >= 1000.0);
+        let outside = [2.0, 4.0, 6.0].contains(&kind);
+        let down = if protected || outside { self.get("11")? } else { 0.0 };
+        let (touched, path) = (z - down, self.get("8")?);
+        let (top, clearance) = (touched + depth, path + radius);
+        let mut fields = vec![("depth", depth)];
+        if z > top {
+            fields.push(("topClearance", z - top));
+        }
+        let turn = self.get("10").unwrap_or(0.0);
+        let centre = if self.get("27") == Some(11.0) { [self.get("28")?, self.get("29").unwrap_or(y)] } else { [x, y] };
+        let aside = protected || outside;
+        let kinds = |inside: &'static str, over: &'static str, out: &'static str| match (outside, protected) {
+            (true, _) => out,
+            (false, true) => over,
+            (false, false) => inside,
+        };
+        let cycle = match kind {
+            1.0 | 2.0 => {
+                fields.extend([("diameter", self.get("5")?), ("rotation", turn)]);
+                kinds("hole", "hole-protected", "boss")
+            }
+            3.0 | 4.0 => {
+                let across = if self.get("14")? == 2.0 { 90.0 } else { 0.0 };
+                fields.extend([("width", self.get("5")?), ("rotation", across + turn)]);
+                kinds("groove", "groove-protected", "web")
+            }
+            5.0 | 6.0 => {
+                fields.extend([("width1", self.get("6")?), ("width2", self.get("7")?), ("rotation", turn)]);
+                kinds("internal-rectangle", "internal-rectangle-protected", "external-rectangle")
+            }
+            _ => return None,
+        };
+        match (aside, kind >= 5.0) {
+            (true, true) => fields.extend([("sideClearance1", clearance), ("sideClearance2", clearance)]),
+            (true, false) => fields.push(("sideClearance", clearance)),
+            (false, _) => {}
+        }
+        let origin = [centre[0], centre[1], top];
+        Some(Said { cycle, fields, origin, overtravel: Some(path), post: Some("sinumerik"), offset })
     }
 
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
@@ -201,6 +268,47 @@ mod tests {
             [("Q321", 5.0), ("Q322", 6.0), ("Q262", 40.0), ("Q261", -5.0), ("Q320", 4.0), ("Q260", 20.0), ("Q301", 0.0)];
         let hole = job("TCH PROBE 412", &circle, [f64::NAN; 3]).unwrap();
         assert_eq!(touches(&hole)[0], [25.0, 6.0, -5.0]);
+        // The example of a generator's own documents: hole of 32 with a zone of 5, 16 deep, turned by 11, G54, centre at X−3 Y15.
+        let call = [
+            (1, 1101.0),
+            (2, 10001.0),
+            (4, 1.0),
+            (5, 32.0),
+            (8, 7.0),
+            (9, 5.0),
+            (10, 11.0),
+            (11, 16.0),
+            (12, 5.0),
+            (27, 11.0),
+            (28, -3.0),
+            (29, 15.0),
+        ];
+        let named = call.map(|(place, value)| {
+            (
+                ["", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12"]
+                    .get(place)
+                    .copied()
+                    .unwrap_or(["27", "28", "29"][place.max(27) - 27]),
+                value,
+            )
+        });
+        let hole = job("CYCLE977", &named, [0.0, 0.0, 5.0]).unwrap();
+        let [x, y, z] = touches(&hole)[0];
+        let eleven = 11f64.to_radians();
+        assert!(
+            (x - (-3.0 + 16.0 * eleven.cos())).abs() < 1e-5 && (y - (15.0 + 16.0 * eleven.sin())).abs() < 1e-5 && z == -11.0,
+            "{x} {y} {z}"
+        );
+        assert_eq!(hole.get("control").and_then(|c| c.get("workOffset")), Some(&Value::Number(1.0)));
+        // `CYCLE978(0,,,1,-55,15,5,1,2,…)`: the surface at X−55, towards minus.
+        let wall = job(
+            "CYCLE978",
+            &[("1", 0.0), ("4", 1.0), ("5", -55.0), ("6", 15.0), ("7", 5.0), ("8", 1.0), ("9", 2.0)],
+            [-45.0, 2.0, -3.0],
+        )
+        .unwrap();
+        assert_eq!(touches(&wall), [[-55.0, 2.0, -3.0]]);
+        assert_eq!(crate::job::plan(&wall).unwrap().touches[0].vector, [1.0, 0.0, 0.0]);
         // What is not known makes no job; nor does what is no documented cycle, or is wrong.
         assert!(job("G65 P9814", &[("D", 25.0)], [f64::NAN, 2.0, 5.0]).is_none());
         assert!(job("G65 P9812", &[("X", 5.0), ("Y", 5.0)], [0.0; 3]).is_none());

@@ -223,7 +223,8 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
         return Err(refused(toolpath::too_long(length)));
     }
     let value = decoded(codes, known);
-    let run = toolpath::run_program(&utf8(text), &Known::of(&value).map_err(refused)?);
+    let text = utf8(text);
+    let run = toolpath::run_program(&text, &Known::of(&value).map_err(refused)?);
     let result = columns(&run)?;
     set(&result, "file", &Uint32Array::from(run.file.as_slice()));
     set(&result, "contacts", &Float64Array::from(run.contacts.concat().as_slice()));
@@ -242,6 +243,7 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
         .collect::<Result<Array, JsValue>>()?;
     set(&result, "calls", &calls);
     set(&result, "rules", &to_js(&run.rules)?);
+    set(&result, "outline", &to_js(&toolpath::outline(&text))?);
     Ok(result.into())
 }
 

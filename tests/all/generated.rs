@@ -12,7 +12,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::common::with;
-use touchpath::control::native::{SETS, Unit};
+use touchpath::control::native::{Argument, SETS, Unit};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind, Value};
@@ -32,6 +32,11 @@ fn keep(path: &str, text: &str) {
 }
 
 /// The table of calls, set by set.
+/// What a control takes for an argument, where that is known.
+fn taken(argument: &Argument) -> String {
+    argument.range_words().map_or_else(String::new, |range| format!(" ({range})"))
+}
+
 fn calls_page() -> String {
     let mut page = "# Cycles of the control's own
 
@@ -45,7 +50,7 @@ What programs call, and what each argument means, as [programs you have](program
             let needs: Vec<String> = call.needs.iter().map(|names| names.replace(' ', " or ")).chain(excludes).collect();
             // What all calls of a set have stands below it.
             let own = if call.arguments.len() > 25 { "those below" } else { "" };
-            let words: Vec<String> = call.arguments.iter().map(|a| format!("{} {}", a.name, a.meaning)).collect();
+            let words: Vec<String> = call.arguments.iter().map(|a| format!("{} {}{}", a.name, a.meaning, taken(a))).collect();
             let words = if own.is_empty() { words.join("; ") } else { own.to_owned() };
             let shared = if call.shared.is_empty() { "" } else { "; and those below" };
             let needs = needs.join(", ");
@@ -68,7 +73,7 @@ What programs call, and what each argument means, as [programs you have](program
             page.push_str("\n| argument | meaning | unit |\n|---|---|---|\n");
             for argument in common {
                 let unit = if argument.unit == Unit::None { "" } else { argument.unit.word() };
-                writeln!(page, "| {} | {} | {unit} |", argument.name, argument.meaning).unwrap();
+                writeln!(page, "| {} | {}{} | {unit} |", argument.name, argument.meaning, taken(argument)).unwrap();
             }
         }
     }

@@ -94,3 +94,48 @@ test("on a phone the form was not there: it had the class of something that make
   await enter("ask-#1", "10");
   await page.setViewportSize({ width: 1440, height: 900 });
 });
+
+test("a part that lies off could not be put into the picture: by hand, and the program runs on it", async () => {
+  // From 0 towards 60: a wall at 20, which lies 2 off, is met by a ball of 6 at 19.
+  await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "hand.ngc");
+  await page.getByText("Run it with what you know").click();
+  for (const [id, text] of [
+    ["start-0", "0"],
+    ["start-1", "0"],
+    ["start-2", "-5"],
+  ])
+    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  await page.locator("#meets-at").selectOption("hand");
+  await page.locator("#hand-kind").selectOption("internal-rectangle");
+  for (const [id, text] of [
+    ["hand-0", "0"],
+    ["hand-2", "0"],
+    ["hand-width1", "40"],
+    ["hand-width2", "60"],
+    ["hand-off-0", "2"],
+  ])
+    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  const slider = page.locator("tp-viewer .scrub input");
+  await slider.focus();
+  await slider.press("End");
+  assert.match(await textOf(page.locator("tp-viewer p[role=status]")), /Line 5: .* Y19 Z-5/);
+  await settles(async () => (await painted("tp-viewer", "actual")).count > 0);
+  // A part that cannot be says why, and its fields stay.
+  await enter("hand-ball", "-1");
+  assert.match(await textOf(page.locator("tp-viewer .notes .warning")), /The part is not used: .*ball/i);
+  assert.equal(await page.locator("#hand-width1").inputValue(), "40");
+});
+
+test("where a long program names its parts, and what is said of a line, could not be found: headings and a margin", async () => {
+  const text = `%\nO1\nG21 G17 G90 G40\nG65 P100 A5.\nM30\nO100 (EDGE)\nG31 X#1 F50\n#5221=#5061\nM99\nO200 (NEVER)\n${"G4\n".repeat(80)}M99\n%\n`;
+  await openText(text, "headings.nc");
+  const select = page.locator("tp-viewer .headings");
+  await select.waitFor();
+  assert.deepEqual(await select.locator("option").allTextContents(), ["Go to", "2: O1", "6: O100 (EDGE)", "10: O200 (NEVER)"]);
+  await select.selectOption({ label: "10: O200 (NEVER)" });
+  await page.locator('tp-viewer .lit[data-line="9"]').waitFor();
+  await select.selectOption({ label: "6: O100 (EDGE)" });
+  const noted = page.locator('tp-viewer .noted[data-line="7"]');
+  await noted.click();
+  assert.match(await textOf(page.locator("tp-viewer .read .notes")), /A work offset is written whatever was measured/);
+});

@@ -80,6 +80,8 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   calls: NativeCall[];
   /** What the safety rules say of a program that probes; `holds` is `null` where an unknown decides. `lines`, 0-based, break it, or are not known. */
   rules: { rule: string; holds: boolean | null; message: string; said: Said; lines: number[] }[];
+  /** The lines that name what stands below them, 0-based: programs, subroutines, labels. */
+  outline: { line: number; name: string }[];
 }
 
 /** A call of one of the control's own probing cycles. */
@@ -99,6 +101,8 @@ export interface NativeCall {
     value: number | null;
     meaning: string | null;
     unit: "length" | "angle" | "feed" | "none" | null;
+    /** What the control takes, where that is known: `0 to 1`. */
+    range: string | null;
   }[];
   /** What contradicts in its arguments: the control refuses such a call. */
   contradictions: string[];

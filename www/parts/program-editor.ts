@@ -6,18 +6,18 @@ import { letterOf } from "./keys.js";
 import { MARGIN, type Shown } from "./shown.js";
 
 /** What the lines have beside their text. */
-type Look = Pick<Shown, "kind" | "lit" | "found">;
+type Look = Pick<Shown, "kind" | "notes" | "lit" | "found">;
 
 const change = StateEffect.define<Look>();
 
 const look = StateField.define<Look>({
-  create: () => ({ kind: () => "", lit: -1, found: { matches: new Set(), here: -1 } }),
+  create: () => ({ kind: () => "", notes: new Map(), lit: -1, found: { matches: new Set(), here: -1 } }),
   update: (before, { effects }) => effects.reduce((now, effect) => (effect.is(change) ? effect.value : now), before),
 });
 
 /** Numbers, kinds and words of the lines that are seen. */
 function decorated({ state, visibleRanges }: EditorView): DecorationSet {
-  const { kind, lit, found } = state.field(look);
+  const { kind, notes, lit, found } = state.field(look);
   const all: Range<Decoration>[] = [];
   let last = -1;
   for (const seen of visibleRanges) {
@@ -29,7 +29,10 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
       if (line === lit) names.push("lit");
       if (found.matches.has(line)) names.push("match");
       if (line === found.here) names.push("here");
-      const attributes = { "data-line": String(line), "data-number": String(number) };
+      const noted = notes.get(line);
+      if (noted) names.push("noted");
+      const title: Record<string, string> = noted ? { title: noted.join("\n") } : {};
+      const attributes = { "data-line": String(line), "data-number": String(number), ...title };
       // A long line may be seen in parts, with gaps between them: it is decorated once.
       if (line !== last) all.push(Decoration.line({ class: names.filter(Boolean).join(" "), attributes }).range(from));
       last = line;
@@ -117,12 +120,12 @@ export class Editor {
     this.view.dispatch({ effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 0 }) });
   }
 
-  show({ text, kind, lit, found, sight }: Shown): void {
+  show({ text, kind, notes, lit, found, sight }: Shown): void {
     const { state } = this.view;
     const whole = { from: 0, to: state.doc.length, insert: text };
     const changes = state.changes(text === this.text ? [] : whole);
     this.text = text;
-    const effects: StateEffect<unknown>[] = [change.of({ kind, lit, found })];
+    const effects: StateEffect<unknown>[] = [change.of({ kind, notes, lit, found })];
     const doc = changes.apply(state.doc);
     if (sight >= 0 && sight < doc.lines)
       effects.push(EditorView.scrollIntoView(doc.line(sight + 1).from, { y: "nearest", yMargin: MARGIN }));

@@ -9,7 +9,7 @@ export class ProgramList {
   private editor?: Editor;
   /** What stands there until the editor does. */
   private readonly plain = document.createElement("pre");
-  private readonly shown: Shown = { text: "", kind: () => "", found: NONE, lit: -1, sight: -1 };
+  private readonly shown: Shown = { text: "", kind: () => "", notes: new Map(), found: NONE, lit: -1, sight: -1 };
   private frame = 0;
   private freed = false;
 
@@ -27,9 +27,9 @@ export class ProgramList {
     this.load();
   }
 
-  /** Another text. Nothing of it is lit or found yet. */
-  show(text: string, kind: (line: number) => Kind): void {
-    Object.assign(this.shown, { text, kind, found: NONE, lit: -1, sight: 0 });
+  /** Another text, with what is said of its lines. Nothing of it is lit or found yet. */
+  show(text: string, kind: (line: number) => Kind, notes: Shown["notes"]): void {
+    Object.assign(this.shown, { text, kind, notes, found: NONE, lit: -1, sight: 0 });
     if (!this.editor) this.plain.textContent = text;
     this.later();
   }

@@ -1,8 +1,9 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
 import { html, nothing, type TemplateResult } from "lit";
-import type { Job, ProgramKnown, ProgramPart, ProgramRun } from "../core/browser.js";
+import type { Finding, Job, ProgramKnown, ProgramPart, ProgramRun } from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
+import { handMade, handMadeFields, isHandMade } from "./hand-made.js";
 
 /** Where probing moves trigger, by what `part` says. */
 const MEETS: [string, number | null | undefined, string][] = [
@@ -12,8 +13,9 @@ const MEETS: [string, number | null | undefined, string][] = [
   ["never", null, w("never")],
 ];
 
-/** The part of the job in the form. */
+/** The part of the job in the form, and one put there by hand. */
 const FORM = "form";
+const HAND = "hand";
 
 /** So many variables are asked for. */
 const MOST_ASKED = 60;
@@ -44,7 +46,8 @@ export class RunPanel {
     this.lines.clear();
   }
 
-  render(known: ProgramKnown, run: ProgramRun): TemplateResult {
+  /** `wrong` is what is wrong with the part that was given. */
+  render(known: ProgramKnown, run: ProgramRun, wrong: Finding[]): TemplateResult {
     const t = this.store().t.bind(this.store());
     const asked = run.asks.map(({ name }) => name);
     for (const { name, lines } of run.asks) this.lines.set(name, lines);
@@ -52,13 +55,14 @@ export class RunPanel {
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
     return html`
-      ${form ? this.form(known) : nothing}
+      ${form ? this.form(known, run) : nothing}
+      ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
       ${run.rules.length > 0 ? html`<h2>${t("Safety rules of this program")}</h2><ul class="checks">${run.rules.map((row) => this.rule(row))}</ul>` : nothing}
       ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
     `;
   }
 
-  private form(known: ProgramKnown): TemplateResult {
+  private form(known: ProgramKnown, run: ProgramRun): TemplateResult {
     const t = this.store().t.bind(this.store());
     const number = (
       id: string,
@@ -96,32 +100,55 @@ export class RunPanel {
       <summary>${t("Run it with what you know")}</summary>
       <p>${t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.")}</p>
       <div class="fields">
-        ${this.meets("at", t("Touches trigger"), known)}
-        ${this.meets("positioning", t("Watched positioning triggers"), known)}
+        ${this.meets("at", t("Touches trigger"), known, run)}
+        ${known.part && "cycle" in known.part ? nothing : this.meets("positioning", t("Watched positioning triggers"), known, run)}
+        ${isHandMade(known.part) ? this.hand(known, number) : nothing}
         ${axis(0)}${axis(1)}${axis(2)}
         ${this.names.map(variable)}
       </div>
     </details>`;
   }
 
-  private meets(key: "at" | "positioning", label: string, known: ProgramKnown): TemplateResult {
+  /** The fields of a part that is put there by hand. */
+  private hand(
+    known: ProgramKnown,
+    number: (
+      id: string,
+      label: string,
+      value: number,
+      note: string,
+      take: (x: number | null) => void,
+    ) => TemplateResult,
+  ): TemplateResult | typeof nothing {
+    if (!isHandMade(known.part)) return nothing;
+    return handMadeFields(
+      this.store(),
+      known.part,
+      (id, label, value, take) => number(id, label, value, "", (x) => x !== null && take(x)),
+      (part) => this.changed({ ...known, part }),
+    );
+  }
+
+  private meets(key: "at" | "positioning", label: string, known: ProgramKnown, run: ProgramRun): TemplateResult {
     const t = this.store().t.bind(this.store());
     const part = known.part ?? {};
-    const onForm = "cycle" in part;
-    const now = onForm ? undefined : part[key];
+    const onPart = "cycle" in part;
+    const byHand = isHandMade(part);
+    const now = onPart ? undefined : part[key];
     const choose = (event: Event) => {
       const chosen = (event.target as HTMLSelectElement).value;
+      if (chosen === HAND) return this.changed({ ...known, part: handMade(run) });
       if (chosen === FORM) {
         const job = structuredClone(this.store().draft) as unknown as ProgramPart;
         return this.changed({ ...known, part: job });
       }
       const value = MEETS.find(([id]) => id === chosen)?.[1];
-      const { [key]: _, ...rest } = onForm ? ({} as { at?: number | null; positioning?: number | null }) : part;
+      const { [key]: _, ...rest } = onPart ? ({} as { at?: number | null; positioning?: number | null }) : part;
       this.changed({ ...known, part: value === undefined ? rest : { ...rest, [key]: value } });
     };
     return html`<div class="field"><label for=${`meets-${key}`}>${label}</label>
-      <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${!onForm && value === now}>${t(word)}</option>`)}
-        <option value=${FORM} ?selected=${onForm}>${t("on the part in the form")}</option></select></div>`;
+      <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${!onPart && value === now}>${t(word)}</option>`)}
+        ${key === "at" ? html`<option value=${HAND} ?selected=${byHand}>${t("on a part put there by hand")}</option><option value=${FORM} ?selected=${onPart && !byHand}>${t("on the part in the form")}</option>` : nothing}</select></div>`;
   }
 
   /** A number, also with a decimal comma; none where the field is empty. What is neither stays to be mended. */

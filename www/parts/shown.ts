@@ -13,6 +13,8 @@ export interface Found {
 export interface Shown {
   text: string;
   kind: (line: number) => Kind;
+  /** What is said of lines, at their margin. */
+  notes: ReadonlyMap<number, string[]>;
   found: Found;
   /** The line that is lit; -1 is none. */
   lit: number;

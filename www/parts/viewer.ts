@@ -19,6 +19,7 @@ import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
 import { RunPanel } from "./run-panel.js";
+import { Steps } from "./steps.js";
 
 /** A longer text is read beside the page, and only read: its run would hold up the page at each entry. */
 const LONGEST_RUN = 500_000;
@@ -63,6 +64,17 @@ class ViewerPart extends DrawnPart {
     (job) => this.dispatchEvent(new CustomEvent("adopt", { detail: job, bubbles: true })),
   );
 
+  private readonly steps = new Steps(
+    () => this.store,
+    (move) => this.point(move),
+  );
+  /** What is wrong with the part that was given: the program is run without it. */
+  private wrong: Finding[] = [];
+  /** What is said of lines: findings, and rules that they break. */
+  private notes = new Map<number, string[]>();
+  /** What is said of the line that is pointed at. */
+  private noted: string[] = [];
+
   /** The moves that are shown. */
   private get moves(): ProgramMoves {
     return this.knows && this.run ? this.run : this.viewed.moves;
@@ -79,7 +91,38 @@ class ViewerPart extends DrawnPart {
     this.known = known;
     this.run = this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
     this.pointed = null;
-    this.moveAt = new Map(Array.from(this.moves.line, (line, move) => [line, move]));
+    const { line, kind, kinds } = this.moves;
+    const ownFile = (move: number) => !this.run || this.run.file.length === 0 || this.run.file[move] === 0;
+    this.moveAt = new Map(Array.from(line, (at, move): [number, number] => [ownFile(move) ? at : -1, move]));
+    const touches: number[] = [];
+    kind.forEach((is, move) => {
+      if (kinds[is] === "probe") touches.push(move + 1);
+    });
+    this.steps.take(kind.length, touches);
+    this.notes = this.said();
+    this.noted = [];
+  }
+
+  /** What is said of each line. */
+  private said(): Map<number, string[]> {
+    const notes = new Map<number, string[]>();
+    const { findings = [], rules = [] } = this.run ?? {};
+    const say = (lines: number[], text: string) => {
+      for (const line of lines) notes.set(line, [...(notes.get(line) ?? []), text]);
+    };
+    for (const finding of findings) say(finding.lines, this.message(finding));
+    for (const { holds, said, lines } of rules) if (holds === false) say(lines, this.store.say(said));
+    return notes;
+  }
+
+  /** What is said of a line, and its move. */
+  private pointLine(line: number | null): void {
+    const noted = line === null ? [] : (this.notes.get(line) ?? []);
+    if (noted.length > 0 || this.noted.length > 0) {
+      this.noted = noted;
+      this.requestUpdate();
+    }
+    this.point(line === null ? null : (this.moveAt.get(line) ?? null));
   }
 
   static override properties = { viewed: { attribute: false } };
@@ -94,18 +137,32 @@ class ViewerPart extends DrawnPart {
             @pointerup=${this.up} @pointercancel=${this.up} @keydown=${(e: KeyboardEvent) => this.drawing?.key(e)}></canvas>
           <canvas class="over" aria-hidden="true"></canvas>
         </div>
+        ${this.steps.render(this.pointed)}
         <p role="status">${this.pointed === null ? this.says() : this.one(this.pointed)}</p>
         <ul class="key" aria-label=${this.t("Colours")}>
           ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
         ${notes.length > 0 ? html`<ul class="notes">${notes.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
-        ${this.run ? this.panel.render(this.known, this.run) : nothing}
+        ${this.run ? this.panel.render(this.known, this.run, this.wrong) : nothing}
       </div>
       <div class="read" @keydown=${this.key}>
-        <div class="tools">${this.finder.render()}</div>
+        <div class="tools">${this.finder.render()}${this.headings()}</div>
         <div class="code listing"></div>
+        ${this.noted.length > 0 ? html`<ul class="notes" role="status">${this.noted.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
       </div>
     `;
+  }
+
+  /** The lines that name what stands below them, to go there. */
+  private headings(): TemplateResult | typeof nothing {
+    const outline = this.run?.outline ?? [];
+    if (outline.length < 2) return nothing;
+    const go = (event: Event) => {
+      const select = event.target as HTMLSelectElement;
+      if (select.value !== "") this.listing?.light(Number(select.value), true);
+      select.value = "";
+    };
+    return html`<select class="headings" aria-label=${this.t("Go to")} @change=${go}><option value="">${this.t("Go to")}</option>${outline.map(({ line, name }) => html`<option value=${line}>${line + 1}: ${name}</option>`)}</select>`;
   }
 
   override disconnectedCallback(): void {
@@ -128,15 +185,19 @@ class ViewerPart extends DrawnPart {
     const { moves } = this;
     if (!this.listing) {
       const box = this.querySelector<HTMLElement>(".listing") as HTMLElement;
-      const point = (line: number | null) => this.point(line === null ? null : (this.moveAt.get(line) ?? null));
+      const point = (line: number | null) => this.pointLine(line);
       this.listing = new ProgramList(box, () => this.t("The program"), point);
     }
     if (this.drawn !== this.viewed) {
-      this.listing.show(text, (line) => {
-        const move = this.moveAt.get(line);
-        if (move === undefined) return "plain";
-        return moves.kinds[moves.kind[move] as number] === "probe" ? "touch" : "";
-      });
+      this.listing.show(
+        text,
+        (line) => {
+          const move = this.moveAt.get(line);
+          if (move === undefined) return "plain";
+          return moves.kinds[moves.kind[move] as number] === "probe" ? "touch" : "";
+        },
+        this.notes,
+      );
       this.listing.mark(this.finder.found);
     }
     const line = this.pointed === null ? -1 : (moves.line[this.pointed] as number);
@@ -180,18 +241,21 @@ class ViewerPart extends DrawnPart {
 
   /** A run; one without the part where the job of the form has errors. */
   private tried(known: ProgramKnown): ProgramRun {
+    this.wrong = [];
     try {
       return runProgram(this.viewed.text, known);
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
+      // What is wrong is said, and the fields stay to be mended.
+      this.wrong = thrown.findings;
       const { part: _, ...rest } = known;
-      this.known = rest;
       return runProgram(this.viewed.text, rest);
     }
   }
 
   private show(view: PageView): void {
-    if (this.knows && this.run) view.showRun(this.viewed.text, this.known);
+    const { part: _, ...rest } = this.known;
+    if (this.knows && this.run) view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
     else view.showProgram(this.viewed.text);
   }
 

@@ -52,18 +52,47 @@ pub struct Argument {
     pub name: &'static str,
     pub meaning: &'static str,
     pub unit: Unit,
+    /// What the control takes, where that is known: from, to. Of one without an end the begin is none.
+    pub range: Option<(f64, f64)>,
+}
+
+impl Argument {
+    const fn within(self, low: f64, high: f64) -> Argument {
+        Argument { range: Some((low, high)), ..self }
+    }
+
+    /// More than nothing.
+    const fn positive(self) -> Argument {
+        self.within(0.0, f64::INFINITY)
+    }
+
+    /// Whether the control takes a value.
+    pub fn takes(&self, value: f64) -> bool {
+        self.range.is_none_or(|(low, high)| (low..=high).contains(&value) && (high.is_finite() || value > low))
+    }
+
+    /// Its range in words.
+    pub fn range_words(&self) -> Option<String> {
+        let (low, high) = self.range?;
+        let low = crate::num::decimal(low, 3);
+        Some(if high.is_finite() { format!("{low} to {}", crate::num::decimal(high, 3)) } else { format!("more than {low}") })
+    }
+}
+
+const fn feed(name: &'static str, meaning: &'static str) -> Argument {
+    Argument { name, meaning, unit: Unit::Feed, range: None }
 }
 
 const fn length(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::Length }
+    Argument { name, meaning, unit: Unit::Length, range: None }
 }
 
 const fn angle(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::Angle }
+    Argument { name, meaning, unit: Unit::Angle, range: None }
 }
 
 const fn plain(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::None }
+    Argument { name, meaning, unit: Unit::None, range: None }
 }
 
 /// A call.
@@ -93,8 +122,11 @@ impl Call {
     }
 }
 
+/// The set whose calls have the numbers of others.
+const CENTROID: &str = "Centroid CNC12: the macros that are shipped with it (numbers of Renishaw's, other meanings)";
+
 /// The sets of calls.
-pub static SETS: [(&str, &[Call]); 7] = [
+pub static SETS: [(&str, &[Call]); 8] = [
     ("Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)", &renishaw::CALLS),
     ("Haas: the macros of its probing screens", &renishaw::HAAS),
     ("HEIDENHAIN: touch probe cycles", &heidenhain::CALLS),
@@ -102,14 +134,24 @@ pub static SETS: [(&str, &[Call]); 7] = [
     ("LNC: the macros of the maker", &small::LNC),
     ("RepRapFirmware with MillenniumOS", &small::MILLENNIUM),
     ("Carvera, community firmware", &small::CARVERA),
+    (CENTROID, &small::CENTROID),
 ];
 
 /// A call by its name, blanks aside; P88xx is P98xx of a Brother.
 pub fn find(name: &str) -> Option<&'static Call> {
+    find_in(name, |set| set != CENTROID)
+}
+
+/// The same in a program of a Centroid.
+pub fn find_centroid(name: &str) -> Option<&'static Call> {
+    find_in(name, |set| set == CENTROID)
+}
+
+fn find_in(name: &str, is_searched: fn(&str) -> bool) -> Option<&'static Call> {
     let plain: String = name.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
     let plain = plain.replace("G65P88", "G65P98");
     let same = |call: &&Call| call.name.bytes().filter(|b| *b != b' ').eq(plain.bytes());
-    SETS.iter().flat_map(|(_, calls)| calls.iter()).find(same)
+    SETS.iter().filter(|(set, _)| is_searched(set)).flat_map(|(_, calls)| calls.iter()).find(same)
 }
 
 #[cfg(test)]
@@ -118,8 +160,9 @@ mod tests {
 
     #[test]
     fn every_call_is_found_by_its_name_and_says_each_letter_once() {
-        for call in SETS.iter().flat_map(|(_, calls)| calls.iter()) {
-            assert!(std::ptr::eq(find(call.name).unwrap(), call), "{} is there twice", call.name);
+        for (set, call) in SETS.iter().flat_map(|(set, calls)| calls.iter().map(move |call| (*set, call))) {
+            let found = if set == CENTROID { find_centroid(call.name) } else { find(call.name) };
+            assert!(std::ptr::eq(found.unwrap(), call), "{} is there twice", call.name);
             let mut names: Vec<&str> = call.arguments.iter().map(|argument| argument.name).collect();
             names.sort_unstable();
             let all = names.len();

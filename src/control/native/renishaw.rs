@@ -1,6 +1,6 @@
 //! Renishaw's macros, and those of Haas that call them.
 
-use super::{Argument, Call, Mark, Unit, angle, length, plain};
+use super::{Argument, Call, Mark, angle, feed, length, plain};
 
 /// Letters of every measuring macro. Given only where they are wanted: a letter that is there may stop the program.
 const SHARED: [Argument; 10] = [
@@ -9,9 +9,9 @@ const SHARED: [Argument; 10] = [
     length("M", "tolerance of the position, the whole zone: half of it to each side"),
     angle("B", "tolerance of the angle"),
     plain("T", "tool offset that is corrected"),
-    plain("F", "share of the error that the correction takes, 0 to 1"),
+    plain("F", "share of the error that the correction takes").within(0.0, 1.0),
     length("V", "error up to which nothing is corrected"),
-    plain("W", "prints: 1 the next feature, 2 the next part"),
+    plain("W", "prints: 1 the next feature, 2 the next part").within(1.0, 2.0),
     plain("S", "work offset that is written: 1 to 6 for G54 to G59"),
     length("U", "error above which the program stops"),
 ];
@@ -32,20 +32,16 @@ const fn moves(name: &'static str, title: &'static str, arguments: &'static [Arg
 const X: Argument = length("X", "place along X");
 const Y: Argument = length("Y", "place along Y");
 const Z: Argument = length("Z", "place along Z");
-const PLACES: [Argument; 5] = [
-    X,
-    Y,
-    Z,
-    Argument { name: "F", meaning: "feed", unit: Unit::Feed },
-    plain("M", "1: a contact sets a flag and does not stop"),
-];
+const PLACES: [Argument; 5] =
+    [X, Y, Z, feed("F", "feed"), plain("M", "1: a contact sets a flag and does not stop").within(1.0, 1.0)];
 const SURFACE: [Argument; 3] = [
     length("X", "place of the surface along X"),
     length("Y", "place of the surface along Y"),
     length("Z", "place of the surface along Z"),
 ];
-const WIDTHS: [Argument; 4] = [length("X", "width along X"), length("Y", "width along Y"), HEIGHT, CLEARANCE];
-const ROUND: [Argument; 3] = [length("D", "diameter"), HEIGHT, CLEARANCE];
+const WIDTHS: [Argument; 4] =
+    [length("X", "width along X").positive(), length("Y", "width along Y").positive(), HEIGHT, CLEARANCE];
+const ROUND: [Argument; 3] = [length("D", "diameter").positive(), HEIGHT, CLEARANCE];
 const CORNER: [Argument; 4] = [
     length("X", "place of the wall across X"),
     length("Y", "place of the wall across Y"),
@@ -56,29 +52,33 @@ const THREE: [Argument; 6] = [
     angle("A", "direction of the first touch"),
     angle("B", "direction of the second touch; in this macro no tolerance"),
     angle("C", "direction of the third touch"),
-    length("D", "diameter"),
+    length("D", "diameter").positive(),
     HEIGHT,
     CLEARANCE,
 ];
 const WALL: [Argument; 4] = [
     length("X", "place of the wall along X"),
     length("Y", "place of the wall along Y"),
-    length("D", "distance of the two touches"),
+    length("D", "distance of the two touches").positive(),
     angle("A", "nominal angle; 90 for a wall across X and 0 for one across Y unless it is given"),
 ];
 const PITCH: [Argument; 7] = [
     angle("A", "direction of the first hole"),
     plain("B", "number of holes; in this macro no tolerance"),
-    length("C", "pitch diameter"),
-    length("D", "diameter of the holes"),
+    length("C", "pitch diameter").positive(),
+    length("D", "diameter of the holes").positive(),
     length("K", "absolute height of the touches, in holes"),
     HEIGHT,
     CLEARANCE,
 ];
 const TURNED: [Argument; 2] =
     [angle("A", "direction of the touch, from X+"), length("D", "distance from the start to the surface along that direction")];
-const TURNED_WIDTH: [Argument; 4] =
-    [angle("A", "angle of the wall's line; the touches are at 90 degrees to it"), length("D", "width"), HEIGHT, CLEARANCE];
+const TURNED_WIDTH: [Argument; 4] = [
+    angle("A", "angle of the wall's line; the touches are at 90 degrees to it"),
+    length("D", "width").positive(),
+    HEIGHT,
+    CLEARANCE,
+];
 const BETWEEN: [Argument; 5] = [
     length("X", "distance along X"),
     length("Y", "distance along Y"),
@@ -122,14 +122,10 @@ pub static CALLS: [Call; 22] = [
         excludes: &[("S", "T"), ("T", "M"), ("S", "H")],
         ..measures("G65 P9811", "single surface", &SURFACE)
     },
-    Call {
-        needs: &["X Y"],
-        excludes: &[("X", "Y"), ("S", "T"), ("T", "M"), ("S", "H")],
-        ..measures("G65 P9812", "web or slot", &WIDTHS)
-    },
+    Call { needs: &["X Y"], excludes: &[("X", "Y")], ..measures("G65 P9812", "web or slot", &WIDTHS) },
     Call { needs: &["D"], ..measures("G65 P9814", "hole or boss, four touches", &ROUND) },
-    Call { needs: &["X", "Y"], ..measures("G65 P9815", "inside corner", &CORNER) },
-    Call { needs: &["X", "Y"], ..measures("G65 P9816", "outside corner", &CORNER) },
+    Call { needs: &["X", "Y"], excludes: &[("X", "H")], ..measures("G65 P9815", "inside corner", &CORNER) },
+    Call { needs: &["X", "Y"], excludes: &[("X", "H")], ..measures("G65 P9816", "outside corner", &CORNER) },
     Call {
         excludes: &[("X", "Y")],
         needs: &["X Y"],
@@ -151,7 +147,10 @@ pub static CALLS: [Call; 22] = [
     Call { needs: &["A", "B", "C", "D"], ..measures("G65 P9823", "hole or boss, three touches", &THREE) },
     moves("G65 P9832", "switches the probe on", &[]),
     moves("G65 P9833", "switches the probe off", &[]),
-    measures("G65 P9834", "from feature to feature; alone it keeps the last one", &BETWEEN),
+    Call {
+        excludes: &[("S", "T"), ("T", "M"), ("S", "H"), ("Z", "X"), ("Z", "Y"), ("A", "X"), ("A", "Y")],
+        ..measures("G65 P9834", "from feature to feature; alone it keeps the last one", &BETWEEN)
+    },
     moves("G65 P9835", "corrects a tool by the mean of several parts", &MEAN),
     Call { needs: &["X Y", "D"], excludes: &[("X", "Y")], ..measures("G65 P9843", "angle of a wall, two touches", &WALL) },
 ];
@@ -171,7 +170,7 @@ const EDITION: [Argument; 5] = [
         "what: 1 bore, 2 boss, 3 slot, 4 web, 5 to 9 surface in X+, X−, Y+, Y−, Z, 10 calibration, 12 and 13 tool, 14 and 15 corner in- and outside, 16 middle of a block, 17 and 18 vice, 19 to 25 tools",
     ),
     plain("S", "work offset that is written: 54 to 59, 110 to 155"),
-    length("D", "diameter"),
+    length("D", "diameter").positive(),
     length("Z", "way down, negative"),
     plain("B", "corner, 1 to 4"),
 ];

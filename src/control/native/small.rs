@@ -1,6 +1,6 @@
 //! Calls of smaller controls.
 
-use super::{Argument, Call, Mark, Unit, angle, length, plain};
+use super::{Argument, Call, Mark, angle, feed, length, plain};
 
 const MACROS: &str = "the maker's own macro set for a CAM system";
 
@@ -91,8 +91,8 @@ const RADII: [Argument; 14] = [
     length("H", "way down before probing"),
     length("C", "clearance"),
     angle("Q", "angle that is added to the one in force"),
-    Argument { name: "F", meaning: "feed of the touches", unit: Unit::Feed },
-    Argument { name: "K", meaning: "feed of the way between", unit: Unit::Feed },
+    feed("F", "feed of the touches"),
+    feed("K", "feed of the way between"),
     plain("L", "how often the last touch is repeated"),
     length("R", "way back from a touch"),
     plain("S", "1: the place becomes the origin"),
@@ -112,4 +112,68 @@ pub static CARVERA: [Call; 7] = [
     carvera("M464", "outside corner", &["X", "Y"]),
     carvera("M465", "angle of a wall, two touches", &["X Y"]),
     carvera("M466", "single axis", &["X Y Z"]),
+];
+
+const AXIS: Argument = plain("A", "axis: 1 X, 2 Y, 3 Z").within(1.0, 3.0);
+const BOTH: Argument = plain("C", "1: both axes, one after the other").within(1.0, 1.0);
+const SEARCH: Argument = length("Q", "how far the touch searches behind the nominal surface");
+const DOWN: Argument = length("Z", "height of the touches, absolute: to go down beside it");
+const ASIDE: Argument = length("R", "side clearance; negative: inside, over an island");
+const ALONG_X: Argument = length("X", "surface or width along X");
+const ALONG_Y: Argument = length("Y", "surface or width along Y");
+const PLACES: [Argument; 7] = [
+    plain("A", "1: X is given").within(1.0, 1.0),
+    plain("B", "2: Y is given").within(2.0, 2.0),
+    plain("C", "3: Z is given").within(3.0, 3.0),
+    length("X", "place along X"),
+    length("Y", "place along Y"),
+    length("Z", "place along Z"),
+    feed("F", "feed"),
+];
+const ONE: [Argument; 5] = [AXIS, ALONG_X, ALONG_Y, length("Z", "surface across Z"), SEARCH];
+const WIDTH: [Argument; 7] = [AXIS, BOTH, ALONG_X, ALONG_Y, SEARCH, DOWN, ASIDE];
+const ROUND: [Argument; 4] = [length("D", "diameter").positive(), SEARCH, DOWN, ASIDE];
+const WALLS: [Argument; 3] = [length("X", "place of the wall across X"), length("Y", "place of the wall across Y"), SEARCH];
+const SLOPE: [Argument; 6] = [
+    AXIS,
+    ALONG_X,
+    ALONG_Y,
+    length("D", "distance of the two touches").positive(),
+    SEARCH,
+    angle("B", "tolerance of the angle"),
+];
+const OFFSETS: [Argument; 1] =
+    [plain("S", "work offset that is written: 1 to 6, of the largest edition to 18").within(1.0, 18.0)];
+
+const fn centroid(
+    name: &'static str,
+    title: &'static str,
+    arguments: &'static [Argument],
+    needs: &'static [&'static str],
+) -> Call {
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &OFFSETS,
+        needs,
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: "the documentation of the macros, which must be installed",
+    }
+}
+
+/// Numbers of Renishaw's macros, and other meanings: a letter names the axis, and a slot and a hole have numbers of their own.
+pub static CENTROID: [Call; 11] = [
+    centroid("G65 P9810", "protected positioning move", &PLACES, &["X Y Z"]),
+    centroid("G65 P9811", "single surface", &ONE, &["A", "X Y Z"]),
+    centroid("G65 P9812", "web, or with C1 a block", &WIDTH, &["A", "X Y"]),
+    centroid("G65 P9813", "slot, or with C1 a rectangular pocket", &WIDTH, &["A", "X Y"]),
+    centroid("G65 P9814", "boss", &ROUND, &["D"]),
+    centroid("G65 P9815", "inside corner", &WALLS, &["X", "Y"]),
+    centroid("G65 P9816", "outside corner", &WALLS, &["X", "Y"]),
+    centroid("G65 P9817", "hole", &ROUND, &["D"]),
+    centroid("G65 P9843", "angle of a wall, two touches", &SLOPE, &["A", "X Y", "D"]),
+    centroid("G65 P9832", "switches the probe on", &[], &[]),
+    centroid("G65 P9833", "switches the probe off, and shows the error", &[], &[]),
 ];

@@ -70,6 +70,20 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
     DIALECTS[usize::from(sinumerik)]
 }
 
+/// Whether a program is of a Centroid: by its own codes, or by macros with a letter for the axis.
+pub(super) fn is_centroid(text: &str) -> bool {
+    lines_of(text).take(MOST_LINES).any(|line| {
+        let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];
+        if !code.contains(['M', 'm', '#', 'P', 'p']) {
+            return false;
+        }
+        let code: String = code.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
+        ["M115/", "M116/", "M125/", "M126/", "#9011", "P9813A"].iter().any(|word| code.contains(word))
+            || ["P9810A1X", "P9811A", "P9812A"].iter().any(|word| code.contains(word))
+            || code.contains("P9817D")
+    })
+}
+
 /// A line up to the text in it, with the quote that begins that.
 fn before_text(line: &[u8]) -> &[u8] {
     &line[..memchr::memchr(b'"', line).map_or(line.len(), |at| at + 1)]

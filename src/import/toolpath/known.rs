@@ -6,6 +6,8 @@ use crate::form::{Checker, Level, Value, printable};
 use crate::geom::Vec3;
 use crate::import::toolpath::DIALECTS;
 use crate::job::{FORMAT, JobError, Planned};
+#[cfg(target_arch = "wasm32")]
+use crate::job::{Picture, Projection};
 use crate::text::text;
 
 /// Where a probing move triggers, as a fraction of its way.
@@ -28,6 +30,18 @@ impl Feature {
     /// The part of a job; none of a job with errors.
     pub fn of(job: &Value) -> Option<Self> {
         crate::job::planned(job).map(|planned| Feature(Rc::new(planned)))
+    }
+
+    /// How it is seen, nominal and as it lies.
+    #[cfg(target_arch = "wasm32")]
+    pub fn picture(&self, view: Projection) -> Picture {
+        self.0.picture(view, 1.0)
+    }
+
+    /// Whether it lies off, or has other sizes than the nominal part.
+    #[cfg(target_arch = "wasm32")]
+    pub fn deviates(&self) -> bool {
+        !self.0.job.placement.nominal
     }
 
     /// At which fraction of a straight way, in mm, the job's ball makes contact with it.

@@ -19,6 +19,7 @@ mod known;
 mod macros;
 mod moves;
 mod native;
+mod outline;
 mod reader;
 mod rules;
 mod sinumerik;
@@ -40,6 +41,7 @@ use klartext::Klartext;
 pub use known::{Ask, Feature, Known, Trip};
 use macros::Macros;
 pub use native::{NativeArgument, NativeCall};
+pub use outline::{Heading, outline};
 use reader::{Reader, Touching};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
@@ -107,6 +109,8 @@ pub struct Toolpath {
     pub(crate) start: [f64; 3],
     /// Whether it probes by G38.2 and its kin.
     pub(crate) by_g38: bool,
+    /// Whether it is of a Centroid, whose macros have numbers of Renishaw's.
+    pub(crate) centroid: bool,
 }
 
 impl Toolpath {
@@ -171,6 +175,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         contact: [f64::NAN; 3],
         met: None,
     });
+    reader.path.centroid = guess::is_centroid(text);
     reader.files = files.clone();
     reader.path.start = reader.place;
     reader.log = Some(Log::default());

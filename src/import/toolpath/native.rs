@@ -5,10 +5,11 @@ use serde::Serialize;
 
 use crate::control::heidenhain::read::{Given, assignments};
 use crate::control::iso::lex::number;
-use crate::control::native::{self, Call};
+use crate::control::native::{self, Argument, Call};
 use crate::form::{Value, printable};
 use crate::import::adopt::Called;
 use crate::import::toolpath::Toolpath;
+use crate::num::decimal;
 
 /// So many calls are listed.
 const MOST_CALLS: usize = 10_000;
@@ -48,6 +49,8 @@ pub struct NativeArgument {
     pub meaning: Option<&'static str>,
     /// `length`, `angle`, `feed` or `none`.
     pub unit: Option<&'static str>,
+    /// What the control takes, where that is known: `0 to 1`, `more than 0`.
+    pub range: Option<String>,
 }
 
 /// Lists a call, and gives what it is. `arguments` are names and values, and `place` is where the stylus stands, in the program's units; NaN is not known.
@@ -58,9 +61,10 @@ pub(super) fn listed(
     arguments: Vec<(String, f64)>,
     place: [f64; 3],
 ) -> Option<&'static Call> {
-    let call = native::find(name);
+    let call = if path.centroid { native::find_centroid(name) } else { native::find(name) };
     let metric = path.metric.unwrap_or(true);
-    let job = call.and_then(|call| Called { name: call.name, arguments: &arguments, place, metric }.job());
+    let job =
+        call.filter(|_| !path.centroid).and_then(|call| Called { name: call.name, arguments: &arguments, place, metric }.job());
     if path.calls.len() == MOST_CALLS {
         return call;
     }
@@ -70,6 +74,7 @@ pub(super) fn listed(
             value: (!value.is_nan()).then_some(value),
             meaning: known.map(|argument| argument.meaning),
             unit: known.map(|argument| argument.unit.word()),
+            range: known.and_then(Argument::range_words),
             name,
         }
     };
@@ -93,7 +98,12 @@ fn contradictions(call: &Call, arguments: &[NativeArgument]) -> Vec<String> {
     let both = call.excludes.iter().filter(|(a, b)| given(a) && given(b));
     let missing = call.needs.iter().filter(|names| !names.split(' ').any(given));
     let both = both.map(|(a, b)| format!("{a} and {b} exclude each other"));
-    both.chain(missing.map(|names| format!("{} is missing", names.replace(' ', " or ")))).collect()
+    let outside = arguments.iter().filter_map(|given| {
+        let (known, value) = (call.argument(&given.name)?, given.value?);
+        let range = known.range_words().filter(|_| !known.takes(value))?;
+        Some(format!("{} is {}: {range} is possible", given.name, decimal(value, 4)))
+    });
+    both.chain(missing.map(|names| format!("{} is missing", names.replace(' ', " or ")))).chain(outside).collect()
 }
 
 /// The letters and values of a block behind its first word: `G65 P9814 D25. Z-5.`

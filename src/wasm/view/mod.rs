@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::border::coded::decoded;
 use crate::geom::{Plane, Vec2, Vec3};
-use crate::import::toolpath::{Known, run_program};
+use crate::import::toolpath::{Feature, Known, run_program};
 use crate::import::{Toolpath, read_program};
 use crate::job;
 use crate::view::Legend;
@@ -71,11 +71,21 @@ struct Shown {
     content: Content,
 }
 
+impl Shown {
+    /// Whether the part lies off, or has other sizes.
+    fn deviates(&self) -> bool {
+        match &self.content {
+            Content::Job(held) => held.deviates,
+            Content::Program(_, part) => part.as_ref().is_some_and(Feature::deviates),
+        }
+    }
+}
+
 /// What a scene is of.
 #[derive(Debug)]
 enum Content {
     Job(Box<Held>),
-    Program(Rc<Toolpath>),
+    Program(Rc<Toolpath>, Option<Feature>),
 }
 
 /// The job that is shown.
@@ -203,7 +213,7 @@ impl View {
         if !crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM) {
             return;
         }
-        self.show_moves(read_program(text, None));
+        self.show_moves(read_program(text, None), None);
     }
 
     /// The same of a program that is run with what is known, coded; a text that is too long, or what is known wrongly, leaves the picture as it is.
@@ -212,7 +222,7 @@ impl View {
         let value = decoded(codes, known);
         let fits = crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM);
         if let Some(known) = Known::of(&value).ok().filter(|_| fits) {
-            self.show_moves(run_program(text, &known));
+            self.show_moves(run_program(text, &known), known.feature);
         }
     }
 
@@ -364,8 +374,9 @@ impl View {
 }
 
 impl View {
-    fn show_moves(&mut self, path: Toolpath) {
-        self.shown = Some(self.of_program(Rc::new(path)));
+    /// Shows the moves of a program, and the part that it is run on.
+    fn show_moves(&mut self, path: Toolpath, part: Option<Feature>) {
+        self.shown = Some(self.of_program(Rc::new(path), part));
         self.measured.clear();
         self.fit();
     }
@@ -406,7 +417,7 @@ impl View {
     fn rebuild(&mut self) {
         self.shown = self.shown.take().map(|shown| match shown.content {
             Content::Job(held) => self.build(held.last),
-            Content::Program(path) => self.of_program(path),
+            Content::Program(path, part) => self.of_program(path, part),
         });
     }
 
@@ -424,7 +435,7 @@ impl View {
         Shown { scene, content: Content::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
     }
 
-    fn of_program(&self, path: Rc<Toolpath>) -> Shown {
+    fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
         let moves = Moves {
             to: &path.to,
@@ -435,14 +446,19 @@ impl View {
             plane: path.plane,
             scale,
         };
-        Shown { scene: program::scene(&moves, self.projection), content: Content::Program(path) }
+        let mut scene = program::scene(&moves, self.projection);
+        if let Some(part) = &part {
+            let seen = part.picture(self.projection).scene;
+            (scene.walls, scene.tops, scene.material) = (seen.walls, seen.tops, seen.material);
+        }
+        Shown { scene, content: Content::Program(path, part) }
     }
 
     /// The job that is shown, where it is one.
     fn held(&self) -> Option<&Held> {
         match &self.shown.as_ref()?.content {
             Content::Job(held) => Some(held),
-            Content::Program(_) => None,
+            Content::Program(..) => None,
         }
     }
 
@@ -484,7 +500,7 @@ impl View {
                 measured: &measured,
                 highlight: self.highlight.filter(|_| self.over.is_none()),
                 part: self.part,
-                deviates: held.is_some_and(|held| held.deviates),
+                deviates: shown.deviates(),
                 field: self.field.as_deref(),
                 names: held.map_or(&[], |held| &held.names),
                 origin: held.map_or("", |held| &held.offset_name),

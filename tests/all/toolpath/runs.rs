@@ -368,6 +368,30 @@ fn a_native_call_says_what_contradicts_in_it() {
     assert_eq!(shown(&run)[1], "6 feed 1 2 -8");
 }
 
+/// A Centroid's macros have numbers of Renishaw's: P9813 is a slot, P9817 a hole, and a letter names the axis. Values that no control takes are said.
+#[test]
+fn a_centroid_is_told_from_a_renishaw() {
+    let calls = |text: &str| {
+        let run = run_program(text, &Known::default());
+        run.calls
+            .iter()
+            .map(|call| format!("{}: {}", call.title.unwrap_or("?"), call.contradictions.join(", ")))
+            .collect::<Vec<_>>()
+    };
+    let begin = "G21 G90 G0 X0. Y0. Z5.\n";
+    assert_eq!(
+        calls(&format!("{begin}G65 P9813 A1 X30. Q5.\nG65 P9817 D25. Q5.\nG65 P9811 A4 X3.\nM30\n")),
+        ["slot, or with C1 a rectangular pocket: ", "hole: ", "single surface: A is 4: 1 to 3 is possible"]
+    );
+    assert_eq!(
+        calls(&format!("{begin}G65 P9817 X30. Z5.\nG65 P9814 D-3. F2.\nM30\n")),
+        [
+            "fourth axis by two touches along X or Y: ",
+            "hole or boss, four touches: D is -3: more than 0 is possible, F is 2: 0 to 1 is possible"
+        ]
+    );
+}
+
 /// What is handed over wrongly is said, all at once, and nothing runs.
 #[test]
 fn what_is_known_is_checked() {
