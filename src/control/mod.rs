@@ -14,6 +14,7 @@ mod moves;
 pub mod native;
 pub mod prove;
 pub mod release;
+pub mod renishaw;
 pub mod rules;
 pub mod safety;
 mod sinumerik;

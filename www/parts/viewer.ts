@@ -77,7 +77,12 @@ class ViewerPart extends DrawnPart {
 
   /** The moves that are shown. */
   private get moves(): ProgramMoves {
-    return this.knows && this.run ? this.run : this.viewed.moves;
+    return this.shown && this.run ? this.run : this.viewed.moves;
+  }
+
+  /** Whether the run is shown: where it knows more than the words, or makes more moves, as those of a control's own macros. */
+  private get shown(): boolean {
+    return this.knows || (this.run?.kind.length ?? 0) > this.viewed.moves.kind.length;
   }
 
   /** Whether anything is known beside the text. */
@@ -255,7 +260,7 @@ class ViewerPart extends DrawnPart {
 
   private show(view: PageView): void {
     const { part: _, ...rest } = this.known;
-    if (this.knows && this.run) view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
+    if (this.shown && this.run) view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
     else view.showProgram(this.viewed.text);
   }
 

@@ -56,11 +56,15 @@ impl Reader {
         self.called_macro = true;
         let place = self.here();
         let name = |p: f64| "G65 P".to_owned() + &crate::num::decimal(p, 0);
-        let arguments = || {
+        let arguments = || -> Vec<(String, f64)> {
             let all = letters(&line[block.begin..]);
             all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()
         };
         match block.p {
+            Some(p) if self.run.is_some() && self.makes_own_moves(p as u32, &arguments()) => {
+                native_call(&mut self.path, self.line, &name(p), arguments(), place);
+                block.elsewhere = true;
+            }
             Some(p @ (9810.0 | 8810.0)) => {
                 native_call(&mut self.path, self.line, &name(p), arguments(), place);
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));

@@ -44,6 +44,11 @@ impl Feature {
         !self.0.job.placement.nominal
     }
 
+    /// The radius of the job's ball, mm.
+    pub(super) fn radius(&self) -> f64 {
+        self.0.job.setup.radius
+    }
+
     /// At which fraction of a straight way, in mm, the job's ball makes contact with it.
     pub(super) fn contact(&self, from: Vec3, to: Vec3) -> Option<f64> {
         let Planned { job, path, surfaces, .. } = &*self.0;

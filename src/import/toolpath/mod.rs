@@ -20,6 +20,7 @@ mod macros;
 mod moves;
 mod native;
 mod outline;
+mod own_path;
 mod reader;
 mod rules;
 mod sinumerik;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::control::iso::lex::{after, head, lines_of, program_number, trimmed, without_count, without_number};
+use crate::control::iso::lex::{after, lines_of, program_number, trimmed, without_count, without_number};
 use crate::form::printable;
 
 /// So many headings are listed.
@@ -22,7 +22,7 @@ pub fn outline(text: &str) -> Vec<Heading> {
     let names = |line: &str| {
         let line = trimmed(line);
         let plain = trimmed(without_count(without_number(line)));
-        let code = &line.as_bytes()[head(line.as_bytes()).end..];
+        let code = plain.as_bytes();
         let (first, named) = (code.first().map(u8::to_ascii_uppercase), |word: &str| after(plain, word).is_some());
         let is = match first {
             Some(b'O') => program_number(code).is_some() || sub(code),

@@ -156,6 +156,9 @@ pub(super) struct Reader {
     pub twice: Count,
     pub aborted: Count,
     pub branches: Count,
+    /// Macros of the control's own whose moves are known, and those that stop with an alarm.
+    pub own_moves: Count,
+    pub stopped: Count,
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,
     /// The line of the first units, where moves stand above it.

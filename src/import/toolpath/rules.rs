@@ -20,12 +20,22 @@ pub(super) struct Log {
     pub conditions: Vec<(usize, usize)>,
     /// Waits that do not say how long.
     pub endless_waits: Vec<usize>,
+    /// Moves that macros of the control's own make: from, up to.
+    pub own: Vec<(usize, usize)>,
     /// Whether units, plane, absolute or incremental places and the kind of feed were stated before the first motion, and its line.
     pub stated: Option<(usize, [bool; 3])>,
     /// Whether places are distances at the end.
     pub left_incremental: bool,
     /// Whether the program came to an end of its own.
     pub ends: bool,
+}
+
+impl Log {
+    /// Whether a macro of the control's own makes a move, and answers for it.
+    fn is_own(&self, index: usize) -> bool {
+        let at = self.own.partition_point(|(_, end)| *end <= index);
+        self.own.get(at).is_some_and(|(begin, _)| *begin <= index)
+    }
 }
 
 /// A probing move of a run.
@@ -86,7 +96,7 @@ pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
         watched(path, log, last),
         missed(path, &touches),
         feeds(&touches),
-        rapids(path, first, last),
+        rapids(path, log, first, last),
         writes(log, last),
         one_write(log),
         plausible(log, last),
@@ -179,7 +189,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     // A contact stops such a move, and the program continues from there.
     let unnoticed = log.touches.iter().filter(|touch| touch.index < last && touch.positions && !touch.asked);
     let (mut bad, mut unknown): (Vec<usize>, Vec<usize>) = (unnoticed.map(|touch| touch.line).collect(), Vec::new());
-    for index in (0..last).filter(|index| path.kind[*index] != PROBE) {
+    for index in (0..last).filter(|index| path.kind[*index] != PROBE && !log.is_own(*index)) {
         match is_free(path, index) {
             Some(true) => {}
             Some(false) => bad.push(path.line[index] as usize),
@@ -245,12 +255,12 @@ fn feeds(touches: &[&Touch]) -> RunRule {
     }
 }
 
-fn rapids(path: &Toolpath, first: usize, last: usize) -> RunRule {
+fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     let tool = path.plane.axes()[2];
     // What is as high as the way to the first touch is above the part.
     let height = (0..=first).map(|index| path.begin(index)[tool]).chain([path.end(first)[tool]]).fold(f64::NAN, f64::max);
     let (mut bad, mut unknown) = (Vec::new(), Vec::new());
-    for index in (first..last).filter(|index| path.kind[*index] == RAPID) {
+    for index in (first..last).filter(|index| path.kind[*index] == RAPID && !log.is_own(*index)) {
         let line = path.line[index] as usize;
         match (is_free(path, index), path.end(index)[tool]) {
             (Some(true), _) => {}

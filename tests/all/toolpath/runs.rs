@@ -392,6 +392,41 @@ fn a_centroid_is_told_from_a_renishaw() {
     );
 }
 
+/// A hole of 40 that lies 0.7 and −0.4 off, run on by P9814 from its nominal middle: where Renishaw's own macros, run the same way, touch it (the places are theirs).
+#[test]
+fn a_macro_of_renishaws_runs_on_a_part_as_the_macro_itself() {
+    let job = r#"{ "format": 1, "stylus": { "diameter": 6 }, "cycle": { "type": "hole", "origin": [0, 0, 10], "diameter": 40, "depth": 20 }, "part": { "offset": [0.7, -0.4, 0] } }"#;
+    let feature = Feature::of(&touchpath::job::from_json(job).unwrap());
+    let text = "O1\nG21 G17 G90\nG0 X0. Y0. Z-5.\nG65 P9814 D40. Q5.\nG65 P9810 Z50. F900.\nM30\n";
+    let run = run_program(text, &Known { feature, ..Known::default() });
+    let contact = |i: usize| run.contacts.iter().find(|contact| contact[0] == i as f64).map(|contact| [contact[1], contact[2]]);
+    let round = |x: f64| (x * 1e3).round() / 1e3 + 0.0;
+    let touches: Vec<([f64; 2], [f64; 2])> = (0..run.len())
+        .filter_map(|i| Some(([places(&run)[i][0], places(&run)[i][1]].map(round), contact(i)?.map(round))))
+        .collect();
+    assert_eq!(
+        touches,
+        [
+            ([0.0, -25.0], [0.0, -17.386]),
+            ([0.0, -25.0], [0.0, -17.386]),
+            ([0.0, 25.0], [0.0, 16.586]),
+            ([0.0, 25.0], [0.0, 16.586]),
+            ([-25.0, -0.4], [-16.3, -0.4]),
+            ([-25.0, -0.4], [-16.3, -0.4]),
+            ([25.0, -0.4], [17.7, -0.4]),
+            ([25.0, -0.4], [17.7, -0.4]),
+        ]
+    );
+    assert_eq!(shown(&run)[2], "4 feed 0 -15.7856 -5", "1.6 back from the first contact");
+    assert_eq!(shown(&run).last().unwrap(), "5 feed 0 0 50");
+    // Without a part each touch ends where the call says the feature is; with none to meet the macro stops the program.
+    let nominal = run_program(text, &Known::default());
+    assert_eq!(nominal.contacts[0][1..], [0.0, -17.0, -5.0]);
+    let nothing = run_program(text, &Known { touch: Trip::Never, ..Known::default() });
+    assert!(nothing.findings.iter().any(|finding| finding.code == "macro-stops"), "{:?}", nothing.findings);
+    assert_eq!(shown(&nothing).len(), 2);
+}
+
 /// What is handed over wrongly is said, all at once, and nothing runs.
 #[test]
 fn what_is_known_is_checked() {

@@ -1,0 +1,423 @@
+//! The moves of each macro, by its arguments and from where the stylus stands: facts of the macros' own behaviour [S].
+
+use super::machine::{Alarm, FAST, Kind, Machine, SEARCH};
+use crate::geom::Vec3;
+
+/// The letters of a call: lengths in mm, angles in degrees.
+pub trait Letters {
+    fn get(&self, letter: char) -> Option<f64>;
+}
+
+impl Letters for [(char, f64)] {
+    fn get(&self, letter: char) -> Option<f64> {
+        self.iter().find(|(known, _)| *known == letter).map(|(_, value)| *value)
+    }
+}
+
+/// How far a touch searches unless Q says it, and how far a touch begins from the surface of the ball unless R does, mm.
+const Q: f64 = 5.0;
+const R: f64 = 5.0;
+/// The same of 9843.
+const Q_ANGLE: f64 = 10.0;
+
+/// The macros whose moves are known, by their numbers.
+pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];
+
+/// Runs a macro: none of a number that is not known here.
+pub fn run(number: u32, letters: &(impl Letters + ?Sized), m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    let call = Call { letters, q: letters.get('Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }) };
+    Some(match number {
+        9810 => call.protected(m),
+        9811 => call.surface(m),
+        9812 => call.width(m),
+        9814 => call.round(m),
+        9815 => call.inside_corner(m),
+        9816 => call.outside_corner(m),
+        9821 => call.turned_surface(m),
+        9822 => call.turned_width(m),
+        9823 => call.three_points(m),
+        9843 => call.wall_angle(m),
+        _ => return None,
+    })
+}
+
+struct Call<'l, L: ?Sized> {
+    letters: &'l L,
+    q: f64,
+}
+
+/// A direction in the plane, by degrees.
+fn direction(degrees: f64) -> Vec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    Vec3::new(cos, sin, 0.0)
+}
+
+/// Whether 9822 touches at A + 90 first: the order changes at 90.
+pub fn first_side(a: f64, outside: bool) -> f64 {
+    let inside = if a < 90.0 { a + 90.0 } else { a - 90.0 };
+    if outside { inside + 180.0 } else { inside }
+}
+
+impl<L: Letters + ?Sized> Call<'_, L> {
+    fn get(&self, letter: char) -> Option<f64> {
+        self.letters.get(letter)
+    }
+
+    fn need(&self, letter: char) -> Result<f64, Alarm> {
+        self.get(letter).ok_or(Alarm::Arguments)
+    }
+
+    /// Z and R of a feature that is gone down beside: the height of the ball's centre, and the clearance from its surface.
+    fn beside(&self, m: &Machine<'_>) -> Option<(f64, f64)> {
+        Some((m.height(self.get('Z')?), self.get('R').unwrap_or(R)))
+    }
+
+    fn protected(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let mut to = m.at;
+        to.x = self.get('X').unwrap_or(to.x);
+        to.y = self.get('Y').unwrap_or(to.y);
+        to.z = self.get('Z').map_or(to.z, |tip| m.height(tip));
+        m.watched(to, self.get('F').unwrap_or(FAST), Alarm::Obstructed)
+    }
+
+    fn surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let given = [self.get('X'), self.get('Y'), self.get('Z').map(|tip| m.height(tip))];
+        let axis = given.iter().position(Option::is_some).filter(|_| given.iter().flatten().count() == 1);
+        let (axis, mut surface) = (axis.ok_or(Alarm::Arguments)?, m.at);
+        surface[axis] = given[axis].unwrap_or(surface[axis]);
+        m.measure(surface, self.q, if axis == 2 { 0.0 } else { m.radius }).map(drop)
+    }
+
+    /// Minus first, then plus; both ends at where it began.
+    fn along(&self, m: &mut Machine<'_>, axis: usize, size: f64) -> Result<f64, Alarm> {
+        let start = m.at;
+        let (at, beside) = (
+            |off: f64, height: f64| {
+                let mut place = start;
+                (place[axis], place.z) = (start[axis] + off, height);
+                place
+            },
+            self.beside(m),
+        );
+        let mut sum = 0.0;
+        for side in [-1.0, 1.0] {
+            if let Some((height, clearance)) = beside {
+                let radius = if clearance > 0.0 { m.radius } else { -m.radius };
+                let off = side * (size / 2.0 + radius + clearance);
+                m.watched(at(off, start.z), FAST, Alarm::Unexpected)?;
+                m.watched(at(off, height), SEARCH, Alarm::Unexpected)?;
+            }
+            let height = m.at.z;
+            sum += m.measure(at(side * size / 2.0, height), self.q, m.radius)?[axis];
+            let up = Vec3::new(m.at.x, m.at.y, start.z);
+            m.plain(up, Kind::Rapid)?;
+            // After the first side straight back over the middle, after the second at the very end.
+            if side < 0.0 {
+                m.plain(start, Kind::Rapid)?;
+            }
+        }
+        m.plain(start, Kind::Rapid)?;
+        Ok(sum / 2.0)
+    }
+
+    fn width(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let (axis, size) = match (self.get('X'), self.get('Y')) {
+            (Some(x), None) => (0, x),
+            (None, Some(y)) => (1, y),
+            _ => return Err(Alarm::Arguments),
+        };
+        self.along(m, axis, size).map(drop)
+    }
+
+    /// Y first, then X through the middle that was found.
+    fn round(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let (size, start) = (self.need('D')?, m.at);
+        let middle = self.along(m, 1, size)?;
+        m.plain(Vec3::new(start.x, middle, start.z), Kind::Rapid)?;
+        self.along(m, 0, size)?;
+        m.plain(start, Kind::Rapid)
+    }
+
+    /// The first touch of a wall at the start, or at `first`; with a step a second one, away from the corner.
+    fn wall(
+        &self,
+        m: &mut Machine<'_>,
+        (axis, place): (usize, f64),
+        step: Option<f64>,
+        first: Option<f64>,
+    ) -> Result<(), Alarm> {
+        let (start, across) = (m.at, 1 - axis);
+        let mut at = start;
+        if let Some(first) = first {
+            at[across] = first;
+            m.watched(at, FAST, Alarm::Unexpected)?;
+        }
+        let touch = |m: &mut Machine<'_>| {
+            let mut surface = m.at;
+            surface[axis] = place;
+            m.measure(surface, self.q, m.radius)
+        };
+        touch(m)?;
+        if let Some(step) = step {
+            at[across] += step;
+            m.watched(at, FAST, Alarm::Unexpected)?;
+            touch(m)?;
+        }
+        m.plain(start, Kind::Back)
+    }
+
+    fn corner(&self, m: &mut Machine<'_>, outside: bool) -> Result<(), Alarm> {
+        let (x, y, start) = (self.need('X')?, self.need('Y')?, m.at);
+        let (first_x, first_y) = (2.0 * x - start.x, 2.0 * y - start.y);
+        // From inside away from the corner is where the start lies, from outside the other side.
+        let sign = |wall: f64, start: f64| if (start > wall) == outside { -1.0 } else { 1.0 };
+        let step = |letter: char, wall: f64, start: f64| self.get(letter).map(|step| step.abs() * sign(wall, start));
+        self.wall(m, (0, x), step('J', y, start.y), outside.then_some(first_y))?;
+        self.wall(m, (1, y), step('I', x, start.x), outside.then_some(first_x))
+    }
+
+    fn inside_corner(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        self.corner(m, false)
+    }
+
+    fn outside_corner(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        self.corner(m, true)
+    }
+
+    fn turned_surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let (a, d) = (self.need('A')?, self.need('D')?);
+        m.measure(m.at + direction(a) * d, self.q, m.radius).map(drop)
+    }
+
+    /// Out to a side, down, a touch, up and back. Beside a feature Q counts from the nominal contact of the ball's centre, and not from the surface.
+    fn side(&self, m: &mut Machine<'_>, a: f64, size: f64) -> Result<(), Alarm> {
+        let start = m.at;
+        let (mut towards, mut way, mut before) = (direction(a), size / 2.0, m.radius);
+        if let Some((height, clearance)) = self.beside(m) {
+            let radius = if clearance < 0.0 { -m.radius } else { m.radius };
+            let aside = start + towards * (size / 2.0 + radius + clearance);
+            m.watched(aside, FAST, Alarm::Unexpected)?;
+            m.watched(aside.with_z(height), SEARCH, Alarm::Unexpected)?;
+            (way, before) = (clearance.abs(), 0.0);
+            if clearance >= 0.0 {
+                towards = -towards;
+            }
+        }
+        m.measure(m.at + towards * way, self.q, before)?;
+        m.plain(m.at.with_z(start.z), Kind::Back)?;
+        m.plain(start, Kind::Back)
+    }
+
+    fn turned_width(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let (a, size) = (self.need('A')?, self.need('D')?);
+        let outside = self.get('Z').is_some() && self.get('R').is_none_or(|r| r >= 0.0);
+        let first = first_side(a, outside);
+        self.side(m, first, size)?;
+        self.side(m, first + 180.0, size)
+    }
+
+    fn three_points(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let size = self.need('D')?;
+        for letter in ['A', 'B', 'C'] {
+            self.side(m, self.need(letter)?, size)?;
+        }
+        Ok(())
+    }
+
+    /// Plus first, along the wall as it nominally runs, then minus.
+    fn wall_angle(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
+        let (start, half) = (m.at, self.need('D')? / 2.0);
+        let (axis, place) = match (self.get('X'), self.get('Y')) {
+            (Some(x), None) => (0, x),
+            (None, Some(y)) => (1, y),
+            _ => return Err(Alarm::Arguments),
+        };
+        let a = self.get('A').unwrap_or([90.0, 0.0][axis]);
+        let slope = if axis == 0 { (90.0 - a).to_radians().tan() } else { a.to_radians().tan() };
+        for side in [1.0, -1.0] {
+            let mut off = Vec3::ZERO;
+            (off[axis], off[1 - axis]) = (side * slope * half, side * half);
+            m.watched(start + off, FAST, Alarm::Obstructed)?;
+            let mut surface = start + off;
+            surface[axis] = place + off[axis];
+            m.measure(surface, self.q, m.radius)?;
+        }
+        m.plain(start, Kind::Rapid)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::machine::Met;
+    use super::*;
+
+    /// The moves of a call on what answers, by hand: kind, place, contact.
+    fn made(
+        number: u32,
+        letters: &[(char, f64)],
+        at: [f64; 3],
+        mut answers: impl FnMut(Vec3, Vec3) -> Option<Vec3>,
+    ) -> Vec<String> {
+        let mut meets = |from, to, _: Option<Vec3>| answers(from, to).map(|center| Met { center, surface: 0, edge: false });
+        let mut m = Machine::new(at.into(), 3.0, 3.0, &mut meets);
+        let end = run(number, letters, &mut m).expect("known");
+        let place = |v: Vec3| v.to_array().map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0)).join(" ");
+        let row = |made: &super::super::machine::Made| {
+            let contact = made.met.map_or_else(String::new, |met| format!(" at {}", place(met.center)));
+            format!("{:?} {}{contact}", made.kind, place(made.to))
+        };
+        let rows = m.made.iter().map(row);
+        let alarm = end.err().map(|alarm| format!("{alarm:?}"));
+        rows.chain(alarm).collect()
+    }
+
+    /// A wall across X: the ball's centre comes to `limit`, from below it.
+    fn wall(limit: f64) -> impl Fn(Vec3, Vec3) -> Option<Vec3> {
+        move |from: Vec3, to: Vec3| {
+            let part = (limit - from.x) / (to.x - from.x);
+            (from.x < limit - 1e-9 && to.x > limit).then(|| from + (to - from) * part)
+        }
+    }
+
+    /// P9811 X40 Q2 from X30 with a ball of 6: the search ends 2 behind the surface, by the ball's centre; contact at 37; 1.6 back; again.
+    #[test]
+    fn a_surface_is_touched_twice() {
+        let rows = made(9811, &[('X', 40.0), ('Q', 2.0)], [30.0, 5.0, -4.0], wall(37.0));
+        assert_eq!(rows, ["Search 42 5 -4 at 37 5 -4", "Back 35.4 5 -4", "Measure 42 5 -4 at 37 5 -4", "Back 30 5 -4",]);
+        assert_eq!(made(9811, &[('X', 40.0), ('Q', 2.0)], [30.0, 5.0, -4.0], |_, _| None).last().unwrap(), "NotFound");
+        assert_eq!(made(9811, &[('X', 40.0)], [36.96, 5.0, -4.0], wall(37.0)).last().unwrap(), "Unexpected");
+        assert_eq!(made(9811, &[('X', 40.0), ('Y', 1.0)], [0.0; 3], |_, _| None), ["Arguments"]);
+    }
+
+    /// A web of 30 along Y, from 12 above: out by 15 + 3 + 4, down to the tip's Z−8 (the ball's centre at −5), in, up, over, the other side.
+    #[test]
+    fn a_web_is_gone_down_beside() {
+        let faces = |from: Vec3, to: Vec3| {
+            let side = from.y.signum();
+            (to.z < 0.0 && (to.y * side) < 18.0 && from.y.abs() > 18.0 + 1e-9)
+                .then(|| from + (to - from) * ((18.0 - from.y.abs()) / (to.y * side - from.y.abs())))
+        };
+        let rows = made(9812, &[('Y', 30.0), ('Z', -8.0), ('R', 4.0), ('Q', 1.0)], [2.0, 0.0, 12.0], faces);
+        assert_eq!(
+            rows,
+            [
+                "Watched 2 -22 12",
+                "Watched 2 -22 -5",
+                "Search 2 -14 -5 at 2 -18 -5",
+                "Back 2 -19.6 -5",
+                "Measure 2 -14 -5 at 2 -18 -5",
+                "Back 2 -22 -5",
+                "Rapid 2 -22 12",
+                "Rapid 2 0 12",
+                "Watched 2 22 12",
+                "Watched 2 22 -5",
+                "Search 2 14 -5 at 2 18 -5",
+                "Back 2 19.6 -5",
+                "Measure 2 14 -5 at 2 18 -5",
+                "Back 2 22 -5",
+                "Rapid 2 22 12",
+                "Rapid 2 0 12",
+            ]
+        );
+    }
+
+    /// A hole of 20 whose middle lies at Y+1: Y first, then X through the middle that was found.
+    #[test]
+    fn the_second_pair_of_a_hole_runs_through_the_found_middle() {
+        // The ball's centre stays within a circle of 7 about (0, 1).
+        let circle = |from: Vec3, to: Vec3| {
+            let (a, b) = (from - Vec3::new(0.0, 1.0, from.z), to - from);
+            let (aa, ab, bb) = (a.dot(a) - 49.0, a.dot(b), b.dot(b));
+            let t = (-ab + (ab * ab - aa * bb).sqrt()) / bb;
+            (bb > 0.0 && (0.0..1.0).contains(&t)).then(|| from + b * t)
+        };
+        let rows = made(9814, &[('D', 20.0), ('Q', 3.0)], [0.0, 0.0, -5.0], circle);
+        let contacts: Vec<&String> = rows.iter().filter(|row| row.starts_with("Measure")).collect();
+        assert_eq!(
+            contacts,
+            [
+                "Measure 0 -13 -5 at 0 -6 -5",
+                "Measure 0 13 -5 at 0 8 -5",
+                "Measure -13 1 -5 at -7 1 -5",
+                "Measure 13 1 -5 at 7 1 -5"
+            ]
+        );
+        assert_eq!(rows.last().unwrap(), "Rapid 0 0 -5");
+    }
+
+    /// Inside corner at (10, 20), start at (30, 35): X first, the second touch by J away; an outside corner begins behind the mirrored start.
+    #[test]
+    fn corners_step_away_from_the_corner() {
+        // The ball's centre comes to these places across the walls, from either side.
+        let contact = |planes: [f64; 2]| {
+            move |from: Vec3, to: Vec3| {
+                let axis = (0..2).find(|&axis| (from[axis] - planes[axis]) * (to[axis] - planes[axis]) < -1e-9)?;
+                Some(from + (to - from) * ((planes[axis] - from[axis]) / (to[axis] - from[axis])))
+            }
+        };
+        let touches = |number: u32, at: [f64; 3], planes: [f64; 2]| {
+            let rows = made(number, &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)], at, contact(planes));
+            rows.into_iter()
+                .filter(|row| row.starts_with("Search"))
+                .map(|row| row.split(" at").next().unwrap().to_owned())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            touches(9815, [30.0, 35.0, 0.0], [13.0, 23.0]),
+            ["Search 9 35 0", "Search 9 43 0", "Search 30 19 0", "Search 37 19 0"]
+        );
+        // From outside, left of and below the corner: the first touches are as far behind it as the start is in front.
+        let planes = |from: Vec3, to: Vec3| {
+            // Along X above the corner, along Y right of it.
+            let free = from.y.max(to.y) < 17.0 || from.x.max(to.x) < 7.0;
+            (!free).then(|| contact([7.0, 17.0])(from, to)).flatten()
+        };
+        let rows = made(9816, &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)], [-7.0, 5.0, 0.0], planes);
+        let own: Vec<&str> = rows
+            .iter()
+            .filter(|row| !row.starts_with("Back") && !row.starts_with("Measure"))
+            .map(|row| row.split(" at").next().unwrap())
+            .collect();
+        assert_eq!(
+            own,
+            [
+                "Watched -7 35 0",
+                "Search 11 35 0",
+                "Watched -7 43 0",
+                "Search 11 43 0",
+                "Watched 27 5 0",
+                "Search 27 21 0",
+                "Watched 34 5 0",
+                "Search 34 21 0"
+            ]
+        );
+    }
+
+    /// A wall line at 30 degrees: A < 90 touches at 120 first, from 90 on at A − 90; beside a web the other way round.
+    #[test]
+    fn the_order_of_a_turned_width_changes_at_90() {
+        assert_eq!([first_side(30.0, false), first_side(89.999, false), first_side(90.0, false)], [120.0, 179.999, 0.0]);
+        assert_eq!(first_side(30.0, true), 300.0);
+        let rows = made(9822, &[('A', 0.0), ('D', 10.0), ('Q', 2.0)], [0.0; 3], |from: Vec3, to: Vec3| {
+            (to.y.abs() > 2.0 && from.y.abs() < 2.0).then(|| Vec3::new(0.0, 2.0 * to.y.signum(), 0.0))
+        });
+        assert_eq!(rows[0], "Search 0 7 0 at 0 2 0");
+        // With Z and R inside, Q counts from the contact of the ball's centre: 5 − 3 − 1 = 1 out, 1 to the contact at 2, 2 more.
+        let rows = made(9822, &[('A', 0.0), ('D', 10.0), ('Q', 2.0), ('Z', -9.0), ('R', -1.0)], [0.0; 3], |_, _| None);
+        assert_eq!(rows[..3], ["Watched 0 1 0", "Watched 0 1 -6", "Search 0 4 -6"]);
+    }
+
+    /// A wall across X that runs at 90 − atan(0.1): the second touches begin a step aside along it.
+    #[test]
+    fn a_wall_angle_begins_on_the_plus_side() {
+        let rows = made(9843, &[('Y', 10.0), ('D', 20.0), ('Q', 3.0), ('A', 45.0)], [0.0; 3], |_, to: Vec3| {
+            (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0))
+        });
+        assert_eq!(rows[..2], ["Watched 10 10 0 at 10 7 0", "Obstructed"]);
+        let rows = made(9843, &[('Y', 10.0), ('D', 20.0), ('Q', 3.0)], [0.0; 3], |_, to: Vec3| {
+            (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0))
+        });
+        let watched: Vec<&String> = rows.iter().filter(|row| row.starts_with("Watched") || row.starts_with("Search")).collect();
+        assert_eq!(watched, ["Watched 10 0 0", "Search 10 13 0 at 10 7 0", "Watched -10 0 0", "Search -10 13 0 at -10 7 0"]);
+    }
+}
