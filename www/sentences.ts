@@ -82,7 +82,8 @@ export function resultInWords(store: Store, { code, said }: ResultRow): string {
 /** How many moves the path of the plan has, and its length. */
 export function pathInWords(store: Store): string {
   const { moves, length } = store.plan;
-  return store.t("{count} moves · {length}", moves.length, `${length.toFixed(0)} ${store.units}`);
+  const words = store.t("{count} moves · {length}", moves.length, `${length.toFixed(0)} ${store.units}`);
+  return store.plan.program.own ? `${words} · ${store.t("the control's own cycles")}` : words;
 }
 
 /** The run of the plan in a line: moves, length, minutes and seconds. */

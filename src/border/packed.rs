@@ -171,6 +171,7 @@ rows! {
         move_lines: numbers,
         writes: texts,
         said: said,
+        own: yes,
     }
     proof(ProofRow) { moves: count, touches: count, arithmetic: yes }
     result(ResultRow) {
@@ -186,6 +187,7 @@ rows! {
         said.verdict: said_or_none,
         truth: optional,
         said.note: said_or_none,
+        stored: text_or_none,
     }
     finding(Finding) { level: level, code: text, path: text, said: said }
     safety(SafetyRow) { rule: text, holds: flag, said: said, lines: counts, about: counts }

@@ -12,6 +12,7 @@ pub mod iso;
 mod linuxcnc;
 mod moves;
 pub mod native;
+pub mod own;
 pub mod prove;
 pub mod release;
 pub mod renishaw;
@@ -170,6 +171,8 @@ pub struct PostDef {
     pub emit: fn(&Request<'_>) -> Program,
     /// Reads a program of moves back.
     pub read: Option<Reader>,
+    /// Its own cycles, where their path is known.
+    pub own: Option<&'static own::OwnCycles>,
     /// Where its program cannot write a work offset and its user can: the block to type where the program has ended, from what was measured of the
     /// datum (abscissa, ordinate and tool axis, mm) and the number of the work offset.
     pub typed_write: Option<TypedWrite>,
@@ -202,6 +205,7 @@ pub const BASE: PostDef = PostDef {
     check: |_, _| {},
     emit: |_| Program { text: String::new(), move_lines: Vec::new() },
     read: None,
+    own: None,
     typed_write: None,
 };
 
@@ -424,7 +428,7 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
     let tool = AXIS_NAMES[request.plane.axes()[2]];
-    if request.writes().contains(&tool) && request.setup.radius > 0.0 {
+    if request.writes().contains(&tool) && request.setup.radius > 0.0 && request.path.own.is_none() {
         let message = text!(
             "{axis} is written for a tool length that ends at the ball centre: with a length to its tip, the work offset would be {radius} too low",
             tool.to_owned(),

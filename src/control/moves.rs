@@ -117,6 +117,8 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                     computed += 1;
                 }
             }
+            // Of a control's own cycles alone.
+            Purpose::Search(_) => w.leaves_move(),
             Purpose::Back(_) => hooks.back(&mut w, place),
         }
         from = Some(step.to);

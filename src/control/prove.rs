@@ -247,7 +247,7 @@ impl Expected {
         let mut from = request.path.start;
         for (i, step) in request.path.moves.iter().enumerate() {
             let wanted = self.place(match step.purpose {
-                Purpose::Touch(k) => search_end(step, &request.path.touches[k]),
+                Purpose::Touch(k) | Purpose::Search(k) => search_end(step, &request.path.touches[k]),
                 Purpose::Position | Purpose::Back(_) => step.to,
             });
             let mut first = None;
@@ -285,13 +285,13 @@ impl Expected {
     fn step(&self, request: &Request<'_>, (i, step): (usize, &Move), from: Option<Vec3>, made: &Step) -> Result<(), Fault> {
         let number = i + 1;
         let rate = match step.purpose {
-            Purpose::Touch(_) => Some(request.feeds.work),
+            Purpose::Touch(_) | Purpose::Search(_) => Some(request.feeds.work),
             Purpose::Position | Purpose::Back(_) => (request.post.rate)(request, from, step),
         };
         let way = (0..3).map(|axis| (made.to[axis] - made.from[axis]).powi(2)).sum::<f64>().sqrt() * self.scale;
         let plain = if made.feed.is_some() { Kind::Feed } else { Kind::Rapid };
         let wanted = match step.purpose {
-            Purpose::Touch(_) => Kind::Touch,
+            Purpose::Touch(_) | Purpose::Search(_) => Kind::Touch,
             Purpose::Back(_) => plain,
             Purpose::Position if !(request.protected && request.post.watches) => plain,
             // Too short for a probe move.

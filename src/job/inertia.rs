@@ -90,12 +90,12 @@ fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Mov
 
 /// The path of the job's field that says a feed.
 fn field_of(path: &Path, feed: Feed) -> &'static str {
-    match (path.feeds.is_some(), feed) {
+    match (path.feeds.is_some() && path.own.is_none(), feed) {
         (true, Feed::Work) => "cycle.probe.feed",
         (true, _) => "cycle.probe.rapid",
         (false, Feed::Approach) => "feeds.approach",
         (false, Feed::LongLink) => "feeds.longLink",
-        (false, Feed::Work) => "feeds.work",
+        (false, Feed::Work | Feed::Search) => "feeds.work",
         (false, Feed::Retract) => "feeds.retract",
         (false, Feed::Return) => "feeds.return",
         (false, Feed::Rapid) => "feeds",

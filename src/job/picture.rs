@@ -24,7 +24,7 @@ pub struct Picture {
 impl Planned {
     /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is.
     pub fn picture(&self, view: Projection, magnify: f64) -> Picture {
-        let Planned { job, path, surfaces, run } = self;
+        let Planned { job, path, surfaces, run, .. } = self;
         let rigid = &job.placement.rigid;
         let actual = Actual {
             surfaces,

@@ -2,10 +2,13 @@
 
 use std::cell::OnceCell;
 
+use crate::control::own::{OwnCycles, OwnRequest, Refused};
 use crate::control::release::{Refusal, release};
+use crate::control::renishaw::machine::{Alarm, Met};
+use crate::control::renishaw::macros::PROTECTED_MOVE;
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
-use crate::control::{Form, Header, Request};
+use crate::control::{Form, Header, Report, Request};
 use crate::form::{Checker, Value};
 use crate::formula::{self, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
@@ -18,7 +21,7 @@ use crate::job::stylus::{report_stylus, report_unknown};
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
+use crate::path::{Feature, Feeds, MOST_ASKEW, Own, OwnBlock, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 use crate::text::{Text, text};
 
 /// The surfaces of the actual part where it really lies.
@@ -38,6 +41,63 @@ fn path_of(job: &Job) -> Path {
     path
 }
 
+/// What a ball meets of these surfaces, as the control's own cycles ask.
+fn meets<'s>(surfaces: &'s [Surface], up: Vec3, radius: f64) -> impl Fn(Vec3, Vec3) -> Option<Met> + 's {
+    let obstacles = part::Obstacles::of(surfaces, up);
+    move |from, to| {
+        let contact = obstacles.first_contact(radius, from, to)?;
+        Some(Met { center: contact.center, surface: contact.surface, edge: contact.edge })
+    }
+}
+
+/// The path that the control's own cycles make of a documented one, where a job asks for them; else that one, and why.
+fn own_path(job: &Job, path: Path) -> (Path, Refused) {
+    let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else { return (path, Vec::new()) };
+    let request = OwnRequest {
+        path: &path,
+        setup: &job.setup,
+        feeds: &job.feeds,
+        scale: job.scale,
+        work_offset: job.work_offset,
+        offset: cycles.offset,
+        limits: job.limits,
+        prints: job.report == Report::Log,
+    };
+    let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
+    match own {
+        Ok(own) => (own, Vec::new()),
+        Err(refused) => (path, refused),
+    }
+}
+
+/// Runs the calls of a path on the actual part.
+fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], radius: f64) -> part::Run {
+    let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
+    let mut run =
+        part::Run { triggers: vec![None; path.touches.len()], strays: Vec::new(), edges: Vec::new(), collision: None };
+    // A move that the nominal part does not ask for is none of the path.
+    let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
+    for made in &made {
+        let step = path.moves.get(index(made.count)).filter(|_| own.counts.binary_search(&made.count).is_ok());
+        if let (Some(Purpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met) {
+            run.triggers[k] = Some(met.center);
+            if met.surface != path.touches[k].group {
+                run.strays.push((k, met.surface));
+            }
+            if met.edge {
+                run.edges.push(k);
+            }
+        }
+    }
+    // A touch that meets nothing ends the macro likewise, and is said by itself.
+    if let (Some(alarm), Some(last)) = (alarm, made.last())
+        && alarm != Alarm::NotFound
+    {
+        run.collision = last.met.map(|met| (index(last.count).min(path.moves.len() - 1), met.center));
+    }
+    run
+}
+
 /// Where a job's path runs, and what happens on the actual part. Lengths in mm.
 #[derive(Debug)]
 pub struct Planned {
@@ -47,20 +107,28 @@ pub struct Planned {
     pub surfaces: Vec<Surface>,
     /// The path run on those surfaces.
     pub run: part::Run,
+    /// Why the control's own cycles do not take it; empty where they do, or are not asked for.
+    pub refused: Refused,
 }
 
 impl Planned {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
-        let path = path_of(&job);
+        let (path, refused) = own_path(&job, path_of(&job));
         let surfaces = actual_surfaces(&job, &path);
-        let run = part::run(&path, &surfaces, &job.setup);
-        Planned { job, path, surfaces, run }
+        let run = match (&path.own, job.post.own) {
+            (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
+            _ => part::run(&path, &surfaces, &job.setup),
+        };
+        Planned { job, path, surfaces, run, refused }
     }
 
     /// The parameter table, in the job's units.
     pub fn table(&self) -> Vec<ParameterRow> {
-        let parameters = self.job.cycle.parameters(&self.job.setup, &self.path.touches);
+        // Of the cycle as it is documented, whoever makes it.
+        let documented = self.path.own.as_ref().map(|_| path_of(&self.job));
+        let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
+        let parameters = self.job.cycle.parameters(&self.job.setup, touches);
         parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()
     }
 }
@@ -214,6 +282,24 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
     checker.warning("contact-at-start", if job.placement.nominal { "cycle" } else { "part" }, message);
 }
 
+/// Whose path is shown where cycles of the control's own make it, and that an offset is written in parts.
+fn report_own(job: &Job, path: &Path, checker: &mut Checker) {
+    let Some(own) = &path.own else { return };
+    let calls = own.blocks.iter().filter(|(block, _)| matches!(block, OwnBlock::Call(number, _) if *number != PROTECTED_MOVE));
+    let calls = calls.count();
+    let message = text!(
+        "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, choose the order and their feeds, and write what they measure",
+        calls
+    );
+    checker.info("own-path", "control.form", message);
+    if job.work_offset.is_some() && calls > 1 {
+        let message = text!(
+            "Each call writes its axes of the work offset as soon as it has measured them: an alarm in a later one leaves the offset half written"
+        );
+        checker.warning("offset-in-parts", "control.workOffset", message);
+    }
+}
+
 /// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
 fn report_still(path: &Path, checker: &mut Checker) {
     if matches!(path.feature, Feature::Unmoving) {
@@ -265,6 +351,9 @@ fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
     report_predefined(job, &mut checker);
+    for (code, field, message) in &planned.refused {
+        checker.error(code, field.clone(), message.clone());
+    }
     let feeds = path.feeds.unwrap_or(job.feeds);
     check_path(job, path, &mut checker);
     let runs = !checker.failed();
@@ -280,6 +369,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);
     report_still(path, &mut checker);
+    report_own(job, path, &mut checker);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
     (job.post.check)(&request, &mut checker);
@@ -312,6 +402,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             does: does.english(),
             said: does,
             proof: proof.map(ProofRow::of),
+            own: path.own.is_some(),
         },
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),
         table: Vec::new(),
@@ -400,7 +491,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
 /// What happens on the part. A collision with the drawn one is an error: its program is good for nothing. One with a virtual part that lies elsewhere
 /// is a warning: the program is that of the drawing, and the part a trial.
 fn report_run(planned: &Planned, checker: &mut Checker) {
-    let Planned { job, path, surfaces, run } = planned;
+    let Planned { job, path, surfaces, run, .. } = planned;
     let field = if job.placement.nominal { "cycle" } else { "part" };
     if job.placement.nominal {
         report_stylus(job, path, run, None, checker);
@@ -417,7 +508,15 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         report_collision(path, collision, &run.triggers, field, checker);
         return;
     }
-    report_missed(path, run.triggers.iter().copied().enumerate(), field, checker);
+    // A macro runs no further than the touch that meets nothing.
+    let made = path.moves.iter().filter_map(|step| match step.purpose {
+        Purpose::Search(k) => Some((k, run.triggers[k])),
+        Purpose::Position | Purpose::Touch(_) | Purpose::Back(_) => None,
+    });
+    match path.own.is_some() {
+        true => report_missed(path, made.filter(|(_, trigger)| trigger.is_none()).take(1), field, checker),
+        false => report_missed(path, run.triggers.iter().copied().enumerate(), field, checker),
+    }
     for &k in &run.edges {
         let message = text!(
             "Touch {touch} contacts an edge of the part, not the face of its wall: its trigger says little about the wall",
@@ -450,7 +549,7 @@ fn report_collision(
     let what = match step.purpose {
         Purpose::Position => text!("positioning"),
         Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-        Purpose::Touch(k) => text!("touch {touch}", k + 1),
+        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
     };
     let message = text!(
         "Move {move} (step {step}, {purpose}) hits the part with the ball centre at {place}",
@@ -468,7 +567,7 @@ fn report_collision(
     }
     let made = path.moves[..index].iter().filter_map(|step| match step.purpose {
         Purpose::Touch(k) => Some(k),
-        Purpose::Position | Purpose::Back(_) => None,
+        Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
     });
     report_missed(path, made.map(|k| (k, triggers[k])), field, checker);
 }

@@ -134,6 +134,8 @@ pub struct ProgramText {
     pub said: Text,
     /// What was proven of it; null in the form `cycle`.
     pub proof: Option<ProofRow>,
+    /// Whether the moves of the plan are those that cycles of the control's own make, which the program calls.
+    pub own: bool,
 }
 
 /// One row of the parameter table.
@@ -202,6 +204,8 @@ pub struct ResultRow {
     pub truth: Option<f64>,
     /// Why the value is not the truth, where it is not.
     pub note: Option<String>,
+    /// Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it.
+    pub stored: Option<String>,
     /// Its words as templates and their values.
     pub said: ResultWords,
 }
@@ -245,6 +249,11 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
     if let Some(n) = job.work_offset {
         part::write_offset(&mut rows, &path.formula, job.setup.plane, &(job.post.work_offset_word)(n));
     }
+    let own = path.own.as_ref().zip(job.post.own);
+    let stored = |code: &str| {
+        let (own, cycles) = own?;
+        own.stored.iter().find(|(known, _)| *known == code).map(|(_, stored)| (cycles.name)(*stored))
+    };
     rows.into_iter()
         .map(|row| {
             debug_assert!(RESULT_CODES.contains(&&*row.code), "{} is no code of RESULT_CODES", row.code);
@@ -261,6 +270,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
                 let off = format!("{sign}{} {}", decimal(off / scale, 5), job.unit);
                 Some(text!("{off} from the truth: {reason}", off, reason))
             });
+            let stored = stored(&row.code);
             ResultRow {
                 code: row.code,
                 meaning: row.meaning.english(),
@@ -274,6 +284,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
                 verdict: row.verdict.as_ref().map(Text::english),
                 truth: convert(row.truth),
                 note: note.as_ref().map(Text::english),
+                stored,
                 said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
             }
         })
@@ -283,7 +294,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
 pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
     let (kind, touch) = match step.purpose {
         Purpose::Position => ("position", None),
-        Purpose::Touch(k) => ("touch", Some(k)),
+        Purpose::Touch(k) | Purpose::Search(k) => ("touch", Some(k)),
         Purpose::Back(k) => ("back", Some(k)),
     };
     let feed = match step.feed {
@@ -291,7 +302,7 @@ pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
         Feed::Rapid => "rapid",
         Feed::Approach => "approach",
         Feed::LongLink => "longLink",
-        Feed::Work => "work",
+        Feed::Work | Feed::Search => "work",
         Feed::Retract => "retract",
         Feed::Return => "return",
     };

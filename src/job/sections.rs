@@ -326,6 +326,7 @@ impl FeedForm {
             work: self.work,
             retract: self.retract,
             return_: self.return_,
+            search: None,
             rapid: None,
         }
     }

@@ -30,7 +30,7 @@ fn report_struck(job: &Job, path: &Path, surfaces: &[Surface], struck: Struck, f
     let what = match step.purpose {
         Purpose::Position => text!("positioning"),
         Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-        Purpose::Touch(k) => text!("touch {touch}", k + 1),
+        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
     };
     let [shank, length] = [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
     let (part, remedy) = match struck.part {

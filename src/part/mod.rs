@@ -106,7 +106,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
         // Where the job does not say where the ball is, only the first place itself is looked at.
         let from = at.unwrap_or(step.to);
         match step.purpose {
-            Purpose::Touch(k) => {
+            Purpose::Touch(k) | Purpose::Search(k) => {
                 let along = path.touches[k].vector;
                 let end = step.to - along * path.touches[k].search;
                 // A contact at the very end of the search counts.

@@ -82,7 +82,9 @@ pub fn struck(path: &Path, surfaces: &[Surface], shape: &Shape, ball: f64, run: 
         }
         let mut from = at.unwrap_or(step.to);
         let ends = match step.purpose {
-            Purpose::Touch(k) => vec![run.triggers[k].unwrap_or(step.to - path.touches[k].vector * path.touches[k].search)],
+            Purpose::Touch(k) | Purpose::Search(k) => {
+                vec![run.triggers[k].unwrap_or(step.to - path.touches[k].vector * path.touches[k].search)]
+            }
             Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
         };
         for to in ends {

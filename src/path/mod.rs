@@ -4,11 +4,13 @@
 //! system unless they are said to be on the surface. A path knows nothing of cycles, controls or units.
 
 mod feature;
+mod own;
 mod parameter;
 mod surface;
 mod tracer;
 
 pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
+pub use own::{Own, OwnBlock, Quantity, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
@@ -64,6 +66,8 @@ pub enum Feed {
     Retract,
     /// The last lift.
     Return,
+    /// The first, fast touch of the two that a control's own cycle makes.
+    Search,
     /// As fast as the control does it, or at a stated rapid rate.
     Rapid,
 }
@@ -77,6 +81,8 @@ pub struct Feeds {
     pub work: f64,
     pub retract: Option<f64>,
     pub return_: Option<f64>,
+    /// Of the first touch of a control's own cycle.
+    pub search: Option<f64>,
     /// None is the control's own rate.
     pub rapid: Option<f64>,
 }
@@ -90,6 +96,7 @@ impl Feeds {
             Feed::Work => Some(self.work),
             Feed::Retract => self.retract,
             Feed::Return => self.return_,
+            Feed::Search => self.search,
             Feed::Rapid => self.rapid,
         }
     }
@@ -107,6 +114,8 @@ pub enum Purpose {
     Position,
     /// The touch with this index. Ends at the nominal contact of the ball centre.
     Touch(usize),
+    /// The first, fast touch of the two that a control's own cycle makes of the touch with this index. Ends likewise; what is measured is the second.
+    Search(usize),
     /// The way back from the touch with this index.
     Back(usize),
 }
@@ -190,6 +199,8 @@ pub struct Path {
     pub picked: bool,
     /// The field that says how far the last move lifts; none where the cycle ends otherwise.
     pub lift: Option<&'static str>,
+    /// The calls that make this path, where cycles of the control's own do.
+    pub own: Option<Box<Own>>,
 }
 
 /// What is wrong with a touch of a path.
@@ -222,7 +233,7 @@ impl Path {
         let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));
         self.moves.iter().zip(begins).filter_map(|(step, from)| match step.purpose {
             Purpose::Touch(k) => Some((k, from, step)),
-            Purpose::Position | Purpose::Back(_) => None,
+            Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
         })
     }
 

@@ -89,3 +89,20 @@ fn programs_of_every_control_as_they_were() {
         }
     }
 }
+
+#[test]
+fn programs_of_the_controls_own_macros_as_they_were() {
+    for (name, job) in crate::common::jobs() {
+        for post in POSTS.iter().filter(|post| post.own.is_some()) {
+            let job = crate::common::with(&put_out_for(&job, post), "control.form", Value::Text(Form::Cycle.word().to_owned()));
+            let text = match touchpath::job::plan(&job) {
+                Ok(plan) => {
+                    let moves = plan.moves.iter().map(|step| format!("{} {} {}\n", step.kind, triple(step.to), step.feed));
+                    format!("{}{}{}", moves.collect::<String>(), listed(&plan.findings), plan.program.text)
+                }
+                Err(error) => listed(&error.findings),
+            };
+            snapshot(&format!("../snapshots/{}-cycle", post.key), &name, &text);
+        }
+    }
+}

@@ -19,6 +19,7 @@ mod line_by_line;
 mod linuxcnc;
 mod naming;
 mod own_codes;
+mod own_cycles;
 mod part;
 mod picture;
 mod plausible;

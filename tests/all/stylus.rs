@@ -182,7 +182,7 @@ fn points_on_the_cylinders_agree() {
             draw(4, -0.5, 0.5),
             draw(5, -0.3, 0.3)
         ));
-        let touchpath::job::Planned { job: checked, path, surfaces, run } = touchpath::job::planned(&own).unwrap();
+        let touchpath::job::Planned { job: checked, path, surfaces, run, .. } = touchpath::job::planned(&own).unwrap();
         assert!(run.collision.is_none());
         let up = path.frame.w;
         let shape = Shape { length: Some(draw(6, 2.0, 14.0)), shank: Some(draw(7, 1.0, 9.0)), body: Some(draw(8, 8.0, 60.0)) };

@@ -51,6 +51,7 @@ export const program = (r: Unpacked) => ({
   moveLines: r.numbers(),
   writes: r.texts(),
   said: r.said(),
+  own: r.yes(),
 });
 export const proof = (r: Unpacked) => ({ moves: r.count(), touches: r.count(), arithmetic: r.yes() });
 export const result = (r: Unpacked) => ({
@@ -66,6 +67,7 @@ export const result = (r: Unpacked) => ({
   verdict: r.saidOrNone(),
   truth: r.optional(),
   note: r.saidOrNone(),
+  stored: r.textOrNone(),
 });
 export const finding = (r: Unpacked) => ({ level: r.word(LEVELS), code: r.text(), path: r.text(), said: r.said() });
 export const safety = (r: Unpacked) => ({

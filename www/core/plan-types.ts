@@ -25,9 +25,11 @@ export type FindingCode =
   | "cycle-differs"
   | "cycle-no-zone"
   | "cycle-not-parallel"
+  | "cycle-not-square"
   | "cycle-one-path"
   | "cycle-path-short"
   | "cycle-plane"
+  | "cycle-stops"
   | "dist-too-short"
   | "edge-contact"
   | "extrusion-direction"
@@ -39,6 +41,7 @@ export type FindingCode =
   | "implausible"
   | "length-not-along-tool-axis"
   | "length-to-centre"
+  | "limit-stops"
   | "lines-differ"
   | "lines-optional"
   | "lines-skipped"
@@ -54,6 +57,7 @@ export type FindingCode =
   | "more-findings"
   | "moves-before-cycle"
   | "name-changed"
+  | "needs-calibration"
   | "nested-too-deeply"
   | "newer-format"
   | "no-arc"
@@ -90,6 +94,8 @@ export type FindingCode =
   | "nothing-to-write"
   | "number-protected"
   | "number-unused"
+  | "offset-in-parts"
+  | "offset-measured-again"
   | "offset-one-direction"
   | "offset-optional"
   | "orient-unsupported"
@@ -97,8 +103,10 @@ export type FindingCode =
   | "other-units"
   | "other-version"
   | "out-of-range"
+  | "overtravel-too-short"
   | "own-codes"
   | "own-moves"
+  | "own-path"
   | "pairs-not-square"
   | "part-not-in-program"
   | "passed-over"
@@ -375,6 +383,8 @@ export interface ResultRow {
   truth: number | null;
   /** Why the value is not the truth, where it is not. */
   note: string | null;
+  /** Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it. */
+  stored: string | null;
   /** Its words as templates and their values. */
   said: ResultWords;
 }
@@ -433,6 +443,8 @@ export interface ProgramText {
   said: Said;
   /** What was proven of it; null in the form `cycle`. */
   proof: ProofRow | null;
+  /** Whether the moves of the plan are those that cycles of the control's own make, which the program calls. */
+  own: boolean;
 }
 
 /** Everything that follows from a job. Lengths in the job's units, angles in degrees. */

@@ -19,7 +19,7 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
     let feeds = request.path.moves.iter().filter_map(|step| match step.purpose {
         Purpose::Touch(_) => Some(request.feeds.work),
         Purpose::Position => request.feeds.rate(step.feed),
-        Purpose::Back(_) => None,
+        Purpose::Search(_) | Purpose::Back(_) => None,
     });
     let fastest = feeds.fold(0.0, f64::max);
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
@@ -53,10 +53,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
-    if request.post.key == super::FANUC.key && request.work_offset.is_some_and(|n| n > STANDARD_OFFSETS) {
-        let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
-        checker.warning("offset-optional", "control.workOffset", message);
-    }
+    check_optional_offset(request, checker);
     number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
@@ -91,8 +88,16 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     }
 }
 
+/// A work offset that not every Fanuc has.
+pub(super) fn check_optional_offset(request: &Request<'_>, checker: &mut Checker) {
+    if request.post.key == super::FANUC.key && request.work_offset.is_some_and(|n| n > STANDARD_OFFSETS) {
+        let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
+        checker.warning("offset-optional", "control.workOffset", message);
+    }
+}
+
 /// No place needs more digits than a number may have.
-fn check_digits(request: &Request<'_>, checker: &mut Checker) {
+pub(super) fn check_digits(request: &Request<'_>, checker: &mut Checker) {
     let decimals = request.post.decimals(request.scale);
     let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
     let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);

@@ -15,16 +15,18 @@
 mod check;
 mod flavour;
 mod number;
+mod own;
 mod read;
 mod skip;
 
 use self::check::{check, check_haas_feeds};
-use self::flavour::{PLAIN, WITH_ALARMS};
+use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
 pub use self::number::number;
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::{BASE, Form, PostDef, Request, feed_rate, rules};
+use crate::control::{BASE, Form, PostDef, Program, Request, feed_rate, rules};
+use crate::form::Checker;
 use crate::path::{Move, Subject};
 use crate::text::words;
 
@@ -39,8 +41,9 @@ pub static FANUC: PostDef = PostDef {
         ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
         _ => format!("G54.1 P{}", n - STANDARD_OFFSETS),
     },
-    emit: |request| emit(request, &PLAIN),
+    emit: |request| written(request, &PLAIN),
     read: Some(read::fanuc),
+    own: Some(&own::FANUC),
     ..KIN
 };
 
@@ -60,11 +63,14 @@ pub static HAAS: PostDef = PostDef {
     ],
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
     check: |request, checker| {
-        check(request, checker);
-        check_haas_feeds(request, checker);
+        checked(request, checker);
+        if request.form == Form::Moves {
+            check_haas_feeds(request, checker);
+        }
     },
-    emit: |request| emit(request, &WITH_ALARMS),
+    emit: |request| written(request, &WITH_ALARMS),
     read: Some(read::haas),
+    own: Some(&own::HAAS),
     ..KIN
 };
 
@@ -80,7 +86,7 @@ const KIN: PostDef = PostDef {
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| rate(request, step, PLAIN.rapid),
     serves,
-    check,
+    check: checked,
     emit: |request| emit(request, &PLAIN),
     ..BASE
 };
@@ -89,6 +95,19 @@ const DIALECT: Dialect = Dialect { points: true, capitals: true, ..writer::PLAIN
 
 /// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
 const SHORTEST_PROBE: f64 = 0.2;
+
+/// What it cannot do, by moves or by the macros.
+fn checked(request: &Request<'_>, checker: &mut Checker) {
+    match request.form {
+        Form::Moves => check(request, checker),
+        Form::Cycle => own::check(request, checker),
+    }
+}
+
+/// The program, by moves or by the macros.
+fn written(request: &Request<'_>, flavour: &'static Flavour) -> Program {
+    if request.path.own.is_some() { own::emit(request, flavour) } else { emit(request, flavour) }
+}
 
 /// G54 to G59.
 const STANDARD_OFFSETS: i32 = 6;
@@ -103,15 +122,21 @@ const CHANGES: usize = 3;
 /// The digits of a constant: more is an alarm on some controls.
 const DIGITS: usize = 8;
 
-fn serves(_subject: Subject, form: Form) -> Result<(), &'static str> {
-    match form {
-        Form::Moves => Ok(()),
-        Form::Cycle => Err("it has no probing cycles of its own; calls to installed macros (P98xx) are not written"),
+fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+    match (subject, form) {
+        (_, Form::Moves) => Ok(()),
+        (Subject::Switch | Subject::Action, Form::Cycle) => Err("nothing is probed: the moves form states the modes and ends"),
+        (Subject::TwoCircles, Form::Cycle) => Err("two circles by the macros are not written: use moves"),
+        _ => Ok(()),
     }
 }
 
 /// The feed of a move, mm/min: all but the shortest are watched.
 fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
+    // The macros have feeds of their own, and true rapids.
+    if request.path.own.is_some() {
+        return request.feeds.rate(step.feed);
+    }
     request.feeds.rate(step.feed).or_else(|| feed_rate(request, None, step).map(|_| rapid))
 }
 

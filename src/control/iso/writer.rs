@@ -193,6 +193,10 @@ impl<'a> Writer<'a> {
         if matches!(request.path.feature, Feature::Unmoving) {
             return self.comment("Switches nothing, moves nothing: states its modes and ends");
         }
+        // Cycles of the control's own say it themselves.
+        if request.path.own.is_some() {
+            return;
+        }
         self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");
         if let Some(start) = request.path.start {
             let text = stated_start(request, &self.place_words(start));

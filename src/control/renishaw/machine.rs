@@ -54,6 +54,8 @@ pub struct Made {
     pub met: Option<Met>,
     /// mm/min; none is a rapid.
     pub rate: Option<f64>,
+    /// Which of the moves that the calls ask for it is, those of no length counted: the same on any part.
+    pub count: usize,
 }
 
 /// Feeds of the macros, mm/min: positioning, going down and the first touch, the second touch.
@@ -79,11 +81,17 @@ pub struct Machine<'w> {
     /// How far the ball's centre is above what a program's heights are of: its radius where the length of the probe ends at the tip, as P9801 sets it.
     tip: f64,
     pub made: Vec<Made>,
+    count: usize,
 }
 
 impl<'w> Machine<'w> {
     pub fn new(at: Vec3, radius: f64, tip: f64, answers: Answers<'w>) -> Self {
-        Machine { answers, at, radius, tip, made: Vec::new() }
+        Machine { answers, at, radius, tip, made: Vec::new(), count: 0 }
+    }
+
+    fn push(&mut self, kind: Kind, to: Vec3, met: Option<Met>, rate: Option<f64>) {
+        self.made.push(Made { kind, to, met, rate, count: self.count });
+        self.count += 1;
     }
 
     /// The height of the ball's centre for a height of a program.
@@ -94,7 +102,7 @@ impl<'w> Machine<'w> {
     /// A watched move.
     pub fn watched(&mut self, to: Vec3, rate: f64, alarm: Alarm) -> Result<(), Alarm> {
         let met = (self.answers)(self.at, to, None);
-        self.made.push(Made { kind: Kind::Watched, to, met, rate: Some(rate) });
+        self.push(Kind::Watched, to, met, Some(rate));
         // A stop within the zone is no contact, as the macros compare.
         if let Some(met) = met.filter(|met| met.center.distance(to) >= IN_POSITION) {
             self.at = met.center;
@@ -108,10 +116,11 @@ impl<'w> Machine<'w> {
     pub fn plain(&mut self, to: Vec3, kind: Kind) -> Result<(), Alarm> {
         let rate = if kind == Kind::Rapid { None } else { Some(FAST) };
         if to.distance(self.at) < 1e-9 {
+            self.count += 1;
             return Ok(());
         }
         let met = (self.answers)(self.at, to, None);
-        self.made.push(Made { kind, to, met, rate });
+        self.push(kind, to, met, rate);
         if let Some(met) = met {
             self.at = met.center;
             return Err(Alarm::Collision);
@@ -140,7 +149,7 @@ impl<'w> Machine<'w> {
     fn touch(&mut self, end: Vec3, expected: Vec3, kind: Kind, rate: f64) -> Result<Vec3, Alarm> {
         let start = self.at;
         let met = (self.answers)(start, end, Some(expected));
-        self.made.push(Made { kind, to: end, met, rate: Some(rate) });
+        self.push(kind, end, met, Some(rate));
         let Some(met) = met.filter(|met| met.center.distance(end) >= IN_POSITION) else {
             self.at = end;
             return Err(Alarm::NotFound);

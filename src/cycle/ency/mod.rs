@@ -233,6 +233,7 @@ impl Cycle for Ency {
             formula: shape.formula(&on),
             feature: shape.feature(),
             picked: self.picks.is_some(),
+            own: None,
             lift: Some(FEED_DISTANCE),
             touches: on.touches,
         }

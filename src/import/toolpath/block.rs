@@ -201,3 +201,14 @@ pub(super) struct Named {
     pub title: Option<&'static str>,
     pub count: Count,
 }
+
+/// Where the ways of a condition part.
+pub(super) struct Fork {
+    pub place: [f64; 3],
+    /// Where the ways before this one ended.
+    pub ends: Option<[f64; 3]>,
+    /// The line at which they meet, where it was a jump; else a word says it.
+    pub until: Option<usize>,
+    /// Whether one of the ways is run in any case.
+    pub otherwise: bool,
+}

@@ -1,20 +1,10 @@
 //! Both ways of a condition that is not known: each is read from where they part, and where they meet a place is known only if both say the same.
 
+use crate::import::toolpath::block::Fork;
 use crate::import::toolpath::reader::Reader;
 
 /// So many ways may be open: whoever jumps over more ends has an end.
 const MOST_FORKS: usize = 200;
-
-/// Where the ways of a condition part.
-pub(super) struct Fork {
-    place: [f64; 3],
-    /// Where the ways before this one ended.
-    ends: Option<[f64; 3]>,
-    /// The line at which they meet, where it was a jump; else a word says it.
-    until: Option<usize>,
-    /// Whether one of the ways is run in any case.
-    otherwise: bool,
-}
 
 /// What two ways agree on; NaN is not known.
 fn agreed(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {

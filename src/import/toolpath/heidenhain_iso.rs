@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::control::iso::lex::{head, line_end};
+use crate::control::iso::lex::{head, line_end, lines_of, trimmed};
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::klartext::value::{Cursor, Parameters};
@@ -45,7 +45,7 @@ fn label(code: &str) -> Option<u32> {
 impl HeidenhainIso {
     /// None where a text is another one.
     pub fn of(text: &str, set: &[(&str, f64)]) -> Option<Self> {
-        let first = text.lines().find(|line| !line.trim().is_empty())?.trim();
+        let first = trimmed(lines_of(text).find(|line| !trimmed(line).is_empty())?);
         (first.starts_with('%') && first.ends_with('*')).then_some(())?;
         let bytes = text.as_bytes();
         let (mut labels, mut at, mut line) = (BTreeMap::new(), 0, 0);

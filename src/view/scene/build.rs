@@ -180,9 +180,9 @@ impl Look<'_> {
 
 fn stroke(step: &Move) -> Stroke {
     match (step.purpose, step.feed) {
-        (Purpose::Touch(_), _) => Stroke::Touch,
+        (Purpose::Touch(_) | Purpose::Search(_), _) => Stroke::Touch,
         (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid) => Stroke::Position,
-        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work) => Stroke::Link,
+        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work | Feed::Search) => Stroke::Link,
     }
 }
 

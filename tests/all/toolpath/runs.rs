@@ -291,6 +291,13 @@ fn heidenhain_iso_runs_by_hand() {
     assert_eq!(shown(&unknown)[5..], ["11 feed 54 50 20", "14 feed 999 ? 20", "16 feed ? ? ?"]);
 }
 
+/// Of one value ATAN gives the angle of a slope: above 0 all controls agree.
+#[test]
+fn the_angle_of_a_slope_is_computed() {
+    let run = run_program("O1\nG21 G90\n#1=ATAN[3/4]\n#2=ATAN[1.]*2\nG1 X#1 Y#2 Z[ATAN[0-1]] F9.\nM30\n", &Known::default());
+    assert_eq!(shown(&run), ["5 feed 36.8699 90 ?"]);
+}
+
 /// Both ways of a condition that is not known begin where they part, and where they meet a place is known only if both say the same. By hand.
 #[test]
 fn both_ways_of_an_unknown_condition_are_run_from_where_they_part() {
@@ -381,7 +388,7 @@ fn a_centroid_is_told_from_a_renishaw() {
     let begin = "G21 G90 G0 X0. Y0. Z5.\n";
     assert_eq!(
         calls(&format!("{begin}G65 P9813 A1 X30. Q5.\nG65 P9817 D25. Q5.\nG65 P9811 A4 X3.\nM30\n")),
-        ["slot, or with C1 a rectangular pocket: ", "hole: ", "single surface: A is 4: 1 to 3 is possible"]
+        ["slot, or with C1 a rectangular pocket: ", "hole, four touches: ", "single surface: A is 4: 1 to 3 is possible"]
     );
     assert_eq!(
         calls(&format!("{begin}G65 P9817 X30. Z5.\nG65 P9814 D-3. F2.\nM30\n")),

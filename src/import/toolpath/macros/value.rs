@@ -422,6 +422,11 @@ impl<'a> Cursor<'a> {
                     _ => Value::Unknown,
                 }
             }
+            // Of one value, the slope: below 0 it differs from control to control likewise.
+            b"ATAN" if !linuxcnc => match inner {
+                Value::Number(slope) if slope >= 0.0 => Value::Number(slope.atan().to_degrees()),
+                _ => Value::Unknown,
+            },
             _ => return None,
         };
         Some(value)

@@ -1,0 +1,44 @@
+//! Cycles of a control's own whose path is known: who plans it, and who runs it on another part.
+
+use crate::control::renishaw::machine::{Alarm, Made, Met};
+use crate::formula::Limits;
+use crate::geom::Vec3;
+use crate::path::{Feeds, Own, Path, Setup, Stored};
+use crate::text::Text;
+
+/// What such a path is to be planned for.
+#[derive(Debug)]
+pub struct OwnRequest<'a> {
+    /// The path as the cycle documents it.
+    pub path: &'a Path,
+    pub setup: &'a Setup,
+    pub feeds: &'a Feeds,
+    /// Millimetres in a unit of the job.
+    pub scale: f64,
+    /// The work offset to write, 1 = G54; none measures only.
+    pub work_offset: Option<i32>,
+    /// How the calls name it.
+    pub offset: fn(i32) -> f64,
+    pub limits: Limits,
+    /// Whether the results are printed.
+    pub prints: bool,
+}
+
+/// Why a job is refused: code, field, words.
+pub type Refused = Vec<(&'static str, String, Text)>;
+
+/// What a ball's centre meets on a straight way.
+pub type Meets<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<Met>;
+
+/// How a control's own cycles are planned, run and named.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnCycles {
+    /// Plans the calls and their path on the nominal part.
+    pub plan: for<'a> fn(&OwnRequest<'a>, Meets<'_>) -> Result<Path, Refused>,
+    /// Runs the calls again on another part: what each move met, up to the alarm.
+    pub rerun: fn(&Own, f64, Meets<'_>) -> (Vec<Made>, Option<Alarm>),
+    /// How the calls name a work offset.
+    pub offset: fn(i32) -> f64,
+    /// The control's name of a result.
+    pub name: fn(Stored) -> String,
+}

@@ -1,0 +1,560 @@
+//! Which calls a feature needs, the path that they make of it, and what they measure.
+
+use super::machine::{Alarm, FAST, Kind, MEASURE, Machine, Made, Met, SEARCH};
+use super::macros;
+use crate::control::own::{OwnRequest, Refused};
+use crate::formula::{Datum, Draft, Formula, Role};
+use crate::geom::{Plane, Vec3};
+use crate::num::{decimal, wrap_degrees};
+use crate::path::{
+    Bore, Corner, Entry, Feature, Feed, Feeds, Move, Own, OwnBlock, Pairs, Path, Point, Purpose, Quantity, STATED_RAPID,
+    Stored, Touch,
+};
+use crate::text::{Text, text, words};
+
+/// The first variable that keeps a result: the macros use none below #116.
+const FIRST_KEPT: usize = 101;
+
+/// A touch begins at least so far from its contact, mm: nearer the macro takes it for a contact at the start.
+const LEAST_CLEARANCE: f64 = 0.2;
+
+/// How nearly directions and places must agree.
+const NEAR: f64 = 1e-6;
+
+const ADVICE: &str = words!(". Use the form \"moves\"");
+
+/// The path that the macros make of a job's feature, with the calls.
+pub fn serve(request: &OwnRequest<'_>, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> Result<Path, Refused> {
+    let mut program = Program::of(request)?;
+    match &request.path.feature {
+        Feature::Surface(point) => program.surface(point)?,
+        Feature::Bore(bore) => program.bore(bore)?,
+        Feature::Pairs(pairs) => program.pairs(pairs)?,
+        Feature::Corner(corner) => program.corner(corner)?,
+        Feature::TwoCircles(_) | Feature::Unmoving => {}
+    }
+    program.finish(answers)
+}
+
+/// Runs the calls of a path again, on what answers: what each of its moves met, up to the alarm.
+pub fn rerun(own: &Own, radius: f64, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> (Vec<Made>, Option<Alarm>) {
+    let mut answer = |from, to, _: Option<Vec3>| answers(from, to);
+    let mut machine = Machine::new(own.first, radius, radius, &mut answer);
+    for (block, _) in &own.blocks {
+        let OwnBlock::Call(number, letters) = block else { continue };
+        let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
+        if let Some(Err(alarm)) = macros::run(*number, letters.as_slice(), &mut machine) {
+            return (machine.made, Some(alarm));
+        }
+    }
+    (machine.made, None)
+}
+
+/// A program while it is put together.
+struct Program<'a> {
+    request: &'a OwnRequest<'a>,
+    radius: f64,
+    /// Where the first move comes to.
+    first: Vec3,
+    at: Vec3,
+    blocks: Vec<OwnBlock>,
+    stored: Vec<(&'static str, Stored)>,
+    /// The feed of each protected move, in order.
+    feeds: Vec<Feed>,
+    kept: usize,
+}
+
+/// Refuses a job.
+fn refused(code: &'static str, field: &str, message: Text) -> Refused {
+    vec![(code, field.to_owned(), message)]
+}
+
+impl<'a> Program<'a> {
+    fn of(request: &'a OwnRequest<'a>) -> Result<Self, Refused> {
+        let OwnRequest { path, setup, .. } = request;
+        if setup.plane != Plane::G17 {
+            return Err(refused(
+                "plane-unsupported",
+                "plane",
+                text!("The macros probe in the plane XY along Z: there are no programs for planes other than G17"),
+            ));
+        }
+        if path.picked {
+            let message = text!("The macros choose their own touch points{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-chooses-points", "cycle.touches", message));
+        }
+        let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
+        Ok(Program {
+            request,
+            radius: setup.radius,
+            first,
+            at: first,
+            blocks: Vec::new(),
+            stored: Vec::new(),
+            feeds: Vec::new(),
+            kept: 0,
+        })
+    }
+
+    /// Where the documented cycle begins its first touch.
+    fn begins(&self) -> Vec3 {
+        let first = self.request.path.searches().next();
+        first.and_then(|(_, from, _)| from).unwrap_or(self.first)
+    }
+
+    /// Where the documented cycle stands before it goes anywhere else: the end of its first steps.
+    fn start(&self) -> Vec3 {
+        let moves = &self.request.path.moves;
+        moves.iter().take_while(|step| step.step <= 1).last().map_or(self.first, |step| step.to)
+    }
+
+    /// A protected move along these axes.
+    fn goes(&mut self, to: Vec3, axes: &[usize], feed: Feed) {
+        let moved: Vec<usize> = axes.iter().copied().filter(|axis| (to[*axis] - self.at[*axis]).abs() > NEAR).collect();
+        if moved.is_empty() {
+            return;
+        }
+        let rate = self.request.feeds.rate(feed).unwrap_or(STATED_RAPID);
+        let mut letters: Vec<(char, Quantity)> = Vec::new();
+        for axis in axes {
+            // A height is of the stylus tip.
+            let off = if *axis == 2 { self.radius } else { 0.0 };
+            self.at[*axis] = to[*axis];
+            letters.push((['X', 'Y', 'Z'][*axis], Quantity::Length(to[*axis] - off)));
+        }
+        letters.push(('F', Quantity::Feed(rate)));
+        self.blocks.push(OwnBlock::Call(9810, letters));
+        self.feeds.push(feed);
+    }
+
+    /// From the height above down to a place, by way of another height.
+    fn down(&mut self, over: Vec3, place: Vec3) {
+        self.goes(over, &[2], Feed::Approach);
+        self.goes(place, &[2], Feed::LongLink);
+    }
+
+    /// Up to where the program came from.
+    fn up(&mut self) {
+        let first = self.first;
+        self.goes(self.at.with_z(first.z), &[2], Feed::Return);
+    }
+
+    /// How far a touch searches behind the surface by the ball's centre, for the job's overtravel behind its contact.
+    fn q(&self) -> Result<Quantity, Refused> {
+        let q = self.request.setup.overtravel - self.radius;
+        if q <= 0.0 {
+            let message = text!(
+                "The macros count the search by the ball's centre from the surface: an overtravel of {overtravel} behind the contact ends in front of it. More than the ball's radius, {radius}, is needed{advice}",
+                self.length(self.request.setup.overtravel),
+                self.length(self.radius),
+                Text::words(ADVICE)
+            );
+            return Err(refused("overtravel-too-short", "overtravel", message));
+        }
+        Ok(Quantity::Length(q))
+    }
+
+    /// A length in the job's unit.
+    fn length(&self, mm: f64) -> String {
+        let unit = if self.request.scale == 1.0 { "mm" } else { "inch" };
+        format!("{} {unit}", decimal(mm / self.request.scale, if self.request.scale == 1.0 { 3 } else { 4 }))
+    }
+
+    /// R, from the surface of the ball.
+    fn r(&self, clearance: Entry, inside: bool) -> Result<Quantity, Refused> {
+        let r = clearance.value - self.radius;
+        if r < LEAST_CLEARANCE {
+            let message = text!(
+                "The macros take a contact close to the start of a touch for one on the way: the side clearance must be {least} more than the ball's radius",
+                self.length(LEAST_CLEARANCE)
+            );
+            return Err(refused("touch-too-short", clearance.field, message));
+        }
+        Ok(Quantity::Length(if inside { -r } else { r }))
+    }
+
+    /// A measuring call: with the work offset where one is written, tolerances where they are limited, the print where it is asked for.
+    fn measures(&mut self, number: u32, mut letters: Vec<(char, Quantity)>) {
+        let limits = &self.request.limits;
+        // One touch a wall gives no angle.
+        let angle = limits.angle.filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
+        let mut tolerance = |letter, value: Option<f64>, quantity: fn(f64) -> Quantity| {
+            if let Some(value) = value {
+                letters.push((letter, quantity(value)));
+            }
+        };
+        // H is not allowed with S in a single surface, and not at all in a corner.
+        if matches!(number, 9812 | 9814 | 9822 | 9823) {
+            tolerance('H', limits.size, Quantity::Length);
+        }
+        if matches!(number, 9815 | 9816) {
+            tolerance('B', angle, Quantity::Angle);
+        }
+        // The whole zone: the alarm comes at half of it.
+        tolerance('M', limits.position.map(|x| 2.0 * x), Quantity::Length);
+        if let Some(n) = self.request.work_offset {
+            letters.push(('S', Quantity::Plain((self.request.offset)(n))));
+        }
+        if self.request.prints {
+            letters.push(('W', Quantity::Plain(1.0)));
+        }
+        self.blocks.push(OwnBlock::Call(number, letters));
+    }
+
+    /// Where these results are: in the output of this call.
+    fn stores(&mut self, results: &[(&'static str, usize)]) {
+        self.stored.extend(results.iter().map(|(code, output)| (*code, Stored::Output(*output))));
+    }
+
+    /// Keeps what the last call gave, before the next one empties it.
+    fn keeps(&mut self) {
+        for (_, stored) in &mut self.stored {
+            if let Stored::Output(output) = *stored {
+                let variable = FIRST_KEPT + self.kept;
+                self.kept += 1;
+                self.blocks.push(OwnBlock::Keep(variable, output));
+                *stored = Stored::Kept(variable);
+            }
+        }
+    }
+
+    fn surface(&mut self, point: &Point) -> Result<(), Refused> {
+        let touch = &self.request.path.touches[0];
+        let (vector, start) = (touch.vector, self.begins());
+        self.down(start, start);
+        if vector.z > 1.0 - NEAR {
+            // By a length to the tip the surface itself is measured: Q counts from the contact.
+            let q = Quantity::Length(self.request.setup.overtravel);
+            self.measures(9811, vec![('Z', Quantity::Length(touch.point.z)), ('Q', q)]);
+            self.stores(&[("point.x", 0), ("point.y", 1), ("point.z", 2)]);
+        } else if vector.z.abs() < NEAR {
+            let q = self.q()?;
+            match axis_of(vector) {
+                Some(axis) => {
+                    self.measures(9811, vec![(['X', 'Y'][axis], Quantity::Length(touch.point[axis])), ('Q', q)]);
+                    self.stores(&[("point.x", 0), ("point.y", 1)]);
+                }
+                None => {
+                    let a = direction(-vector);
+                    let d = (start - touch.point).dot(vector);
+                    self.measures(9821, vec![('A', Quantity::Angle(a)), ('D', Quantity::Length(d)), ('Q', q)]);
+                    self.stores(&[("point.x", 0), ("point.y", 1)]);
+                }
+            }
+        } else {
+            let message = text!("No macro touches a sloped surface{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-not-parallel", point.elevation, message));
+        }
+        self.up();
+        Ok(())
+    }
+
+    fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
+        let path = self.request.path;
+        let inside = path.touches.first().is_some_and(|touch| (touch.point - path.frame.origin).dot(touch.vector) < 0.0);
+        let angles: Vec<f64> =
+            path.touches.iter().map(|touch| direction(if inside { -touch.vector } else { touch.vector })).collect();
+        let square = |angles: &[f64]| {
+            angles.len() == 4 && angles.iter().all(|angle| (wrap_degrees(angle - angles[0]) / 90.0 % 1.0).abs() < NEAR)
+        };
+        let mut letters = vec![('D', Quantity::Length(bore.diameter.value))];
+        let beside = bore.clearance.is_some();
+        let start = if beside { self.start() } else { self.begins() };
+        match (square(&angles), angles.as_slice()) {
+            (true, _) => letters.push(('Q', self.q()?)),
+            (false, [a, b, c]) => {
+                letters.splice(0..0, [('A', *a), ('B', *b), ('C', *c)].map(|(letter, angle)| (letter, Quantity::Angle(angle))));
+                // Beside a feature this macro counts Q from the contact.
+                letters.push(('Q', if beside { Quantity::Length(self.request.setup.overtravel) } else { self.q()? }));
+            }
+            _ => {
+                let message = text!(
+                    "The macros touch a circle at four points a quarter turn apart, or at three: not at {count} like these{advice}",
+                    angles.len(),
+                    Text::words(ADVICE)
+                );
+                return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
+            }
+        }
+        if let Some(clearance) = bore.clearance {
+            let r = self.r(clearance, inside)?;
+            letters.extend([('Z', Quantity::Length(path.touches[0].point.z - self.radius)), ('R', r)]);
+        }
+        self.down(self.start(), start);
+        self.measures(if square(&angles) { 9814 } else { 9823 }, letters);
+        self.stores(&[("center.x", 0), ("center.y", 1), ("diameter", 3)]);
+        self.up();
+        Ok(())
+    }
+
+    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
+        let path = self.request.path;
+        let inside = pairs.internal;
+        let beside = pairs.sides.iter().any(|side| side.clearance.is_some());
+        let turned = axis_of(path.touches[0].vector).is_none();
+        if turned && pairs.sides.len() == 2 && self.request.work_offset.is_some() {
+            let message = text!(
+                "Both macros of a turned rectangle write X and Y, and the second would measure in the system that the first has moved: write no work offset{advice}",
+                Text::words(ADVICE)
+            );
+            return Err(refused("offset-measured-again", "control.workOffset", message));
+        }
+        let start = if beside { self.start() } else { self.begins() };
+        self.down(self.start(), start);
+        let measured = [[("center.x", 0), ("width1", 3)], [("center.y", 1), ("width2", 3)]];
+        let single = pairs.sides.len() == 1;
+        for (i, side) in pairs.sides.iter().enumerate() {
+            if i > 0 {
+                self.keeps();
+            }
+            let touch = &path.touches[2 * i];
+            let mut letters = match axis_of(touch.vector) {
+                Some(axis) => vec![(['X', 'Y'][axis], Quantity::Length(side.width.value))],
+                None => {
+                    // The angle of the wall, not of the touch.
+                    let wall = (direction(touch.vector) + 90.0).rem_euclid(180.0);
+                    vec![('A', Quantity::Angle(wall)), ('D', Quantity::Length(side.width.value))]
+                }
+            };
+            // Beside a feature the macro of turned walls counts Q from the contact.
+            let from_contact = turned && side.clearance.is_some();
+            letters.push(('Q', if from_contact { Quantity::Length(self.request.setup.overtravel) } else { self.q()? }));
+            if let Some(clearance) = side.clearance {
+                letters.extend([('Z', Quantity::Length(touch.point.z - self.radius)), ('R', self.r(clearance, inside)?)]);
+            }
+            self.measures(if turned { 9822 } else { 9812 }, letters);
+            match (single, turned, axis_of(touch.vector)) {
+                (true, true, _) => self.stores(&[("center.x", 0), ("center.y", 1), ("width", 3)]),
+                (true, false, Some(0)) => self.stores(&[("center.x", 0), ("width", 3)]),
+                (true, false, _) => self.stores(&[("center.y", 1), ("width", 3)]),
+                (false, true, _) => self.stores(&measured[i][1..]),
+                // The pair along the first direction may lie along Y.
+                (false, false, Some(0)) => self.stores(&[("center.x", 0), measured[i][1]]),
+                (false, false, _) => self.stores(&[("center.y", 1), measured[i][1]]),
+            }
+        }
+        if single && let Some(top) = path.touches.get(2) {
+            self.keeps();
+            let q = Quantity::Length(self.request.setup.overtravel);
+            self.measures(9811, vec![('Z', Quantity::Length(top.point.z)), ('Q', q)]);
+            self.stores(&[("height", 2)]);
+        }
+        self.up();
+        Ok(())
+    }
+
+    fn corner(&mut self, corner: &Corner) -> Result<(), Refused> {
+        let path = self.request.path;
+        let of = |group: usize| path.touches.iter().filter(|touch| touch.group == group).collect::<Vec<&Touch>>();
+        let [one, two] = [of(0), of(1)];
+        let (Some(a), Some(b)) = (axis_of(one[0].vector), axis_of(two[0].vector)) else {
+            let message = text!(
+                "The corner macros take walls along X and Y, square to each other: these are turned{advice}",
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-not-parallel", "cycle.rotation", message));
+        };
+        if a == b || (corner.angle.value - 90.0).abs() > NEAR {
+            let message = text!("The corner macros take walls that are square to each other{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-not-square", corner.angle.field, message));
+        }
+        if one.len() > 2 || two.len() > 2 || one.len() != two.len() {
+            let message = text!(
+                "The corner macros touch each wall once, or each wall twice: not {first} and {second} times{advice}",
+                one.len(),
+                two.len(),
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-chooses-points", "cycle.count1", message));
+        }
+        let (x_wall, y_wall) = if a == 0 { (&one, &two) } else { (&two, &one) };
+        let (x, y) = (x_wall[0].point.x, y_wall[0].point.y);
+        let level = x_wall[0].point.z;
+        // Inside, the first touches are beside the start; outside as far behind the corner as the start is in front of it.
+        let foot = Vec3::new(y_wall[0].point.x, x_wall[0].point.y, level);
+        let start = if corner.outside { Vec3::new(2.0 * x - foot.x, 2.0 * y - foot.y, level) } else { foot };
+        self.first = start.with_z(self.first.z);
+        self.at = self.first;
+        let over = start.with_z(self.start().z.max(level));
+        self.down(over, start);
+        let mut letters = vec![('X', Quantity::Length(x)), ('Y', Quantity::Length(y))];
+        if let ([first, second], [third, fourth]) = (y_wall.as_slice(), x_wall.as_slice()) {
+            letters.push(('I', Quantity::Length((second.point.x - first.point.x).abs())));
+            letters.push(('J', Quantity::Length((fourth.point.y - third.point.y).abs())));
+        }
+        letters.push(('Q', self.q()?));
+        self.measures(if corner.outside { 9816 } else { 9815 }, letters);
+        // Errors of the walls: of the one across X at 8, of the one across Y at 9.
+        let turn = if a == 0 { 8 } else { 9 };
+        self.stores(&[("corner.x", 0), ("corner.y", 1)]);
+        if one.len() == 2 {
+            self.stores(&[("rotation", turn)]);
+        }
+        for (k, from, _) in path.searches() {
+            let touch = &path.touches[k];
+            if touch.group < 2 {
+                continue;
+            }
+            let Some(from) = from.filter(|_| touch.vector.z > 1.0 - NEAR) else {
+                let message = text!("The third surface must lie across Z{advice}", Text::words(ADVICE));
+                return Err(refused("cycle-not-parallel", "cycle", message));
+            };
+            if path.touches.iter().filter(|other| other.group == touch.group).count() > 1 {
+                let message = text!("A surface is touched once by a macro{advice}", Text::words(ADVICE));
+                return Err(refused("cycle-chooses-points", "cycle", message));
+            }
+            self.keeps();
+            // Up first, across, then down.
+            let high = self.at.z.max(from.z);
+            self.goes(self.at.with_z(high), &[2], Feed::LongLink);
+            self.goes(from.with_z(high), &[0, 1], Feed::LongLink);
+            self.goes(from, &[2], Feed::LongLink);
+            let q = Quantity::Length(self.request.setup.overtravel);
+            self.measures(9811, vec![('Z', Quantity::Length(touch.point.z)), ('Q', q)]);
+            self.stores(&[("corner.z", 2), ("height", 2)]);
+        }
+        self.up();
+        Ok(())
+    }
+
+    /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
+    fn finish(self, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> Result<Path, Refused> {
+        let Program { request, radius, first, blocks, stored, feeds, .. } = self;
+        let mut path = request.path.clone();
+        let mut answer = |from, to, _: Option<Vec3>| answers(from, to);
+        let mut machine = Machine::new(first, radius, radius, &mut answer);
+        let mut counted = Vec::new();
+        let mut own_feeds: Vec<(Option<Feed>, u8)> = Vec::new();
+        let mut protected = feeds.iter();
+        for (step, block) in blocks.iter().enumerate() {
+            let before = machine.made.len();
+            if let OwnBlock::Call(number, letters) = block {
+                let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
+                if let Some(Err(alarm)) = macros::run(*number, letters.as_slice(), &mut machine) {
+                    let message = text!(
+                        "On the nominal part P{number} would stop: {alarm}{advice}",
+                        *number as usize,
+                        words_of(alarm),
+                        Text::words(ADVICE)
+                    );
+                    return Err(refused("cycle-stops", "cycle", message));
+                }
+                let feed = if *number == 9810 { protected.next().copied() } else { None };
+                own_feeds.resize(machine.made.len(), (feed, u8::try_from(step + 2).unwrap_or(u8::MAX)));
+            }
+            counted.push(machine.made.len() - before);
+        }
+        let made = machine.made;
+        let Some((moves, touches)) = moves_of(&path, &made, &own_feeds, first, radius) else {
+            let message = text!("The macros would touch other surfaces than the cycle does{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-stops", "cycle", message));
+        };
+        (path.moves, path.touches) = (moves, touches);
+        if let Feature::Bore(bore) = &path.feature
+            && path.touches.len() == 4
+        {
+            path.formula = round_formula(&path, radius, bore.diameter.value);
+        }
+        let job = request.feeds;
+        path.feeds = Some(Feeds {
+            approach: Some(job.approach.unwrap_or(STATED_RAPID)),
+            long_link: Some(job.long_link.unwrap_or(STATED_RAPID)),
+            work: MEASURE,
+            retract: Some(FAST),
+            return_: Some(job.return_.unwrap_or(STATED_RAPID)),
+            search: Some(SEARCH),
+            rapid: None,
+        });
+        path.start = None;
+        path.own = Some(Box::new(Own {
+            counts: made.iter().map(|made| made.count).collect(),
+            first,
+            blocks: blocks.into_iter().zip(counted).collect(),
+            stored,
+        }));
+        Ok(path)
+    }
+}
+
+/// Which axis of the plane a direction is along; none of one that is turned.
+fn axis_of(vector: Vec3) -> Option<usize> {
+    (0..2).find(|axis| vector[*axis].abs() > 1.0 - NEAR)
+}
+
+/// The angle of a direction in the plane, degrees.
+fn direction(vector: Vec3) -> f64 {
+    crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
+}
+
+fn words_of(alarm: Alarm) -> Text {
+    match alarm {
+        Alarm::Obstructed => text!("alarm 86: a contact in a protected move"),
+        Alarm::Arguments => text!("alarm 91: its arguments contradict each other"),
+        Alarm::Unexpected => text!("alarm 92: a contact on the way, or at the start of a touch"),
+        Alarm::NotFound => text!("alarm 93: no contact"),
+        Alarm::Collision => text!("a collision"),
+    }
+}
+
+/// Moves and touches of what was made. Touches stand in the order of the documented ones, which the formula counts by; those of a circle in their own.
+fn moves_of(
+    path: &Path,
+    made: &[Made],
+    feeds: &[(Option<Feed>, u8)],
+    first: Vec3,
+    radius: f64,
+) -> Option<(Vec<Move>, Vec<Touch>)> {
+    let own_order = matches!(path.feature, Feature::Bore(_)) && path.touches.len() != 3;
+    let mut touches: Vec<Option<Touch>> = if own_order { Vec::new() } else { vec![None; path.touches.len()] };
+    let mut moves = vec![Move { to: first, feed: Feed::Approach, purpose: Purpose::Position, step: 1, arc: None }];
+    let mut now = 0;
+    for (made, (feed, step)) in made.iter().zip(feeds) {
+        let mut push = |to, feed, purpose| moves.push(Move { to, feed, purpose, step: *step, arc: None });
+        match made.kind {
+            Kind::Watched if made.rate == Some(SEARCH) && feed.is_none() => push(made.to, Feed::Search, Purpose::Position),
+            Kind::Watched => push(made.to, feed.unwrap_or(Feed::Retract), Purpose::Position),
+            Kind::Rapid => push(made.to, Feed::Rapid, Purpose::Position),
+            Kind::Back => push(made.to, Feed::Retract, Purpose::Back(now)),
+            Kind::Search => {
+                let met = made.met?;
+                let vector = (met.center - made.to).normalize_or_zero();
+                let touch = Touch {
+                    point: met.center - vector * radius,
+                    vector,
+                    group: met.surface,
+                    search: made.to.distance(met.center),
+                    sample: 0,
+                };
+                if own_order {
+                    now = touches.len();
+                    touches.push(None);
+                } else {
+                    let same = |k: &usize| {
+                        let documented = &path.touches[*k];
+                        touches[*k].is_none() && documented.group == touch.group && documented.vector.dot(vector) > 1.0 - NEAR
+                    };
+                    now = (0..path.touches.len()).find(same)?;
+                }
+                touches[now] = Some(Touch { sample: now, ..touch });
+                push(met.center, Feed::Search, Purpose::Search(now));
+            }
+            Kind::Measure => push(made.met?.center, Feed::Work, Purpose::Touch(now)),
+        }
+    }
+    Some((moves, touches.into_iter().collect::<Option<Vec<Touch>>>()?))
+}
+
+/// The middle of each pair of touches, and the diameter from the second: Y minus, Y plus, X minus, X plus.
+fn round_formula(path: &Path, radius: f64, diameter: f64) -> Formula {
+    let (origin, f) = (path.frame.origin, Draft::with_room_for(4));
+    let inside = path.touches.iter().all(|touch| (touch.point - origin).dot(touch.vector) < 0.0);
+    let middle = |first: usize, axis: usize| (f.trigger(first, axis) + f.trigger(first + 1, axis)) / f.number(2.0);
+    let (x, y) = (f.set("center_x", middle(2, 0)), f.set("center_y", middle(0, 1)));
+    let balls = f.length(if inside { 2.0 * radius } else { -2.0 * radius });
+    let size = f.set("diameter", f.trigger(3, 0) - f.trigger(2, 0) + balls);
+    f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin.x, Some(x));
+    f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin.y, Some(y));
+    f.result("diameter", Role::Size, words!("Diameter"), diameter, Some(size));
+    let datum = Datum::point((x, origin.x), (y, origin.y));
+    f.finish(Some(datum))
+}

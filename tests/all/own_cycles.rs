@@ -1,0 +1,390 @@
+//! Programs that call a control's own cycles: Renishaw's macros, judged by a Fanuc of our own that knows each call from its description and shares nothing with the
+//! crate. It reads the program's text, knows where the part's faces are, and says where the ball's centre is at each second touch.
+
+use std::collections::BTreeMap;
+
+use crate::common::{number, point as list, with};
+use touchpath::form::Value;
+use touchpath::job::{Plan, plan};
+
+/// A face of the part: where the ball's centre (radius 3) is stopped.
+#[derive(Clone, Copy)]
+enum Face {
+    /// Coming against the normal in the plane: normal · place = distance.
+    Wall([f64; 2], f64),
+    /// A circle of this radius about a place, from its inside or from outside.
+    Circle([f64; 2], f64),
+    /// From above, the stylus tip.
+    Top(f64),
+}
+
+const BALL: f64 = 3.0;
+
+/// How far along a way of the ball's centre (x, y, tip) a face stops it.
+fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
+    let way = [b[0] - a[0], b[1] - a[1]];
+    let part = match face {
+        Face::Top(z) => (z - a[2]) / (b[2] - a[2]),
+        Face::Wall(n, d) => {
+            let speed = n[0] * way[0] + n[1] * way[1];
+            if speed >= 0.0 {
+                return None;
+            }
+            (d + BALL - n[0] * a[0] - n[1] * a[1]) / speed
+        }
+        Face::Circle(c, radius) => {
+            let out = [a[0] - c[0], a[1] - c[1]];
+            let inside = out[0].hypot(out[1]) < radius;
+            let limit = if inside { radius - BALL } else { radius + BALL };
+            let [aa, ab, bb] = [
+                out[0] * out[0] + out[1] * out[1] - limit * limit,
+                out[0] * way[0] + out[1] * way[1],
+                way[0] * way[0] + way[1] * way[1],
+            ];
+            let root = (ab * ab - aa * bb).sqrt();
+            (if inside { -ab + root } else { -ab - root }) / bb
+        }
+    };
+    (0.0..=1.0).contains(&part).then_some(part)
+}
+
+/// The control of the tests: where the ball's centre (x, y, tip) was at each contact that counts.
+struct Judge<'p> {
+    faces: &'p [Face],
+    at: [f64; 3],
+    contacts: Vec<[f64; 3]>,
+}
+
+impl Judge<'_> {
+    /// From where it stands towards a place, and `q` beyond it.
+    fn touch(&mut self, place: [f64; 3], q: f64) -> [f64; 3] {
+        let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
+        let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let end = [0, 1, 2].map(|i| place[i] + way[i] / length * q);
+        let parts = self.faces.iter().filter_map(|face| stopped(*face, self.at, end));
+        let part = parts.fold(f64::INFINITY, f64::min);
+        assert!(part <= 1.0, "nothing is met from {:?} to {end:?}", self.at);
+        let contact = [0, 1, 2].map(|i| self.at[i] + part * (end[i] - self.at[i]));
+        self.contacts.push(contact);
+        contact
+    }
+
+    /// A touch from a place of its own, with the stylus back at the start afterwards.
+    fn touch_from(&mut self, from: [f64; 3], place: [f64; 3], q: f64) -> [f64; 3] {
+        let start = std::mem::replace(&mut self.at, from);
+        let contact = self.touch(place, q);
+        self.at = start;
+        contact
+    }
+
+    /// Both sides along a direction about where it stands: from the middle, or from outside and beside.
+    fn sides(&mut self, along: [f64; 2], size: f64, letters: &BTreeMap<char, f64>, plus_first: bool) -> [[f64; 3]; 2] {
+        let (middle, q) = (self.at, letters[&'Q']);
+        let place = |far: f64, z: f64| [middle[0] + along[0] * far, middle[1] + along[1] * far, z];
+        let turned = along[0].abs() < 0.999 && along[1].abs() < 0.999;
+        let order = if plus_first { [1.0, -1.0] } else { [-1.0, 1.0] };
+        order.map(|side| match letters.get(&'Z') {
+            None => self.touch_from(middle, place(side * size / 2.0, middle[2]), q),
+            Some(z) => {
+                let r = letters[&'R'];
+                let from = size / 2.0 + BALL * r.signum() + r;
+                // Along an axis Q counts from the surface, beside a turned wall from the contact of the ball's centre.
+                let to = if turned { size / 2.0 + BALL * r.signum() } else { size / 2.0 };
+                self.touch_from(place(side * from, *z), place(side * to, *z), q)
+            }
+        })
+    }
+
+    fn call(&mut self, number: u32, l: &BTreeMap<char, f64>) {
+        let direction = |a: f64| [a.to_radians().cos(), a.to_radians().sin()];
+        let [x0, y0, z0] = self.at;
+        match number {
+            9832 | 9833 => {}
+            9810 => {
+                for (i, letter) in ['X', 'Y', 'Z'].iter().enumerate() {
+                    self.at[i] = l.get(letter).copied().unwrap_or(self.at[i]);
+                }
+            }
+            9811 => {
+                let place = [
+                    l.get(&'X').copied().unwrap_or(x0),
+                    l.get(&'Y').copied().unwrap_or(y0),
+                    l.get(&'Z').copied().unwrap_or(z0),
+                ];
+                self.touch(place, l[&'Q']);
+            }
+            9812 => match l.get(&'X') {
+                Some(x) => drop(self.sides([1.0, 0.0], *x, l, false)),
+                None => drop(self.sides([0.0, 1.0], l[&'Y'], l, false)),
+            },
+            9814 => {
+                let [one, two] = self.sides([0.0, 1.0], l[&'D'], l, false);
+                self.at[1] = (one[1] + two[1]) / 2.0;
+                self.sides([1.0, 0.0], l[&'D'], l, false);
+                self.at[1] = y0;
+            }
+            9821 => {
+                let [c, s] = direction(l[&'A']);
+                self.touch([x0 + c * l[&'D'], y0 + s * l[&'D'], z0], l[&'Q']);
+            }
+            9822 => {
+                let a = l[&'A'];
+                // Below 90 at A + 90 first, else at A − 90; beside a web the other way round.
+                let web = l.get(&'R').is_some_and(|r| *r >= 0.0);
+                self.sides(direction(a + 90.0), l[&'D'], l, (a < 90.0) != web);
+            }
+            9823 => {
+                for letter in ['A', 'B', 'C'] {
+                    let ([c, s], half) = (direction(l[&letter]), l[&'D'] / 2.0);
+                    let at = |far: f64, z: f64| [x0 + c * far, y0 + s * far, z];
+                    match l.get(&'Z') {
+                        None => self.touch_from([x0, y0, z0], at(half, z0), l[&'Q']),
+                        Some(z) => {
+                            let r = l[&'R'];
+                            self.touch_from(at(half + BALL * r.signum() + r, *z), at(half + BALL * r.signum(), *z), l[&'Q'])
+                        }
+                    };
+                }
+            }
+            9815 | 9816 => {
+                let (x, y, q) = (l[&'X'], l[&'Y'], l[&'Q']);
+                let outside = number == 9816;
+                let (fx, fy) = if outside { (2.0 * x - x0, 2.0 * y - y0) } else { (x0, y0) };
+                let away = |from: f64, corner: f64| (from - corner).signum();
+                let steps = |letter: char| l.get(&letter).map_or(vec![0.0], |step| vec![0.0, *step]);
+                for step in steps('J') {
+                    let y = fy + step * away(fy, y);
+                    self.touch_from([x0, y, z0], [x, y, z0], q);
+                }
+                for step in steps('I') {
+                    let x = fx + step * away(fx, x);
+                    self.touch_from([x, y0, z0], [x, y, z0], q);
+                }
+            }
+            other => panic!("P{other} is not known to the judge"),
+        }
+    }
+}
+
+/// Reads the calls of a program and runs them: the contacts, ball centres in work coordinates.
+fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
+    let mut judge = Judge { faces, at: [f64::NAN; 3], contacts: Vec::new() };
+    for line in text.lines() {
+        let Some(call) = line.strip_prefix("G65 P") else { continue };
+        let mut words = call.split(' ');
+        let number = words.next().unwrap().parse().unwrap();
+        judge.call(number, &words.map(|word| (word.chars().next().unwrap(), word[1..].parse().unwrap())).collect());
+    }
+    judge.contacts.iter().map(|[x, y, tip]| [*x, *y, tip + BALL]).collect()
+}
+
+/// Where the plan's own run has the contacts, in the order in which they are made.
+fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
+    // Each is made twice, fast and slow.
+    let mut made: Vec<usize> = plan.moves.iter().filter(|step| step.kind == "touch").filter_map(|step| step.touch).collect();
+    assert!(made.chunks(2).all(|pair| pair[0] == pair[1]), "{made:?}");
+    made.dedup();
+    made.into_iter().map(|k| plan.triggers[k].unwrap()).collect()
+}
+
+fn own(cycle: &str, post: &str, changes: &[(&str, Value)]) -> Value {
+    let job = touchpath::job::default_job(cycle).unwrap();
+    let job = with(&job, "control.post", Value::Text(post.to_owned()));
+    let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
+    changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()))
+}
+
+/// The faces by hand, of the default dimensions, shifted by the part's offset.
+#[test]
+fn the_judge_touches_where_the_plan_does() {
+    let (dx, dy, dz) = (0.4, -0.3, 0.2);
+    let hole = [Face::Circle([dx, dy], 20.0)];
+    // Walls at a distance from the middle, along a direction: facing each other, or outwards.
+    let walls = |degrees: f64, half: f64, inside: bool| {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let sign = if inside { -1.0 } else { 1.0 };
+        [[c, s], [-c, -s]].map(|n| Face::Wall([n[0] * sign, n[1] * sign], sign * (n[0] * dx + n[1] * dy + half)))
+    };
+    let pocket = |turn: f64, inside: bool| [walls(turn, 40.0, inside), walls(turn + 90.0, 25.0, inside)].concat();
+    let corner = |inside: bool| {
+        // Outside, the part lies to the right of and above the corner.
+        let n = if inside { 1.0 } else { -1.0 };
+        vec![Face::Wall([n, 0.0], n * dx), Face::Wall([0.0, n], n * dy)]
+    };
+    let turn = |x: f64| vec![("cycle.rotation", number(x))];
+    let angular = vec![
+        ("cycle.variant", number(1.0)),
+        ("cycle.startAngle", number(20.0)),
+        ("cycle.angularStep", number(115.0)),
+        ("cycle.stepCount", number(3.0)),
+    ];
+    let mut web_top = walls(0.0, 15.0, false).to_vec();
+    web_top.push(Face::Top(dz));
+    let mut triple = corner(false);
+    triple.push(Face::Top(dz));
+    let cases: Vec<(&str, Vec<(&str, Value)>, Vec<Face>)> = vec![
+        ("surface", vec![], vec![Face::Top(dz)]),
+        (
+            "surface",
+            vec![("cycle.elevation", number(0.0)), ("cycle.rotation", number(180.0))],
+            vec![Face::Wall([-1.0, 0.0], -dx)],
+        ),
+        (
+            "surface",
+            vec![("cycle.elevation", number(0.0)), ("cycle.rotation", number(30.0))],
+            vec![Face::Wall([0.75f64.sqrt(), 0.5], 0.75f64.sqrt() * dx + 0.5 * dy)],
+        ),
+        ("hole", vec![], hole.to_vec()),
+        ("hole", angular.clone(), hole.to_vec()),
+        ("hole-protected", vec![], hole.to_vec()),
+        ("hole-protected", angular.clone(), hole.to_vec()),
+        ("boss", vec![], hole.to_vec()),
+        ("boss", angular, hole.to_vec()),
+        ("internal-rectangle", vec![], pocket(0.0, true)),
+        ("internal-rectangle", turn(30.0), pocket(30.0, true)),
+        ("internal-rectangle-protected", turn(90.0), pocket(90.0, true)),
+        ("internal-rectangle-protected", turn(-20.0), pocket(-20.0, true)),
+        ("external-rectangle", vec![], pocket(0.0, false)),
+        ("external-rectangle", turn(120.0), pocket(120.0, false)),
+        ("web", vec![], walls(0.0, 15.0, false).to_vec()),
+        ("web", turn(45.0), walls(45.0, 15.0, false).to_vec()),
+        ("web-three-points", vec![], web_top),
+        ("groove", turn(90.0), walls(90.0, 15.0, true).to_vec()),
+        ("groove-protected", turn(10.0), walls(10.0, 15.0, true).to_vec()),
+        ("double-wall-internal-corner", vec![], corner(true)),
+        ("double-wall-internal-corner", vec![("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))], corner(true)),
+        ("double-wall-external-corner", vec![], corner(false)),
+        ("triple-wall-external-corner", vec![], triple),
+    ];
+    let mut touches = 0;
+    for (cycle, mut changes, faces) in cases {
+        changes.push(("part.offset", list([dx, dy, dz])));
+        let plan =
+            plan(&own(cycle, "fanuc", &changes)).unwrap_or_else(|error| panic!("{cycle} {changes:?}: {:?}", error.findings));
+        let (wanted, found) = (judged(&plan.program.text, &faces), of_plan(&plan));
+        assert_eq!(wanted.len(), found.len(), "{cycle} {changes:?}\n{}", plan.program.text);
+        for (a, b) in wanted.iter().zip(&found) {
+            // Numbers of a program have three decimals.
+            let off = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+            assert!(off < 2e-3, "{cycle} {changes:?}: {a:?} and {b:?}\n{}", plan.program.text);
+            touches += 1;
+        }
+        // What the control will have is the truth of a part that is only shifted.
+        for row in plan.results.iter().filter(|row| row.truth.is_some() && row.value.is_some()) {
+            let off = (row.value.unwrap() - row.truth.unwrap()).abs();
+            let second_order = row.code == "diameter" || row.code.starts_with("center");
+            assert!(off < if second_order { 2e-2 } else { 1e-6 }, "{cycle} {}: {off}", row.code);
+        }
+    }
+    assert!(touches >= 70, "{touches}");
+}
+
+/// What the macros do not do is refused, with the field and the reason.
+#[test]
+fn what_no_macro_does_is_refused() {
+    let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
+        let error = plan(&own(cycle, "haas", changes)).expect_err("refused");
+        let errors = error.findings.iter().filter(|finding| finding.level == touchpath::form::Level::Error);
+        errors.map(|finding| format!("{} {}", finding.code, finding.path)).collect()
+    };
+    let text = |word: &str| Value::Text(word.to_owned());
+    assert_eq!(refused("hole", &[("overtravel", number(3.0))]), ["overtravel-too-short overtravel"]);
+    assert_eq!(refused("hole", &[("plane", text("G18"))]), ["plane-unsupported plane"]);
+    assert_eq!(refused("web", &[("cycle.sideClearance", number(3.1))]), ["touch-too-short cycle.sideClearance"]);
+    assert_eq!(refused("surface", &[("cycle.elevation", number(40.0))]), ["cycle-not-parallel cycle.elevation"]);
+    assert_eq!(
+        refused("double-wall-internal-corner", &[("cycle.rotation", number(5.0))]),
+        ["cycle-not-parallel cycle.rotation"]
+    );
+    assert_eq!(refused("double-wall-internal-corner", &[("cycle.angle", number(80.0))]), ["cycle-not-parallel cycle.rotation"]);
+    assert_eq!(refused("double-wall-internal-corner", &[("cycle.count1", number(3.0))]), ["cycle-chooses-points cycle.count1"]);
+    let five = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(72.0)), ("cycle.stepCount", number(5.0))];
+    assert_eq!(refused("hole", &five), ["cycle-chooses-points cycle.stepCount"]);
+    // Both macros of a turned rectangle write both axes.
+    let turned = [("cycle.rotation", number(30.0)), ("control.workOffset", number(1.0))];
+    assert_eq!(refused("internal-rectangle", &turned), ["offset-measured-again control.workOffset"]);
+}
+
+/// The letters by hand: a web along Y of 30 with 6 aside and 5 behind by a ball of 6, into G54.1 P2, with limits; in inch; results of the first of two
+/// calls are kept.
+#[test]
+fn the_letters_of_a_call_are_the_jobs() {
+    let calls = |cycle: &str, post: &str, changes: &[(&str, Value)]| -> Vec<String> {
+        let text = plan(&own(cycle, post, changes)).unwrap().program.text;
+        text.lines().filter(|line| line.starts_with("G65") || line.starts_with('#')).map(str::to_owned).collect()
+    };
+    let web = [
+        ("cycle.rotation", number(90.0)),
+        ("cycle.sideClearance", number(6.0)),
+        ("control.workOffset", number(8.0)),
+        ("limits.position", number(0.2)),
+        ("control.report", Value::Text("log".to_owned())),
+    ];
+    let fanuc = calls("web", "fanuc", &web);
+    assert_eq!(fanuc[4], "G65 P9812 Y30. Q2. Z-13. R3. H0.5 M0.4 S102. W1.");
+    assert_eq!(calls("web", "haas", &web)[4], "G65 P9812 Y30. Q2. Z-13. R3. H0.5 M0.4 S154.02 W1.");
+    let pocket = calls("internal-rectangle", "haas", &[]);
+    assert_eq!(pocket[4..8], ["G65 P9812 X80. Q2. H0.5", "#101=#185", "#102=#188", "G65 P9812 Y50. Q2. H0.5"]);
+    let inch = plan(&touchpath::job::convert_units(&own("hole", "fanuc", &[]), "inch").unwrap()).unwrap();
+    assert!(
+        inch.program.text.contains("\nG20\n") && inch.program.text.contains("G65 P9814 D1.5748 Q0.07874 H0.01969\n"),
+        "{}",
+        inch.program.text
+    );
+    // The angle of a wall, not of the touch; a corner without a second touch has no angle to be judged.
+    assert_eq!(calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4], "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5");
+    let single = calls("double-wall-internal-corner", "fanuc", &[("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))]);
+    assert_eq!(single[4], "G65 P9815 X0. Y0. Q2.");
+}
+
+/// Results are where the macros leave them, or kept.
+#[test]
+fn results_have_the_controls_own_names() {
+    let names = |cycle: &str, post: &str| -> Vec<(String, Option<String>)> {
+        plan(&own(cycle, post, &[])).unwrap().results.into_iter().map(|row| (row.code, row.stored)).collect()
+    };
+    let row = |code: &str, name: &str| (code.to_owned(), Some(name.to_owned()));
+    assert_eq!(names("hole", "fanuc"), [row("center.x", "#135"), row("center.y", "#136"), row("diameter", "#138")]);
+    assert_eq!(names("web-three-points", "haas"), [row("center.x", "#101"), row("width", "#102"), row("height", "#187")]);
+    let job = touchpath::job::default_job("hole").unwrap();
+    assert!(plan(&job).unwrap().results.iter().all(|row| row.stored.is_none()), "a program of moves says it in its header");
+}
+
+/// Run as text that someone else wrote, the program makes the plan's moves on the plan's part.
+#[test]
+fn the_program_runs_as_its_plan() {
+    use touchpath::import::toolpath::{Feature, Known, run_program};
+    let mut seen = 0;
+    for cycle in ["surface", "hole", "boss", "internal-rectangle-protected", "web", "double-wall-external-corner"] {
+        let job = own(cycle, "fanuc", &[("part.offset", list([0.3, 0.2, 0.1]))]);
+        let plan = plan(&job).unwrap();
+        // A run takes heights for those of the ball's centre.
+        let lower = with(&job, "cycle.origin", list([0.0, 0.0, -BALL]));
+        let start = plan.moves[0].to;
+        let known =
+            Known { feature: Feature::of(&lower), start: Some([start[0], start[1], start[2] + 20.0]), ..Known::default() };
+        let run = run_program(&plan.program.text, &known);
+        let contacts: Vec<[f64; 3]> = run.contacts.iter().map(|c| [c[1], c[2], c[3] + BALL]).collect();
+        let wanted: Vec<[f64; 3]> = of_plan(&plan).into_iter().flat_map(|place| [place, place]).collect();
+        assert_eq!(contacts.len(), wanted.len(), "{cycle}: {:?}\n{}", run.findings, plan.program.text);
+        for (a, b) in contacts.iter().zip(&wanted) {
+            assert!((0..3).all(|i| (a[i] - b[i]).abs() < 2e-3), "{cycle}: {a:?} and {b:?}");
+            seen += 1;
+        }
+        assert!(run.rules.iter().all(|rule| rule.holds != Some(false)), "{cycle}: {:?}", run.rules);
+    }
+    assert!(seen >= 36, "{seen}");
+}
+
+/// A part that lies so far off that a macro would stop: what is not measured is not known, and nothing is claimed after the alarm.
+#[test]
+fn an_alarm_ends_the_macro() {
+    let far = plan(&own("hole", "fanuc", &[("part.offset", list([0.0, 9.0, 0.0]))])).unwrap();
+    assert!(far.triggers.iter().any(Option::is_none) && far.results.iter().all(|row| row.value.is_none()), "{:?}", far.results);
+    let missed: Vec<&str> = far.findings.iter().filter(|f| f.code == "no-contact").map(|f| f.message.as_str()).collect();
+    assert!(missed.len() == 1 && missed[0].starts_with("Touch 2 "), "{missed:?}");
+    // Beside a boss the way down meets it.
+    let met = plan(&own("boss", "fanuc", &[("part.offset", list([0.0, -8.0, 0.0]))])).unwrap();
+    assert!(met.findings.iter().any(|finding| finding.code == "collision"), "{:?}", met.findings);
+    assert!(met.results.iter().all(|row| row.value.is_none()));
+}
