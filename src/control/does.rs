@@ -63,7 +63,7 @@ impl Request<'_> {
 
     /// What the control's own cycle does to the active preset; none where the program itself writes.
     fn preset(&self) -> Option<Preset> {
-        let circles = self.path.feature.two_circles().filter(|_| self.form == Form::Cycle)?;
+        let circles = self.path.feature.two_circles().filter(|_| self.form == Form::Cycle && self.path.own.is_none())?;
         let [abscissa, ordinate, _] = self.plane.axes();
         let corrects = code(circles, 1120) != 0;
         let axes = (0..3).filter(|axis| corrects && [abscissa, ordinate].contains(axis)).map(|axis| AXIS_NAMES[axis]);

@@ -20,6 +20,8 @@ pub struct OwnRequest<'a> {
     /// How the calls name it.
     pub offset: fn(i32) -> f64,
     pub limits: Limits,
+    /// Of a job that switches the probe: whether on.
+    pub switches_on: bool,
     /// Whether the results are printed.
     pub prints: bool,
 }

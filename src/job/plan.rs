@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::control::own::{OwnCycles, OwnRequest, Refused};
 use crate::control::release::{Refusal, release};
 use crate::control::renishaw::machine::{Alarm, Met};
-use crate::control::renishaw::macros::PROTECTED_MOVE;
+use crate::control::renishaw::macros::MEASURES_NOTHING;
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Report, Request};
@@ -61,6 +61,11 @@ fn own_path(job: &Job, path: Path) -> (Path, Refused) {
         work_offset: job.work_offset,
         offset: cycles.offset,
         limits: job.limits,
+        switches_on: job
+            .cycle
+            .parameters(&job.setup, &[])
+            .iter()
+            .any(|row| row.value == crate::path::ParameterValue::Flag(true)),
         prints: job.report == Report::Log,
     };
     let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
@@ -283,16 +288,20 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
 }
 
 /// Whose path is shown where cycles of the control's own make it, and that an offset is written in parts.
-fn report_own(job: &Job, path: &Path, checker: &mut Checker) {
-    let Some(own) = &path.own else { return };
-    let calls = own.blocks.iter().filter(|(block, _)| matches!(block, OwnBlock::Call(number, _) if *number != PROTECTED_MOVE));
-    let calls = calls.count();
+fn report_own(path: &Path, checker: &mut Checker) {
+    let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else { return };
+    let letters = own.blocks.iter().filter_map(|(block, _)| match block {
+        OwnBlock::Call(number, letters) if !MEASURES_NOTHING.contains(number) => Some(letters),
+        OwnBlock::Call(..) | OwnBlock::Keep(..) => None,
+    });
+    let calls = letters.clone().count();
+    let writes = letters.filter(|letters| letters.iter().any(|(letter, _)| *letter == 'S')).count();
     let message = text!(
         "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, choose the order and their feeds, and write what they measure",
         calls
     );
     checker.info("own-path", "control.form", message);
-    if job.work_offset.is_some() && calls > 1 {
+    if writes > 1 {
         let message = text!(
             "Each call writes its axes of the work offset as soon as it has measured them: an alarm in a later one leaves the offset half written"
         );
@@ -302,7 +311,7 @@ fn report_own(job: &Job, path: &Path, checker: &mut Checker) {
 
 /// A cycle that is rows of the table and nothing else: its program must not be taken for what the rows ask for.
 fn report_still(path: &Path, checker: &mut Checker) {
-    if matches!(path.feature, Feature::Unmoving) {
+    if matches!(path.feature, Feature::Unmoving) && path.own.is_none() {
         let message = text!(
             "This program switches nothing and moves nothing: it states its modes and ends. What the cycle asks for is in the parameter table only, for a postprocessor"
         );
@@ -336,7 +345,10 @@ fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
         path.frame.origin,
         &job.placement,
     );
-    job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    // The macros judge by their own letters.
+    if path.own.is_none() {
+        job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+    }
     if run.collision.is_none() {
         let implausible = judge_plausible(job, path, &mut rows);
         report_implausible(job, path, &rows, &implausible, checker);
@@ -369,7 +381,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     report_uncertain(job, &results, &mut checker);
     report_rotation(job, path, &mut checker);
     report_still(path, &mut checker);
-    report_own(job, path, &mut checker);
+    report_own(path, &mut checker);
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
     (job.post.check)(&request, &mut checker);

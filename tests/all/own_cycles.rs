@@ -99,7 +99,7 @@ impl Judge<'_> {
         let direction = |a: f64| [a.to_radians().cos(), a.to_radians().sin()];
         let [x0, y0, z0] = self.at;
         match number {
-            9832 | 9833 => {}
+            9832 | 9833 | 9834 => {}
             9810 => {
                 for (i, letter) in ['X', 'Y', 'Z'].iter().enumerate() {
                     self.at[i] = l.get(letter).copied().unwrap_or(self.at[i]);
@@ -255,6 +255,8 @@ fn the_judge_touches_where_the_plan_does() {
         ("double-wall-internal-corner", vec![("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))], corner(true)),
         ("double-wall-external-corner", vec![], corner(false)),
         ("triple-wall-external-corner", vec![], triple),
+        // Two holes of 20, at X−30 and X30.
+        ("probing-two-circles", vec![], [-30.0, 30.0].map(|x| Face::Circle([x + dx, dy], 10.0)).to_vec()),
     ];
     let mut touches = 0;
     for (cycle, mut changes, faces) in cases {
@@ -335,6 +337,50 @@ fn the_letters_of_a_call_are_the_jobs() {
     assert_eq!(calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4], "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5");
     let single = calls("double-wall-internal-corner", "fanuc", &[("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))]);
     assert_eq!(single[4], "G65 P9815 X0. Y0. Q2.");
+}
+
+/// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S stands where nothing is measured again.
+#[test]
+fn two_circles_are_measured_from_feature_to_feature() {
+    let job =
+        own("probing-two-circles", "fanuc", &[("control.workOffset", number(3.0)), ("cycle.transferPosition", number(2.0))]);
+    let planned = plan(&job).unwrap();
+    let calls: Vec<&str> =
+        planned.program.text.lines().filter(|line| line.starts_with("G65 P98") && !line.contains("P9810")).collect();
+    assert_eq!(
+        calls,
+        [
+            "G65 P9832",
+            "G65 P9814 D20. Q5. H0.5",
+            "G65 P9834",
+            "G65 P9814 D20. Q5. H0.5 S3.",
+            "G65 P9834 X60. Y0. B1.",
+            "G65 P9833"
+        ]
+    );
+    let stored: Vec<(&str, &str)> =
+        planned.results.iter().filter_map(|row| Some((row.code.as_str(), row.stored.as_deref()?))).collect();
+    assert_eq!(
+        stored,
+        [
+            ("Q950", "#101"),
+            ("Q951", "#102"),
+            ("Q953", "#104"),
+            ("Q954", "#105"),
+            ("Q964", "#144"),
+            ("Q966", "#103"),
+            ("Q967", "#106")
+        ]
+    );
+    let refused = |transfer: f64| plan(&with(&job, "cycle.transferPosition", number(transfer))).unwrap_err().findings;
+    for transfer in [1.0, 3.0] {
+        assert!(refused(transfer).iter().any(|finding| finding.code == "offset-measured-again"));
+    }
+    // Probe on and off.
+    for (on, line) in [(true, "\nG65 P9832\nM30\n"), (false, "\nG65 P9833\nM30\n")] {
+        let program = plan(&own("probe-on-off", "haas", &[("cycle.on", Value::Flag(on))])).unwrap().program;
+        assert!(program.text.contains(line), "{}", program.text);
+    }
 }
 
 /// Results are where the macros leave them, or kept.

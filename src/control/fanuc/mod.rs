@@ -125,8 +125,7 @@ const DIGITS: usize = 8;
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) => Ok(()),
-        (Subject::Switch | Subject::Action, Form::Cycle) => Err("nothing is probed: the moves form states the modes and ends"),
-        (Subject::TwoCircles, Form::Cycle) => Err("two circles by the macros are not written: use moves"),
+        (Subject::Action, Form::Cycle) => Err("a line for the control is no cycle: the moves form states the modes and ends"),
         _ => Ok(()),
     }
 }

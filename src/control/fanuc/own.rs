@@ -10,7 +10,7 @@ use super::{STANDARD_OFFSETS, number};
 use crate::control::iso::writer::Writer;
 use crate::control::own::OwnCycles;
 use crate::control::renishaw::cycles;
-use crate::control::{Program, Request, check_write, does, orientation_line};
+use crate::control::{Program, Request, check_plain_moves, check_rotary, check_write, does, orientation_line};
 use crate::form::Checker;
 use crate::num::{decimal, format_count};
 use crate::path::{Own, OwnBlock, Quantity, STATED_RAPID, Stored};
@@ -55,6 +55,13 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("limit-stops", "limits", message);
     }
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
+    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        let message = text!("A work offset of this control has no rotation: none can be written");
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+    }
     check_write(request, checker);
     check_optional_offset(request, checker);
     number::check(request, checker);
@@ -65,14 +72,10 @@ pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program 
     let mut w = Writer::new(request);
     let Some(own) = &request.path.own else { return w.finish() };
     begin(request, own, flavour, &mut w);
-    w.line("G65 P9832");
-    // Where the stylus stands is not known: in the plane first, at whatever height, then down.
-    let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
-    let [x, y, z] = [first.x, first.y, first.z - request.setup.radius].map(|mm| w.number(mm));
-    let feed = w.number(rate);
-    w.parts(&["G65 P9810 X", &x, " Y", &y, " F", &feed]);
-    w.makes_move();
-    w.parts(&["G65 P9810 Z", &z, " F", &feed]);
+    let probes = !request.path.moves.is_empty();
+    if probes {
+        approach(request, own, &mut w);
+    }
     for (block, moves) in &own.blocks {
         match block {
             OwnBlock::Call(number, letters) => {
@@ -90,10 +93,23 @@ pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program 
             }
         }
     }
-    w.line("G65 P9833");
+    if probes {
+        w.line("G65 P9833");
+    }
     w.line("M30");
     w.line("%");
     w.finish()
+}
+
+/// Where the stylus stands is not known: in the plane first, at whatever height, then down.
+fn approach(request: &Request<'_>, own: &Own, w: &mut Writer<'_>) {
+    w.line("G65 P9832");
+    let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
+    let [x, y, z] = [first.x, first.y, first.z - request.setup.radius].map(|mm| w.number(mm));
+    let feed = w.number(rate);
+    w.parts(&["G65 P9810 X", &x, " Y", &y, " F", &feed]);
+    w.makes_move();
+    w.parts(&["G65 P9810 Z", &z, " F", &feed]);
 }
 
 fn word(w: &Writer<'_>, quantity: Quantity) -> String {
@@ -120,6 +136,10 @@ fn begin(request: &Request<'_>, own: &Own, flavour: &'static Flavour, w: &mut Wr
     );
     if own.blocks.iter().any(|(block, _)| matches!(block, OwnBlock::Call(number, _) if BY_DIRECTIONS.contains(number))) {
         w.comment("P9821, P9822 and P9823 ask for a calibration by directions: P9804");
+    }
+    if request.path.moves.is_empty() {
+        w.says_job();
+        return w.modes();
     }
     let z = w.height_word(own.first - request.path.frame.w * request.setup.radius);
     w.comment(&format!(

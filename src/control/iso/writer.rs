@@ -190,12 +190,12 @@ impl<'a> Writer<'a> {
             ));
         }
         self.comment(offset);
-        if matches!(request.path.feature, Feature::Unmoving) {
-            return self.comment("Switches nothing, moves nothing: states its modes and ends");
-        }
         // Cycles of the control's own say it themselves.
         if request.path.own.is_some() {
             return;
+        }
+        if matches!(request.path.feature, Feature::Unmoving) {
+            return self.comment("Switches nothing, moves nothing: states its modes and ends");
         }
         self.comment("Before the start: probe in the spindle and switched on, its length to the ball CENTRE active");
         if let Some(start) = request.path.start {

@@ -20,8 +20,8 @@ const R: f64 = 5.0;
 /// The same of 9843.
 const Q_ANGLE: f64 = 10.0;
 
-/// The macro of a protected move.
-pub const PROTECTED_MOVE: u32 = 9810;
+/// A protected move, the probe switched on and off, what lies between two features.
+pub const MEASURES_NOTHING: [u32; 4] = [9810, 9832, 9833, 9834];
 
 /// The macros whose moves are known, by their numbers.
 pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];

@@ -7,8 +7,8 @@ use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Feeds, Move, Own, OwnBlock, Pairs, Path, Point, Purpose, Quantity, STATED_RAPID,
-    Stored, Touch,
+    Bore, Corner, Entry, Feature, Feed, Feeds, Move, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Purpose, Quantity,
+    STATED_RAPID, Stored, Surface, Touch, TwoCircles,
 };
 use crate::text::{Text, text, words};
 
@@ -31,7 +31,8 @@ pub fn serve(request: &OwnRequest<'_>, answers: &dyn Fn(Vec3, Vec3) -> Option<Me
         Feature::Bore(bore) => program.bore(bore)?,
         Feature::Pairs(pairs) => program.pairs(pairs)?,
         Feature::Corner(corner) => program.corner(corner)?,
-        Feature::TwoCircles(_) | Feature::Unmoving => {}
+        Feature::TwoCircles(circles) => program.two_circles(circles)?,
+        Feature::Unmoving => return program.switch(),
     }
     program.finish(answers)
 }
@@ -174,7 +175,12 @@ impl<'a> Program<'a> {
     }
 
     /// A measuring call: with the work offset where one is written, tolerances where they are limited, the print where it is asked for.
-    fn measures(&mut self, number: u32, mut letters: Vec<(char, Quantity)>) {
+    fn measures(&mut self, number: u32, letters: Vec<(char, Quantity)>) {
+        self.calls(number, letters, self.request.work_offset);
+    }
+
+    /// The same, into this work offset.
+    fn calls(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, work_offset: Option<i32>) {
         let limits = &self.request.limits;
         // One touch a wall gives no angle.
         let angle = limits.angle.filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
@@ -192,7 +198,7 @@ impl<'a> Program<'a> {
         }
         // The whole zone: the alarm comes at half of it.
         tolerance('M', limits.position.map(|x| 2.0 * x), Quantity::Length);
-        if let Some(n) = self.request.work_offset {
+        if let Some(n) = work_offset {
             letters.push(('S', Quantity::Plain((self.request.offset)(n))));
         }
         if self.request.prints {
@@ -417,6 +423,75 @@ impl<'a> Program<'a> {
         Ok(())
     }
 
+    /// Hole or stud, from feature to feature, the other one, and what lies between them.
+    fn two_circles(&mut self, circles: &TwoCircles) -> Result<(), Refused> {
+        let path = self.request.path;
+        let setting = |number: i32| match circles.settings.iter().find(|setting| setting.number == number).map(|s| &s.value) {
+            Some(ParameterValue::Whole(n)) => *n,
+            _ => 0,
+        };
+        let of = |group: usize| path.touches.iter().filter(|touch| touch.group == group).collect::<Vec<&Touch>>();
+        let full = circles.spread.is_some_and(|spread| (spread.sweep.abs().to_degrees() - 360.0).abs() < NEAR);
+        if [0, 1].iter().any(|group| of(*group).len() != 4) || !full || !circles.extrusion.is_empty() {
+            return Err(four_points());
+        }
+        let (transfer, line) = (setting(1120), circles.line.unwrap_or([Vec3::ZERO; 2]));
+        if self.request.work_offset.is_some() && matches!(transfer, 1 | 3) {
+            let message = text!(
+                "The work offset can be written by the second circle alone (Q1120 = 2): after the first the second would be measured in the system that it has moved{advice}",
+                Text::words(ADVICE)
+            );
+            return Err(refused("offset-measured-again", "cycle.transferPosition", message));
+        }
+        let up = path.moves.iter().map(|step| step.to.z).fold(f64::NEG_INFINITY, f64::max);
+        self.first = line[0].with_z(up);
+        self.at = self.first;
+        for (i, center) in line.into_iter().enumerate() {
+            let (touches, codes) = (of(i), [["Q950", "Q951", "Q966"], ["Q953", "Q954", "Q967"]][i]);
+            let k = path.touches.iter().position(|touch| touch.group == i).unwrap_or(0);
+            let from = path.searches().find(|(touch, ..)| *touch == k).and_then(|(_, from, _)| from).unwrap_or(center);
+            let round = match &path.surfaces[i] {
+                Surface::Round(round) => *round,
+                _ => return Err(four_points()),
+            };
+            self.goes(center.with_z(up), &[0, 1], Feed::LongLink);
+            let q = touches[0].search - self.radius;
+            if q <= 0.0 {
+                return self.q().map(drop);
+            }
+            let mut letters = vec![('D', Quantity::Length(2.0 * round.radius)), ('Q', Quantity::Length(q))];
+            if round.hole {
+                self.goes(center.with_z(touches[0].point.z), &[2], Feed::LongLink);
+            } else {
+                let clearance = Entry { field: "cycle.setUpClearance", value: from.distance(touches[0].point) };
+                letters.extend([('Z', Quantity::Length(touches[0].point.z - self.radius)), ('R', self.r(clearance, false)?)]);
+            }
+            self.calls(9814, letters, self.request.work_offset.filter(|_| i == 1 && transfer == 2));
+            self.stores(&[(codes[0], 0), (codes[1], 1), (codes[2], 3)]);
+            self.keeps();
+            if i == 0 {
+                self.blocks.push(OwnBlock::Call(9834, Vec::new()));
+                self.up();
+            }
+        }
+        let [dx, dy] = [line[1].x - line[0].x, line[1].y - line[0].y];
+        let mut letters = vec![('X', Quantity::Length(dx)), ('Y', Quantity::Length(dy))];
+        letters.extend(self.request.limits.angle.map(|angle| ('B', Quantity::Angle(angle))));
+        self.blocks.push(OwnBlock::Call(9834, letters));
+        self.stores(&[("Q964", 9)]);
+        self.up();
+        Ok(())
+    }
+
+    /// The probe is switched on or off: nothing moves.
+    fn switch(self) -> Result<Path, Refused> {
+        let mut path = self.request.path.clone();
+        let number = if self.request.switches_on { 9832 } else { 9833 };
+        let blocks = vec![(OwnBlock::Call(number, Vec::new()), 0)];
+        path.own = Some(Box::new(Own { first: Vec3::ZERO, blocks, counts: Vec::new(), stored: Vec::new() }));
+        Ok(path)
+    }
+
     /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
     fn finish(self, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> Result<Path, Refused> {
         let Program { request, radius, first, blocks, stored, feeds, .. } = self;
@@ -455,6 +530,10 @@ impl<'a> Program<'a> {
         {
             path.formula = round_formula(&path, radius, bore.diameter.value);
         }
+        // The macros fit nothing, and of two circles they say what is asked for.
+        let two = matches!(path.feature, Feature::TwoCircles(_));
+        let said = |code: &str| stored.iter().any(|(known, _)| *known == code) || code.starts_with("preset");
+        path.formula.results.retain(|result| result.role != Role::Residual && (!two || said(result.code)));
         let job = request.feeds;
         path.feeds = Some(Feeds {
             approach: Some(job.approach.unwrap_or(STATED_RAPID)),
@@ -481,6 +560,13 @@ fn axis_of(vector: Vec3) -> Option<usize> {
     (0..2).find(|axis| vector[*axis].abs() > 1.0 - NEAR)
 }
 
+/// What the macros ask of two circles.
+fn four_points() -> Refused {
+    let message =
+        text!("The macros touch each circle at four points a quarter turn apart, at one height{advice}", Text::words(ADVICE));
+    refused("cycle-chooses-points", "cycle.probePoints", message)
+}
+
 /// The angle of a direction in the plane, degrees.
 fn direction(vector: Vec3) -> f64 {
     crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
@@ -504,7 +590,11 @@ fn moves_of(
     first: Vec3,
     radius: f64,
 ) -> Option<(Vec<Move>, Vec<Touch>)> {
-    let own_order = matches!(path.feature, Feature::Bore(_)) && path.touches.len() != 3;
+    let own_order = match path.feature {
+        Feature::Bore(_) => path.touches.len() != 3,
+        Feature::TwoCircles(_) => true,
+        _ => false,
+    };
     let mut touches: Vec<Option<Touch>> = if own_order { Vec::new() } else { vec![None; path.touches.len()] };
     let mut moves = vec![Move { to: first, feed: Feed::Approach, purpose: Purpose::Position, step: 1, arc: None }];
     let mut now = 0;
