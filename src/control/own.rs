@@ -32,13 +32,16 @@ pub type Refused = Vec<(&'static str, String, Text)>;
 /// What a ball's centre meets on a straight way.
 pub type Meets<'a> = &'a dyn Fn(Vec3, Vec3) -> Option<Met>;
 
+/// What each move met, up to the alarm that ended them.
+pub type Outcome = (Vec<Made>, Option<Alarm>);
+
 /// How a control's own cycles are planned, run and named.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnCycles {
     /// Plans the calls and their path on the nominal part.
     pub plan: for<'a> fn(&OwnRequest<'a>, Meets<'_>) -> Result<Path, Refused>,
-    /// Runs the calls again on another part: what each move met, up to the alarm.
-    pub rerun: fn(&Own, f64, Meets<'_>) -> (Vec<Made>, Option<Alarm>),
+    /// Runs the calls again on another part.
+    pub rerun: fn(&Own, f64, Meets<'_>) -> Outcome,
     /// How the calls name a work offset.
     pub offset: fn(i32) -> f64,
     /// The control's name of a result.

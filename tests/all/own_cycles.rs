@@ -99,7 +99,7 @@ impl Judge<'_> {
         let direction = |a: f64| [a.to_radians().cos(), a.to_radians().sin()];
         let [x0, y0, z0] = self.at;
         match number {
-            9832 | 9833 | 9834 => {}
+            9832..=9834 => {}
             9810 => {
                 for (i, letter) in ['X', 'Y', 'Z'].iter().enumerate() {
                     self.at[i] = l.get(letter).copied().unwrap_or(self.at[i]);
@@ -222,7 +222,8 @@ fn the_judge_touches_where_the_plan_does() {
     web_top.push(Face::Top(dz));
     let mut triple = corner(false);
     triple.push(Face::Top(dz));
-    let cases: Vec<(&str, Vec<(&str, Value)>, Vec<Face>)> = vec![
+    type Case = (&'static str, Vec<(&'static str, Value)>, Vec<Face>);
+    let cases: Vec<Case> = vec![
         ("surface", vec![], vec![Face::Top(dz)]),
         (
             "surface",
