@@ -29,7 +29,10 @@ export function moveInWords(store: Store, index: number, numbered = true): strin
   const { moves } = store.plan;
   const move = moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
-  const said: Said = [w("step {step}, {what}, {feed}, to {place}"), String(move.step), what, [FEEDS[move.feed]], place];
+  // The macros have feeds of their own.
+  const said: Said = store.plan.program.own
+    ? [w("call {step}, {what}, to {place}"), String(move.step), what, place]
+    : [w("step {step}, {what}, {feed}, to {place}"), String(move.step), what, [FEEDS[move.feed]], place];
   return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
 }
 
@@ -51,7 +54,8 @@ export function moveInShort(store: Store, index: number): string {
   const move = store.plan.moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
   const where = move.kind === "touch" ? store.t("contact {place}", place) : place;
-  return [store.say(what), where, speed(store, move.feed)].join(" · ");
+  const own = store.plan.program.own && !["approach", "longLink", "return"].includes(move.feed);
+  return [store.say(what), where, ...(own ? [] : [speed(store, move.feed)])].join(" · ");
 }
 
 /** Minutes and seconds. */

@@ -96,7 +96,7 @@ pub struct Move {
     pub feed: &'static str,
     /// `position`, `touch` or `back`.
     pub kind: &'static str,
-    /// Step of the cycle's documented list, from 1.
+    /// Step of the cycle's documented list, from 1. Where cycles of the control's own make it: which line makes it, from that of the first move on.
     pub step: u8,
     /// Index of the touch that it makes or comes back from; null for positioning.
     pub touch: Option<usize>,

@@ -131,7 +131,12 @@ test("where a long program names its parts, and what is said of a line, could no
   await openText(text, "headings.nc");
   const select = page.locator("tp-viewer .headings");
   await select.waitFor();
-  assert.deepEqual(await select.locator("option").allTextContents(), ["Go to", "2: O1", "6: O100 (EDGE)", "10: O200 (NEVER)"]);
+  assert.deepEqual(await select.locator("option").allTextContents(), [
+    "Go to",
+    "2: O1",
+    "6: O100 (EDGE)",
+    "10: O200 (NEVER)",
+  ]);
   await select.selectOption({ label: "10: O200 (NEVER)" });
   await page.locator('tp-viewer .lit[data-line="9"]').waitFor();
   await select.selectOption({ label: "6: O100 (EDGE)" });

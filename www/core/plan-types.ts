@@ -330,7 +330,7 @@ export interface Move {
   feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
   /** `position`, `touch` or `back`. */
   kind: "position" | "touch" | "back";
-  /** Step of the cycle's documented list, from 1. */
+  /** Step of the cycle's documented list, from 1. Where cycles of the control's own make it: which line makes it, from that of the first move on. */
   step: number;
   /** Index of the touch that it makes or comes back from; null for positioning. */
   touch: number | null;

@@ -60,7 +60,8 @@ class ProgramPart extends Part {
     const { head } = this;
     // Blocks that begin with their own numbers need no second ones.
     const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
-    const { steps } = this.store.cycle;
+    // Calls of the control's own cycles are no documented steps.
+    const steps = program.own ? [] : this.store.cycle.steps;
     const row = ({ text, line }: Block["lines"][number]) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
@@ -119,7 +120,14 @@ class ProgramPart extends Part {
   private lineOf(move: number): number {
     const { moveLines, text } = this.store.plan.program;
     const line = moveLines[move] ?? -1;
+    if (line < 0 && this.store.plan.program.own) return this.callOf(move);
     return line >= 0 ? line : text.split("\n").findIndex((block) => CYCLE.test(block));
+  }
+
+  /** The line of the call that makes a move: its step counts the lines from that of the first move on. */
+  private callOf(move: number): number {
+    const { moves, program } = this.store.plan;
+    return (program.moveLines[0] ?? 0) + (moves[move]?.step ?? 1) - 1;
   }
 
   /** Whether differences are shown in place of the program. */
@@ -292,7 +300,10 @@ class ProgramPart extends Part {
   private onLine(event: MouseEvent, act: (move: number | null) => void): void {
     const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
     if (line === undefined) return;
-    const move = this.store.plan.program.moveLines.lastIndexOf(Number(line));
+    const { moves, program } = this.store.plan;
+    const made = program.moveLines.lastIndexOf(Number(line));
+    const called = () => moves.findIndex((_, move) => this.callOf(move) === Number(line));
+    const move = made < 0 && program.own ? called() : made;
     act(move < 0 ? null : move);
   }
 

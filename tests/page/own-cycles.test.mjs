@@ -1,0 +1,35 @@
+// A program that calls cycles of the control's own: the picture shows their path, the lines are the calls, the results have the control's names.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openText, page, setUp, textOf } from "./common.mjs";
+
+setUp();
+
+const JOB = JSON.stringify({
+  format: 1,
+  name: "BOSS_2201",
+  cycle: { type: "boss", diameter: 40 },
+  control: { post: "fanuc", form: "cycle", workOffset: 1 },
+  part: { offset: [0.5, -0.3, 0] },
+});
+
+test("a macro's path was shown under steps and feeds that it does not have: it has its calls, and their line lights with each of its moves", async () => {
+  await openText(JOB, "boss.json");
+  const call = page.locator("tp-program .line", { hasText: "G65 P9814 D40." });
+  await call.waitFor();
+  assert.equal(await page.locator("tp-program .step").count(), 0, "the documented steps are another path's");
+  await call.hover();
+  assert.match(await textOf(page.locator("tp-picture output")), /Y-28/, "out beside the boss first");
+  await page.mouse.move(0, 0);
+  await page.locator("#scrub").focus();
+  for (const _ of Array(5)) await page.keyboard.press("ArrowRight");
+  assert.equal(
+    await page.locator("tp-program [aria-selected=true]").getAttribute("data-line"),
+    await call.getAttribute("data-line"),
+  );
+  const said = await textOf(page.locator("tp-picture output"));
+  assert.match(said, /^touch 1 · contact X0 Y-23 Z-10$/, "no feed of the job");
+  assert.match(await page.locator("#scrub").getAttribute("aria-valuetext").then(String), /call 3, touch 1/);
+  await page.getByRole("tab", { name: "Results" }).click();
+  assert.match(await textOf(page.locator("tp-results tbody tr").first()), /center\.x #135/);
+});
