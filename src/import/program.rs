@@ -79,7 +79,7 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         set(&mut job, "name", Value::Text(name.to_owned()));
     }
     take_number(text, &mut job);
-    if let Some(version) = said.version.filter(|version| *version != env!("CARGO_PKG_VERSION")) {
+    if let Some(version) = said.version.filter(|version| !version.eq_ignore_ascii_case(env!("CARGO_PKG_VERSION"))) {
         let message = text!(
             "Version {version} wrote this program, and {own} reads it: blocks may differ only because of that",
             printable(version),

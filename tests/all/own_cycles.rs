@@ -402,11 +402,19 @@ fn results_have_the_controls_own_names() {
 fn the_program_runs_as_its_plan() {
     use touchpath::import::toolpath::{Feature, Known, run_program};
     let mut seen = 0;
-    for cycle in ["surface", "hole", "boss", "internal-rectangle-protected", "web", "double-wall-external-corner"] {
+    let two = "probing-two-circles";
+    for cycle in ["surface", "hole", "boss", "internal-rectangle-protected", "web", "double-wall-external-corner", two] {
         let job = own(cycle, "fanuc", &[("part.offset", list([0.3, 0.2, 0.1]))]);
         let plan = plan(&job).unwrap();
         // A run takes heights for those of the ball's centre.
-        let lower = with(&job, "cycle.origin", list([0.0, 0.0, -BALL]));
+        let lower = match cycle == two {
+            true => with(
+                &with(&job, "cycle.point1", list([-30.0, 0.0, -10.0 - BALL])),
+                "cycle.point2",
+                list([30.0, 0.0, -10.0 - BALL]),
+            ),
+            false => with(&job, "cycle.origin", list([0.0, 0.0, -BALL])),
+        };
         let start = plan.moves[0].to;
         let known =
             Known { feature: Feature::of(&lower), start: Some([start[0], start[1], start[2] + 20.0]), ..Known::default() };
@@ -420,7 +428,7 @@ fn the_program_runs_as_its_plan() {
         }
         assert!(run.rules.iter().all(|rule| rule.holds != Some(false)), "{cycle}: {:?}", run.rules);
     }
-    assert!(seen >= 36, "{seen}");
+    assert!(seen >= 50, "{seen}");
 }
 
 /// A part that lies so far off that a macro would stop: what is not measured is not known, and nothing is claimed after the alarm.
@@ -434,4 +442,27 @@ fn an_alarm_ends_the_macro() {
     let met = plan(&own("boss", "fanuc", &[("part.offset", list([0.0, -8.0, 0.0]))])).unwrap();
     assert!(met.findings.iter().any(|finding| finding.code == "collision"), "{:?}", met.findings);
     assert!(met.results.iter().all(|row| row.value.is_none()));
+}
+
+/// Every program of calls is read back into its job; a changed value is said.
+#[test]
+fn a_program_of_calls_comes_back_as_its_job() {
+    let mut read = 0;
+    for cycle in touchpath::cycle::CYCLES {
+        for post in ["fanuc", "haas"] {
+            let job = own(cycle.key, post, &[]);
+            let Ok(planned) = plan(&job) else { continue };
+            let back = crate::common::import(&planned.program.text).unwrap_or_else(|error| panic!("{}: {error:?}", cycle.key));
+            let again = plan(&back.job).unwrap().program.text;
+            assert_eq!(again, planned.program.text, "{}", cycle.key);
+            assert!(back.findings.iter().all(|finding| finding.code != "program-differs"), "{:?}", back.findings);
+            let changed = planned.program.text.replacen(" Q2.", " Q3.", 1);
+            if changed != planned.program.text {
+                let found = crate::common::import(&changed).unwrap().findings;
+                assert!(found.iter().any(|finding| finding.code == "program-differs"), "{found:?}");
+            }
+            read += 1;
+        }
+    }
+    assert_eq!(read, 34);
 }

@@ -22,6 +22,11 @@ const enter = async (/** @type {string} */ id, /** @type {string} */ text) => {
   await input.press("Tab");
 };
 
+/** Where the stylus stands before the first block. */
+const begins = async (/** @type {string[]} */ ...place) => {
+  for (const [axis, text] of place.entries()) await enter(`start-${axis}`, text);
+};
+
 test("what a macro reads and nothing sets could not be entered: it is asked for, and the picture follows", async () => {
   await openText(MACRO, "edge.ngc");
   const viewer = page.locator("tp-viewer");
@@ -72,12 +77,7 @@ test("a cycle of the control's own was a line that is not understood: it is name
 test("a program could not be tried on a part: it is run on the one in the form", async () => {
   await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "form.ngc");
   await page.getByText("Run it with what you know").click();
-  for (const [id, text] of [
-    ["start-0", "0"],
-    ["start-1", "0"],
-    ["start-2", "-5"],
-  ])
-    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("form");
   // The pocket of the form is 80 wide, the ball has a radius of 3: 37.
   const shown = async () =>
@@ -99,12 +99,7 @@ test("a part that lies off could not be put into the picture: by hand, and the p
   // From 0 towards 60: a wall at 20, which lies 2 off, is met by a ball of 6 at 19.
   await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "hand.ngc");
   await page.getByText("Run it with what you know").click();
-  for (const [id, text] of [
-    ["start-0", "0"],
-    ["start-1", "0"],
-    ["start-2", "-5"],
-  ])
-    await enter(/** @type {string} */ (id), /** @type {string} */ (text));
+  await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("hand");
   await page.locator("#hand-kind").selectOption("internal-rectangle");
   for (const [id, text] of [

@@ -63,6 +63,7 @@ impl Reader {
             (take(&mut self.branches), "branch-ends", text!("Branches whose condition is not known end the program: the run continues as if they were not taken")),
             (take(&mut self.aborted), "program-stops", text!("The program stops itself with a message")),
             (take(&mut self.own_moves), "own-moves", text!("The moves of these macros are those of one edition: feeds, and the way back between their two touches, are settings of an installation")),
+            (take(&mut self.own_cycles), "own-moves", text!("The moves of these cycles are documented; SET_UP of the touch probe table is taken for 0, and a touch to search 10 mm behind its contact")),
             (take(&mut self.stopped), "macro-stops", text!("A macro of the control's own stops the program with an alarm: it meets nothing where it must, or something where it must not")),
             (take(&mut self.twice), "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read")),
         ]);

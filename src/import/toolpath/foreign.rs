@@ -50,6 +50,11 @@ impl Reader {
         self.count_named(named.to_owned(), Foreign::Unknown, call.map(|call| call.title));
     }
 
+    /// One of the control's own cycles whose moves were made: it is listed.
+    pub(super) fn listed(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
+        native_call(&mut self.path, self.line, name, arguments, place);
+    }
+
     /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
     #[cold]
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
@@ -70,8 +75,10 @@ impl Reader {
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
-            // They switch the probe on and off.
-            Some(p @ (9832.0 | 9833.0)) => {
+            // They switch the probe on and off, compare two features, and correct a tool: nothing moves.
+            Some(p @ (9832.0 | 9833.0 | 9834.0 | 9835.0 | 8832.0 | 8833.0 | 8834.0 | 8835.0))
+                if !self.path.centroid || p < 9834.0 =>
+            {
                 native_call(&mut self.path, self.line, &name(p), arguments(), place);
             }
             Some(p) => {

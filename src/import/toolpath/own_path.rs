@@ -77,18 +77,35 @@ impl Reader {
     }
 
     fn own_move(&mut self, made: &Made, inch: f64) {
-        let index = self.path.len();
         let kind = match made.kind {
             Kind::Rapid => RAPID,
             Kind::Watched | Kind::Back => FEED,
             Kind::Search | Kind::Measure => PROBE,
         };
-        self.path.to.extend((made.to / inch).to_array());
+        let met = made.met.map(|met| met.center).filter(|center| center.distance(made.to) >= IN_POSITION);
+        self.makes((kind, made.to, met, made.rate), inch);
+    }
+
+    /// What answers a touch that a cycle of the control's own makes: a place of the ball's centre, mm.
+    pub(super) fn answers(&self) -> impl Fn(Vec3, Vec3, Vec3) -> Option<Vec3> + use<> {
+        let known = self.run.as_ref().map(|run| (run.feature.clone(), run.touch));
+        move |from, to, expected| match &known {
+            Some((Some(feature), _)) => feature.contact(from, to).map(|part| from + (to - from) * part),
+            Some((None, Trip::At(part))) => Some(from + (to - from) * *part),
+            Some((None, Trip::Never)) => None,
+            Some((None, Trip::Unknown)) | None => Some(expected),
+        }
+    }
+
+    /// Makes a move of a cycle of the control's own: kind, end, contact, feed; in mm.
+    pub(super) fn makes(&mut self, (kind, to, met, rate): (u8, Vec3, Option<Vec3>, Option<f64>), inch: f64) {
+        let index = self.path.len();
+        self.path.to.extend((to / inch).to_array());
         self.path.kind.push(kind);
-        self.path.feed.push(made.rate.map_or(f64::NAN, |rate| rate / inch));
+        self.path.feed.push(rate.map_or(f64::NAN, |rate| rate / inch));
         self.path.line.push(self.line as u32);
-        if let Some(met) = made.met.filter(|met| met.center.distance(made.to) >= IN_POSITION) {
-            let [x, y, z] = (met.center / inch).to_array();
+        if let Some(met) = met {
+            let [x, y, z] = (met / inch).to_array();
             self.path.contacts.push([index as f64, x, y, z]);
         }
         if let Some(log) = self.log.as_mut().filter(|_| kind == PROBE) {

@@ -157,6 +157,8 @@ pub(super) struct Reader {
     pub branches: Count,
     /// Macros of the control's own whose moves are known, and those that stop with an alarm.
     pub own_moves: Count,
+    /// The same of a HEIDENHAIN's cycles.
+    pub own_cycles: Count,
     pub stopped: Count,
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,

@@ -434,6 +434,51 @@ fn a_macro_of_renishaws_runs_on_a_part_as_the_macro_itself() {
     assert_eq!(shown(&nothing).len(), 2);
 }
 
+/// A HEIDENHAIN's circle: 40 about (5, 6), 4 aside by a ball of 6. By hand: it begins at a radius of 13, its ball's centre makes contact at 17; between touches an
+/// arc of 90 degrees; at the end the clearance height.
+#[test]
+fn heidenhains_cycles_make_their_moves() {
+    let text = |cycle: &str| format!("BEGIN PGM T MM\nL X+0 Y+0 Z+50 R0 FMAX\n{cycle}\nL X+1 R0 FMAX\nEND PGM T MM\n");
+    let circle =
+        text("TCH PROBE 412 DATUM INSIDE CIRCLE Q321=+5 Q322=+6 Q262=40 Q325=+0 Q247=+90 Q261=-5 Q320=4 Q260=+20 Q301=0");
+    let run = run_program(&circle, &Known::default());
+    assert_eq!(
+        shown(&run)[..8],
+        [
+            "2 rapid 0 0 50",
+            "3 rapid 18 6 50",
+            "3 rapid 18 6 -5",
+            "3 probe 32 6 -5",
+            "3 rapid 18 6 -5",
+            "3 feed 5 19 -5",
+            "3 probe 5 33 -5",
+            "3 rapid 5 19 -5"
+        ]
+    );
+    assert_eq!((run.arcs[0], run.arcs.len()), ([5.0, 5.0, 6.0, -5.0, 90.0, 17.0], 3));
+    assert_eq!(run.contacts[0], [3.0, 22.0, 6.0, -5.0], "where the cycle says the hole is");
+    assert_eq!(shown(&run)[14..], ["3 rapid 5 -7 20", "4 rapid 1 -7 20"]);
+    // Q301 = 1 lifts between the touches, from outside; a part that lies 2 off.
+    let stud = text("TCH PROBE 413 Q321=+0 Q322=+0 Q262=40 Q325=+90 Q247=+90 Q261=-5 Q320=4 Q260=+20 Q301=1");
+    let job = r#"{ "format": 1, "stylus": { "diameter": 6 }, "cycle": { "type": "boss", "origin": [0, 0, 5], "diameter": 40, "depth": 20 }, "part": { "offset": [0, 2, 0] } }"#;
+    let feature = Feature::of(&touchpath::job::from_json(job).unwrap());
+    let run = run_program(&stud, &Known { feature, ..Known::default() });
+    assert_eq!(run.contacts[0], [3.0, 0.0, 25.0, -5.0]);
+    assert_eq!(shown(&run)[4..8], ["3 rapid 0 27 -5", "3 rapid 0 27 20", "3 rapid -27 0 20", "3 rapid -27 0 -5"]);
+    // A surface from above, a wall towards X minus; one that is not there stops the program.
+    let top = run_program(&text("TCH PROBE 417 Q263=+7 Q264=-12 Q294=+2 Q320=4 Q260=+20"), &Known::default());
+    assert_eq!(
+        shown(&top)[1..],
+        ["3 rapid 7 -12 50", "3 rapid 7 -12 9", "3 probe 7 -12 -5", "3 rapid 7 -12 9", "3 rapid 7 -12 20", "4 rapid 1 -12 20"]
+    );
+    let wall = text("TCH PROBE 427 Q263=+7 Q264=-12 Q261=-3 Q320=4 Q272=1 Q267=-1 Q260=+20");
+    assert_eq!(run_program(&wall, &Known::default()).contacts[0], [3.0, 10.0, -12.0, -3.0]);
+    let missed = run_program(&wall, &Known { touch: Trip::Never, ..Known::default() });
+    assert!(missed.findings.iter().any(|finding| finding.code == "macro-stops") && shown(&missed).len() == 4);
+    // What is not known makes no move.
+    assert_eq!(shown(&run_program(&text("TCH PROBE 412 Q321=+5"), &Known::default())), ["2 rapid 0 0 50", "4 rapid 1 ? ?"]);
+}
+
 /// What is handed over wrongly is said, all at once, and nothing runs.
 #[test]
 fn what_is_known_is_checked() {

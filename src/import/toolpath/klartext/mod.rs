@@ -4,6 +4,7 @@
 //! approach and departure, tangential arcs, cycles, datum shifts and tilted planes, other programs.
 
 mod path;
+mod probe;
 pub(super) mod value;
 
 use std::collections::BTreeMap;
@@ -144,8 +145,13 @@ impl Klartext {
         self.assign_all(text);
         self.q.forget_results();
         let here = reader.here();
+        let given = q_parameters(text);
+        let made = name.strip_prefix("TCH PROBE ").is_some_and(|number| probe::makes(number, &given, reader));
+        if made {
+            return reader.listed(name, given, here);
+        }
         reader.forget(7);
-        reader.native(name, q_parameters(text), here);
+        reader.native(name, given, here);
     }
 
     /// The parameters of a cycle.
