@@ -110,7 +110,13 @@ impl Klartext {
                 reader.lengthen(7);
             }
             ["CALL", "LBL", ..] => return self.call(&text[8..], at, reader),
-            ["TCH", "PROBE", number, ..] => self.cycle(&["TCH PROBE ", number].concat(), text, reader),
+            ["TCH", "PROBE", number, ..] => {
+                self.cycle(&["TCH PROBE ", number].concat(), text, reader);
+                // A touch that meets nothing stops the program.
+                if reader.ended {
+                    return Next::End;
+                }
+            }
             ["CYCL", "CALL", ..] => self.cycle("CYCL CALL", text, reader),
             _ if transforms(&words).is_some_and(|(_, changes)| changes) => count(&mut reader.transformed, reader.line),
             ["CYCL", "DEF", ..] => self.assign_all(text),

@@ -75,7 +75,9 @@ impl Probe<'_> {
     }
 
     fn goes(&mut self, to: Vec3) {
-        if !(to.distance(self.at) < 1e-9) {
+        // From a place that is not known it moves, too.
+        let stands = to.distance(self.at) < 1e-9;
+        if !stands {
             self.reader.makes((RAPID, to, None, None), self.inch);
             self.at = to;
         }
