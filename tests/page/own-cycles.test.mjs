@@ -33,3 +33,13 @@ test("a macro's path was shown under steps and feeds that it does not have: it h
   await page.getByRole("tab", { name: "Results" }).click();
   assert.match(await textOf(page.locator("tp-results tbody tr").first()), /center\.x #135/);
 });
+
+test("what the other form of a program has could not be seen beside it: the same job as plain moves", async () => {
+  await openText(JOB, "boss.json");
+  await page.locator("tp-program .line", { hasText: "G65 P9814 D40." }).waitFor();
+  await page.locator("select.compares").selectOption({ label: "Plain moves" });
+  const less = page.locator("tp-program .differences .less", { hasText: "G31" });
+  await less.first().waitFor();
+  assert.ok((await less.count()) > 8, "each move is a G31 there");
+  await page.locator("tp-program .differences .more", { hasText: "G65 P9814" }).waitFor();
+});

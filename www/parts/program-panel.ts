@@ -1,10 +1,15 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { type Job, type Programmed, programs } from "../core/browser.js";
+import type { Form } from "../entries.js";
+import { w } from "../words.js";
 import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
 import { copied, copy, withheld } from "./download.js";
 import { Finder } from "./finder.js";
 import { Part } from "./part.js";
+
+/** The forms of a program, as the field of the form has them. */
+const FORMS: Record<Form, string> = { moves: w("Plain moves"), cycle: w("The control's own cycle") };
 
 /** A run of lines under one heading. */
 interface Block {
@@ -86,6 +91,7 @@ class ProgramPart extends Part {
         <select class="compares" aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
           <option value="">⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null}>${this.t("the one saved last")}</option>
+          ${this.otherForm ? html`<option value="form">${this.t(FORMS[this.otherForm])}</option>` : nothing}
           ${this.others().map((post) => html`<option value=${post.id}>${post.title}</option>`)}
         </select>
       </div>
@@ -138,9 +144,17 @@ class ProgramPart extends Part {
   /** A comparison ends where its control becomes the job's own, or has no program for the job's cycle. */
   protected override willUpdate(): void {
     this.finder.again();
-    const there = this.against === "saved" || this.others().some((post) => post.id === this.against);
+    const form = this.against === "form" && this.otherForm !== undefined;
+    const there = this.against === "saved" || form || this.others().some((post) => post.id === this.against);
     if (!there) this.against = "";
     if (!this.comparing || this.store.stale) this.wide = false;
+  }
+
+  /** The other form in which the job's control has a program for this cycle. */
+  private get otherForm(): Form | undefined {
+    const { store } = this;
+    const own = (store.shown as { control?: { form?: unknown } }).control?.form;
+    return store.formsOf(store.plan.program.post, store.cycle.type).find((form) => form !== own);
   }
 
   /** The other controls that have a program for this cycle. */
@@ -165,8 +179,9 @@ class ProgramPart extends Part {
   private other(): { text: string } | { why: string } {
     const { store } = this;
     if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
-    const form = store.formsOf(this.against, store.cycle.type)[0] ?? "moves";
-    const control = store.controlOf(this.against, form, store.shown);
+    const post = this.against === "form" ? store.plan.program.post : this.against;
+    const form = (this.against === "form" ? this.otherForm : store.formsOf(post, store.cycle.type)[0]) ?? "moves";
+    const control = store.controlOf(post, form, store.shown);
     const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
     const error = findings.find((f) => f.level === "error");
     return program ? { text: program.text } : { why: error ? this.message(error) : "" };
@@ -209,7 +224,7 @@ class ProgramPart extends Part {
       return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
     };
     return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
-      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${post?.title ?? this.t("saved last")}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
+      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${post?.title ?? this.t(this.against === "form" && this.otherForm ? FORMS[this.otherForm] : w("saved last"))}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
         <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other)}${cells(right, right?.line)}</tr>`)}</tbody></table>`;
   }
 

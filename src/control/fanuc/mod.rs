@@ -34,7 +34,7 @@ use crate::text::words;
 pub static FANUC: PostDef = PostDef {
     key: "fanuc",
     title: "Fanuc 30i / 0i-F",
-    about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Not verified on a control.",
+    about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Or calls of Renishaw's macros, with their own path. Not verified on a control.",
     // G54.1 P1 to P48 are an option of the control.
     work_offsets: STANDARD_OFFSETS + 48,
     work_offset_word: |n| match n {
@@ -51,7 +51,7 @@ pub static FANUC: PostDef = PostDef {
 pub static HAAS: PostDef = PostDef {
     key: "haas",
     title: "Haas NGC",
-    about: "the same with M78 and M79, which raise the alarm in the control itself. Not verified on a control.",
+    about: "the same with M78 and M79, which raise the alarm in the control itself; Renishaw's macros likewise. Not verified on a control.",
     work_offsets: STANDARD_OFFSETS + 99,
     work_offset_word: |n| match n {
         ..=STANDARD_OFFSETS => format!("G{}", 53 + n),

@@ -10,7 +10,11 @@ use touchpath::path::Subject;
 fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
     // Rows of the table alone: a program of moves states its modes and ends.
     if matches!(def.probes, Subject::Switch | Subject::Action) {
-        return if (post.serves)(def.probes, Form::Moves).is_ok() { "table only" } else { "–" };
+        return match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
+            [_, true] => "own cycle",
+            [true, false] => "table only",
+            [false, false] => "–",
+        };
     }
     match Form::ALL.map(|form| (post.serves)(def.probes, form).is_ok()) {
         [true, true] => "moves, own cycle",
