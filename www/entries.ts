@@ -55,8 +55,10 @@ export abstract class Entries extends Phrases {
   controlOf(post: unknown, form?: Form, from = this.draft): Draft {
     const control = { ...(from.control as Draft) };
     const forms = this.formsOf(post, this.cycle.type);
+    // A form that was the only one of its control was not chosen: cycles of another control's own may not be there.
+    const chosen = this.formsOf(control.post, this.cycle.type).length > 1;
     if (form) control.form = form;
-    else if (forms.length > 0 && !forms.includes(control.form as Form)) control.form = forms[0];
+    else if (forms.length > 0 && !(chosen && forms.includes(control.form as Form))) control.form = forms[0];
     return { ...control, workOffset: this.offsetOn(post, control), post };
   }
 
