@@ -297,7 +297,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
     let calls = letters.clone().count();
     let writes = letters.filter(|letters| letters.iter().any(|(letter, _)| *letter == 'S')).count();
     let message = text!(
-        "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, choose the order and their feeds, and write what they measure",
+        "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
         calls
     );
     checker.info("own-path", "control.form", message);
