@@ -377,6 +377,13 @@ fn two_circles_are_measured_from_feature_to_feature() {
     for transfer in [1.0, 3.0] {
         assert!(refused(transfer).iter().any(|finding| finding.code == "offset-measured-again"));
     }
+    // DIST and the way to a contact say how far a search goes behind it; the job's overtravel says nothing here.
+    for overtravel in [5.0, 60.0] {
+        let late =
+            [("stylus.diameter", number(4.0)), ("cycle.setUpClearance", number(7.0)), ("overtravel", number(overtravel))];
+        let findings = plan(&own("probing-two-circles", "fanuc", &late)).unwrap_err().findings;
+        assert!(findings.iter().any(|f| f.code == "overtravel-too-short" && f.path == "cycle.probe.dist"), "{findings:?}");
+    }
     // Probe on and off.
     for (on, line) in [(true, "\nG65 P9832\nM30\n"), (false, "\nG65 P9833\nM30\n")] {
         let program = plan(&own("probe-on-off", "haas", &[("cycle.on", Value::Flag(on))])).unwrap().program;

@@ -142,15 +142,20 @@ impl<'a> Program<'a> {
 
     /// How far a touch searches behind the surface by the ball's centre, for the job's overtravel behind its contact.
     fn q(&self) -> Result<Quantity, Refused> {
-        let q = self.request.setup.overtravel - self.radius;
+        self.q_of(Entry { field: "overtravel", value: self.request.setup.overtravel })
+    }
+
+    /// Q of a search that goes so far behind the contact.
+    fn q_of(&self, overtravel: Entry) -> Result<Quantity, Refused> {
+        let q = overtravel.value - self.radius;
         if q <= 0.0 {
             let message = text!(
                 "The macros count the search by the ball's centre from the surface: an overtravel of {overtravel} behind the contact ends in front of it. More than the ball's radius, {radius}, is needed{advice}",
-                self.length(self.request.setup.overtravel),
+                self.length(overtravel.value),
                 self.length(self.radius),
                 Text::words(ADVICE)
             );
-            return Err(refused("overtravel-too-short", "overtravel", message));
+            return Err(refused("overtravel-too-short", overtravel.field, message));
         }
         Ok(Quantity::Length(q))
     }
@@ -455,11 +460,8 @@ impl<'a> Program<'a> {
                 _ => return Err(four_points()),
             };
             self.goes(center.with_z(up), &[0, 1], Feed::LongLink);
-            let q = touches[0].search - self.radius;
-            if q <= 0.0 {
-                return self.q().map(drop);
-            }
-            let mut letters = vec![('D', Quantity::Length(2.0 * round.radius)), ('Q', Quantity::Length(q))];
+            let q = self.q_of(Entry { field: "cycle.probe.dist", value: touches[0].search })?;
+            let mut letters = vec![('D', Quantity::Length(2.0 * round.radius)), ('Q', q)];
             if round.hole {
                 self.goes(center.with_z(touches[0].point.z), &[2], Feed::LongLink);
             } else {
