@@ -117,7 +117,11 @@ pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
                 continue;
             }
             "control" => {
-                let kind = if post.id == "heidenhain" && own_cycle || draw.once_in(12) { "cycle" } else { "moves" };
+                let kind = if own_cycle && (post.id == "heidenhain" || draw.once_in(3)) || draw.once_in(12) {
+                    "cycle"
+                } else {
+                    "moves"
+                };
                 put(&mut values, "post", text(post.id));
                 put(&mut values, "form", text(kind));
                 if post.work_offsets == 0 {
