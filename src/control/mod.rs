@@ -3,6 +3,7 @@
 //! A post takes a checked path and prints it; it knows no cycle. Every move of the path is printed exhaustively, one block
 //! each, and every touch runs on past its nominal contact by the overtravel.
 
+mod callers;
 mod does;
 mod fanuc;
 mod grbl;
@@ -12,6 +13,8 @@ pub mod iso;
 mod linuxcnc;
 mod moves;
 pub mod native;
+mod number;
+mod offsets;
 pub mod own;
 pub mod prove;
 pub mod release;
@@ -34,7 +37,18 @@ use crate::path::{Feeds, Move, Path, Purpose, STATED_RAPID, Setup, Subject};
 use crate::text::{Text, text};
 
 /// Every control, in the order of the form.
-pub const POSTS: &[&PostDef] = &[&linuxcnc::DEF, &grbl::DEF, &sinumerik::DEF, &heidenhain::DEF, &fanuc::FANUC, &fanuc::HAAS];
+pub const POSTS: &[&PostDef] = &[
+    &linuxcnc::DEF,
+    &grbl::DEF,
+    &sinumerik::DEF,
+    &heidenhain::DEF,
+    &fanuc::FANUC,
+    &fanuc::HAAS,
+    &callers::MAZAK,
+    &callers::BROTHER,
+    &callers::HURCO,
+    &callers::OKUMA,
+];
 
 /// How a program probes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -321,7 +335,7 @@ pub struct Program {
 
 /// The number of the program of a job with this number and this name; none where the control's programs have none.
 pub fn program_number(post: &PostDef, number: Option<i32>, name: &str) -> Option<i32> {
-    (!post.unused.contains(&"number")).then(|| fanuc::number(number, name))
+    (!post.unused.contains(&"number")).then(|| number::number(number, name))
 }
 
 /// The control with this key.

@@ -58,6 +58,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("low-rapid", "A rapid that nothing watches goes down or across below the clearance plane."),
     ("low-start", "The source knows no top side, and the path begins and ends only a little above the touches."),
     ("machine-places", "A program goes to places of the machine's own system: where that is in the work system is not known."),
+    (
+        "macro-not-seen",
+        "A macro that the program calls follows from the numbers of others: no source shows it on this control.",
+    ),
     ("macro-stops", "A macro of the control's own ends a run with an alarm."),
     ("missing", "Something that a job needs is not there."),
     ("missing-code", "A dump lacks a code: the default is taken."),
@@ -107,7 +111,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("nothing-switched", "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing."),
     ("nothing-to-import", "No job can be made of the text."),
     ("nothing-to-write", "The cycle measures nothing that a work offset could take."),
-    ("number-protected", "A program number from 8000 to 9999 is usually protected on the control."),
+    ("number-protected", "A program number from 8000 to 9999 is usually protected on the control, or that of a macro."),
     ("number-unused", "A program number is given for a control whose programs have none."),
     ("offset-in-parts", "The control's own cycles write the axes of a work offset one after the other."),
     (
@@ -217,6 +221,7 @@ pub const CODES: &[(&str, &str)] = &[
         "units-found",
         "A log does not say whether it is in mm or in inch: it is read in the one that is in reach of the touches.",
     ),
+    ("units-not-stated", "Programs of this control cannot state their units: the machine must be set to them."),
     ("units-unclear", "Whether a log is in mm or in inch is not clear."),
     ("units-unknown", "The text does not say its units: mm is taken."),
     ("unknown-code", "A dump has a code that its cycle does not know."),

@@ -3,6 +3,7 @@
 //! What a call does not say has the form's default; the order of the touches is the documented cycle's, not the control's. That Renishaw's Q is counted by the ball's centre behind the nominal surface, so that the overtravel is Q
 //! and the ball's radius, and R from the ball's surface, follows from the macros [I].
 
+use crate::control::Form;
 use crate::form::{Level, Value};
 use crate::import::set;
 use crate::job::{Units, check, default_job_in, job_name};
@@ -10,6 +11,8 @@ use crate::job::{Units, check, default_job_in, job_name};
 /// A call, as far as a job needs it.
 pub(super) struct Called<'a> {
     pub name: &'a str,
+    /// The control that it is of, where its name says so: that takes the call, and no plain moves.
+    pub post: Option<&'static str>,
     /// Names and values of its arguments; NaN is not known.
     pub arguments: &'a [(String, f64)],
     /// Where the stylus stands, in the program's units; NaN is not known.
@@ -55,8 +58,11 @@ impl Called<'_> {
         if let Some(overtravel) = said.overtravel {
             set(&mut job, "overtravel", Value::Number(overtravel));
         }
-        if let Some(post) = said.post {
+        if let Some(post) = self.post.or(said.post) {
             set(&mut job, "control.post", Value::Text(post.to_owned()));
+        }
+        if self.post.is_some() {
+            set(&mut job, "control.form", Value::Text(Form::Cycle.word().to_owned()));
         }
         if let Some(offset) = said.offset {
             set(&mut job, "control.workOffset", Value::Number(offset));
@@ -241,7 +247,7 @@ mod tests {
 
     fn job(name: &str, arguments: &[(&str, f64)], place: [f64; 3]) -> Option<Value> {
         let arguments: Vec<(String, f64)> = arguments.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-        Called { name, arguments: &arguments, place, metric: true }.job()
+        Called { name, post: None, arguments: &arguments, place, metric: true }.job()
     }
 
     fn touches(job: &Value) -> Vec<[f64; 3]> {

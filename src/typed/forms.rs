@@ -1060,10 +1060,18 @@ pub enum Post {
     Fanuc,
     /// `haas`.
     Haas,
+    /// `mazak`.
+    Mazak,
+    /// `brother`.
+    Brother,
+    /// `hurco`.
+    Hurco,
+    /// `okuma`.
+    Okuma,
 }
 
 impl Given for Post {
-    fn given(&self) -> Value { Value::Text(match self { Post::Linuxcnc => "linuxcnc", Post::Grbl => "grbl", Post::Sinumerik => "sinumerik", Post::Heidenhain => "heidenhain", Post::Fanuc => "fanuc", Post::Haas => "haas" }.to_owned()) }
+    fn given(&self) -> Value { Value::Text(match self { Post::Linuxcnc => "linuxcnc", Post::Grbl => "grbl", Post::Sinumerik => "sinumerik", Post::Heidenhain => "heidenhain", Post::Fanuc => "fanuc", Post::Haas => "haas", Post::Mazak => "mazak", Post::Brother => "brother", Post::Hurco => "hurco", Post::Okuma => "okuma" }.to_owned()) }
 }
 
 /// One of a fixed set of words.

@@ -81,6 +81,11 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
                 }
             }
             let mut job = Value::Map(job);
+            // The laws are of plain moves, and of 1411 on the control whose cycle it is.
+            let takes = |key: &str| key == "heidenhain" || crate::tests::controls::of_moves().contains(&key);
+            if !matches!(job.get("control").and_then(|c| c.get("post")), Some(Value::Text(key)) if takes(key)) {
+                job = with(&job, "control.post", Value::Text("linuxcnc".to_owned()));
+            }
             let heidenhain = Value::Text("heidenhain".to_owned());
             let klartext = job.get("control").and_then(|c| c.get("post")) == Some(&heidenhain);
             if klartext && def.home.0 != "heidenhain" {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::common::{number, point as list, with};
+use crate::common::{number, owed, point as list, with};
 use touchpath::form::Value;
 use touchpath::job::{Plan, plan};
 
@@ -19,6 +19,9 @@ enum Face {
 }
 
 const BALL: f64 = 3.0;
+
+/// The controls that call the macros.
+const CALLERS: [&str; 6] = ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"];
 
 /// How far along a way of the ball's centre (x, y, tip) a face stops it.
 fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
@@ -166,14 +169,17 @@ impl Judge<'_> {
     }
 }
 
+/// A line's call, its letters by name.
+fn called(line: &str) -> Option<(u32, BTreeMap<char, f64>)> {
+    let (number, letters) = owed::macro_call(line)?;
+    Some((number, letters.into_iter().collect()))
+}
+
 /// Reads the calls of a program and runs them: the contacts, ball centres in work coordinates.
 fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
     let mut judge = Judge { faces, at: [f64::NAN; 3], contacts: Vec::new() };
-    for line in text.lines() {
-        let Some(call) = line.strip_prefix("G65 P") else { continue };
-        let mut words = call.split(' ');
-        let number = words.next().unwrap().parse().unwrap();
-        judge.call(number, &words.map(|word| (word.chars().next().unwrap(), word[1..].parse().unwrap())).collect());
+    for (number, letters) in text.lines().filter_map(called) {
+        judge.call(number, &letters);
     }
     judge.contacts.iter().map(|[x, y, tip]| [*x, *y, tip + BALL]).collect()
 }
@@ -262,6 +268,14 @@ fn the_judge_touches_where_the_plan_does() {
     let mut touches = 0;
     for (cycle, mut changes, faces) in cases {
         changes.push(("part.offset", list([dx, dy, dz])));
+        let calls_of = |post: &str| {
+            let text =
+                plan(&own(cycle, post, &changes)).unwrap_or_else(|e| panic!("{post} {cycle}: {:?}", e.findings)).program.text;
+            text.lines().filter_map(called).filter(|(number, _)| !matches!(number, 9832 | 9833)).collect::<Vec<_>>()
+        };
+        for post in CALLERS {
+            assert_eq!(calls_of(post), calls_of("fanuc"), "{post}");
+        }
         let plan =
             plan(&own(cycle, "fanuc", &changes)).unwrap_or_else(|error| panic!("{cycle} {changes:?}: {:?}", error.findings));
         let (wanted, found) = (judged(&plan.program.text, &faces), of_plan(&plan));
@@ -338,6 +352,82 @@ fn the_letters_of_a_call_are_the_jobs() {
     assert_eq!(calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4], "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5");
     let single = calls("double-wall-internal-corner", "fanuc", &[("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))]);
     assert_eq!(single[4], "G65 P9815 X0. Y0. Q2.");
+}
+
+/// How each control writes the same call, by hand: the first of a rectangle's two, what keeps its results, and what begins and ends the program.
+#[test]
+fn each_control_has_its_own_words() {
+    let text = |post: &str, offset: f64| {
+        plan(&own("internal-rectangle", post, &[("control.workOffset", number(offset))])).unwrap().program.text
+    };
+    let has = |post: &str, offset: f64, lines: &[&str]| {
+        let text = text(post, offset);
+        let mut left = text.lines();
+        for line in lines {
+            assert!(left.any(|there| there == *line), "{post}: {line} in\n{text}");
+        }
+    };
+    has(
+        "mazak",
+        7.0,
+        &[
+            "%",
+            "O1000(POCKET-80X50)",
+            "G21",
+            "M5",
+            "G54.1 P1",
+            "G65 P9832",
+            "G65 P9812 X80. Q2. H0.5 S101.",
+            "#101=#135",
+            "#102=#138",
+            "G65 P9833",
+            "M30",
+            "%",
+        ],
+    );
+    has(
+        "brother",
+        7.0,
+        &["G17 G40 G80 G90 G94", "G54.1 P1", "G65 P8832", "G65 P8812 X80. Q2. H0.5 S101.", "#101=#135", "G65 P8833", "M30"],
+    );
+    has(
+        "hurco",
+        6.0,
+        &["%", "O1000(POCKET-80X50)", "G21", "G59", "G65 P9812 X80. Q2. H0.5 S6.", "#101=#185", "#102=#188", "M30", "%"],
+    );
+    has(
+        "okuma",
+        7.0,
+        &[
+            "O1000(POCKET-80X50)",
+            "G21",
+            "G15 H7",
+            "CALL O9832",
+            "CALL O9812 PX=80. PQ=2. PH=0.5 PS=7.",
+            "VC101=VS75",
+            "VC102=VS78",
+            "CALL O9833",
+            "M2",
+        ],
+    );
+    // A Brother has the units of its settings, no tape sign and no number; a Hurco switches the probe by itself.
+    let brother = text("brother", 1.0);
+    assert!(!brother.contains("G21") && !brother.contains('%') && !brother.contains("O1000"), "{brother}");
+    assert!(!text("hurco", 1.0).contains("983"));
+    let findings = |post: &str, cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
+        let found = touchpath::job::check(&own(cycle, post, changes));
+        found.iter().map(|finding| finding.code.to_owned()).collect()
+    };
+    let turned = [("cycle.rotation", number(30.0))];
+    for (post, seen) in [("fanuc", true), ("mazak", true), ("hurco", true), ("brother", false), ("okuma", false)] {
+        assert_eq!(findings(post, "groove", &turned).contains(&"macro-not-seen".to_owned()), !seen, "{post}");
+        assert!(!findings(post, "groove", &[]).contains(&"macro-not-seen".to_owned()), "{post}");
+        assert_eq!(findings(post, "hole", &[]).contains(&"units-not-stated".to_owned()), post == "brother");
+    }
+    assert!(findings("hurco", "probe-on-off", &[]).contains(&"form-unsupported".to_owned()));
+    assert!(findings("mazak", "hole", &[("control.number", number(9814.0))]).contains(&"number-protected".to_owned()));
+    assert!(findings("okuma", "hole", &[("control.orient", number(90.0))]).contains(&"orient-unsupported".to_owned()));
+    assert!(!plan(&own("hole", "okuma", &[("control.orient", number(90.0))])).unwrap().program.text.contains("M19"));
 }
 
 /// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S stands where nothing is measured again.
@@ -456,14 +546,14 @@ fn an_alarm_ends_the_macro() {
 fn a_program_of_calls_comes_back_as_its_job() {
     let mut read = 0;
     for cycle in touchpath::cycle::CYCLES {
-        for post in ["fanuc", "haas"] {
+        for post in CALLERS {
             let job = own(cycle.key, post, &[]);
             let Ok(planned) = plan(&job) else { continue };
             let back = crate::common::import(&planned.program.text).unwrap_or_else(|error| panic!("{}: {error:?}", cycle.key));
             let again = plan(&back.job).unwrap().program.text;
             assert_eq!(again, planned.program.text, "{}", cycle.key);
             assert!(back.findings.iter().all(|finding| finding.code != "program-differs"), "{:?}", back.findings);
-            let changed = planned.program.text.replacen(" Q2.", " Q3.", 1);
+            let changed = planned.program.text.replacen(" Q2.", " Q3.", 1).replacen(" PQ=2.", " PQ=3.", 1);
             if changed != planned.program.text {
                 let found = crate::common::import(&changed).unwrap().findings;
                 assert!(found.iter().any(|finding| finding.code == "program-differs"), "{found:?}");
@@ -471,5 +561,6 @@ fn a_program_of_calls_comes_back_as_its_job() {
             read += 1;
         }
     }
-    assert_eq!(read, 34);
+    // All but the NC action, which is no cycle, and a Hurco's switch.
+    assert_eq!(read, 6 * 17 - 1);
 }

@@ -34,6 +34,9 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         "a program ends its last line, and a plan has no error",
         plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error)
     );
+    if plan.program.own {
+        return calls_are_sane(plan);
+    }
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
         if step.kind == "touch" {
@@ -94,6 +97,7 @@ pub fn judge(post: &str) -> Option<Judge> {
         "sinumerik" => Some(sinumerik_is_sane),
         "heidenhain" => Some(klartext_is_sane),
         "fanuc" | "haas" => Some(skip_is_sane),
+        "mazak" | "brother" | "hurco" | "okuma" => Some(calls_are_sane),
         _ => None,
     }
 }
@@ -221,6 +225,57 @@ fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
     let registers = text.split(|c: char| !c.is_ascii_alphanumeric()).filter_map(|w| w.strip_prefix('R')?.parse::<usize>().ok());
     owe!("R parameters are within the control's", registers.max().unwrap_or(0) <= 99);
     Ok(())
+}
+
+/// A program of calls: each protected move goes where the plan does, and the macros make the rest, each touch of them twice.
+fn calls_are_sane(plan: &Plan) -> Result<(), String> {
+    let lines: Vec<&str> = plan.program.text.lines().collect();
+    let odd = |line: &&&str| !line.is_ascii() || line.contains("NaN") || line.contains("inf") || line.len() > 255;
+    owe_eq!("a line is ASCII and not too long", lines.iter().find(odd), None);
+    owe_eq!("every move has its line, or none", plan.program.move_lines.len(), plan.moves.len());
+    let inch = lines.iter().any(|line| line.contains("UNITS INCH"));
+    let near = if inch { 6e-6 } else { 6e-4 };
+    let mut place = [f64::NAN; 3];
+    let mut made = plan.program.move_lines.iter().zip(&plan.moves).peekable();
+    for (i, line) in lines.iter().enumerate() {
+        let Some((number, letters)) = macro_call(line) else { continue };
+        if number != 9810 {
+            continue;
+        }
+        for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+            place[axis] = letters.iter().find(|(known, _)| *known == letter).map_or(place[axis], |(_, x)| *x);
+        }
+        while let Some((at, step)) = made.next_if(|(at, _)| **at <= i as i32) {
+            if *at < 0 {
+                continue;
+            }
+            // Heights are of the tip.
+            let there = (0..2).all(|axis| (place[axis] - step.to[axis]).abs() < near) && place[2] <= step.to[2] + near;
+            owe!("a protected move goes where the plan does", there || place[2].is_nan(), "{line}: {:?}", step.to);
+        }
+    }
+    owe!("each protected move is called", made.all(|(at, _)| *at < 0));
+    let measuring = lines.iter().filter_map(|line| macro_call(line)).filter(|(n, _)| !matches!(n, 9810 | 9832..=9834));
+    owe!("what touches is called", plan.touches.is_empty() || measuring.count() > 0);
+    let touched: Vec<usize> = plan.moves.iter().filter(|step| step.kind == "touch").filter_map(|step| step.touch).collect();
+    let mut each: Vec<usize> = touched.chunks(2).map(|pair| pair[0]).collect();
+    owe!("each touch is made twice", touched.chunks(2).all(|pair| pair.len() == 2 && pair[0] == pair[1]), "{touched:?}");
+    each.sort_unstable();
+    owe_eq!("each touch is made", each, (0..plan.touches.len()).collect::<Vec<_>>());
+    Ok(())
+}
+
+/// A line's call of a macro by the number that most controls have, and its letters: an Okuma writes `CALL O9814 PD=25.`, a Brother has P8814.
+pub fn macro_call(line: &str) -> Option<(u32, Vec<(char, f64)>)> {
+    let okuma = line.starts_with("CALL O");
+    let mut words = line.strip_prefix("G65 P").or_else(|| line.strip_prefix("CALL O"))?.split(' ');
+    let number: u32 = words.next()?.parse().ok()?;
+    let letter = |word: &str| {
+        let (letter, value) = if okuma { word.strip_prefix('P')?.split_once('=')? } else { word.split_at_checked(1)? };
+        Some((letter.parse().ok()?, value.parse().ok()?))
+    };
+    let letters: Vec<(char, f64)> = words.map(letter).collect::<Option<_>>()?;
+    Some((if number < 9000 { number + 1000 } else { number }, letters))
 }
 
 /// On the nominal part a control of our own makes the moves of the path, and no other but its way to the first place and the pieces of arcs.

@@ -100,12 +100,19 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 
 /// A job; the index goes through every cycle, control, plane and unit.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
-    let at = |every: u64, count: usize| (index / every) as usize % count;
-    let def: &CycleEntry = &catalog.cycles[at(1, catalog.cycles.len())];
-    let post: &PostEntry = &catalog.posts[at(18, catalog.posts.len())];
+    // Each digit of the index in its own base: every cycle meets every control in every plane and unit.
+    let mut left = index as usize;
+    let mut at = |count: usize| {
+        let digit = left % count;
+        left /= count;
+        digit
+    };
+    let def: &CycleEntry = &catalog.cycles[at(catalog.cycles.len())];
+    let post: &PostEntry = &catalog.posts[at(catalog.posts.len())];
     let own_cycle = post.cycles.iter().any(|entry| entry.key == def.key && entry.form == "cycle" && entry.supported);
-    let plane = ["G17", "G18", "G19"][at(72, 3)];
-    let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(216, 2)];
+    let moves = post.cycles.iter().any(|entry| entry.key == def.key && entry.form == "moves" && entry.supported);
+    let plane = ["G17", "G18", "G19"][at(3)];
+    let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(2)];
     let mut job = vec![("format".to_owned(), Value::Number(1.0))];
     for section in &catalog.sections {
         let mut values = form(draw, &section.fields, scale, 3);
@@ -117,11 +124,7 @@ pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
                 continue;
             }
             "control" => {
-                let kind = if own_cycle && (post.id == "heidenhain" || draw.once_in(3)) || draw.once_in(12) {
-                    "cycle"
-                } else {
-                    "moves"
-                };
+                let kind = if own_cycle && (!moves || draw.once_in(3)) || draw.once_in(12) { "cycle" } else { "moves" };
                 put(&mut values, "post", text(post.id));
                 put(&mut values, "form", text(kind));
                 if post.work_offsets == 0 {
@@ -209,6 +212,9 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     owed::sane(job, &plan, tool_axis)?;
     asked(&format!("planned {}", word(job, &["cycle", "type"])));
     asked(&format!("planned for {}", plan.program.post));
+    if word(job, &["control", "form"]) == "cycle" {
+        asked(&format!("planned with the cycles of {}", plan.program.post));
+    }
     let protection = word(job, &["control", "protection"]);
     for setting in
         [word(job, &["plane"]), word(job, &["units"]), if protection == "none" { protection } else { "checked".to_owned() }]

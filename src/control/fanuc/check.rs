@@ -1,7 +1,7 @@
 //! What neither of the two takes, or takes with a warning.
 
-use super::{CHANGES, DIGITS, FIRST, LAST, STANDARD_OFFSETS, number};
-use crate::control::{Request, check_plain_moves, check_rotary, check_write};
+use super::{CHANGES, FIRST, LAST};
+use crate::control::{Request, check_plain_moves, check_rotary, check_write, number, offsets};
 use crate::form::Checker;
 use crate::geom::Plane;
 use crate::path::Purpose;
@@ -53,7 +53,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
     check_write(request, checker);
-    check_optional_offset(request, checker);
+    offsets::check_optional(request, checker);
     number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
         let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
@@ -74,7 +74,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.error("search-too-short", "overtravel", message);
     }
     check_starts(request, checker);
-    check_digits(request, checker);
+    number::check_digits(request, checker);
     let more = if request.corrects() { 1 + CHANGES } else { 0 };
     let last = FIRST + request.registers().last + more;
     if last > LAST {
@@ -85,32 +85,6 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
             last
         );
         checker.error("too-many-registers", "control.post", message);
-    }
-}
-
-/// A work offset that not every Fanuc has.
-pub(super) fn check_optional_offset(request: &Request<'_>, checker: &mut Checker) {
-    if request.post.key == super::FANUC.key && request.work_offset.is_some_and(|n| n > STANDARD_OFFSETS) {
-        let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
-        checker.warning("offset-optional", "control.workOffset", message);
-    }
-}
-
-/// No place needs more digits than a number may have.
-pub(super) fn check_digits(request: &Request<'_>, checker: &mut Checker) {
-    let decimals = request.post.decimals(request.scale);
-    let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
-    let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
-    let places = request.path.moves.iter().map(|step| step.to).chain(touches);
-    let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
-    if farthest >= limit {
-        let message = text!(
-            "A position is {far} from the origin: it must be within {limit}, since some controls take at most {digits} digits",
-            checker.length(farthest),
-            checker.length(limit),
-            DIGITS
-        );
-        checker.error("too-many-digits", "cycle", message);
     }
 }
 

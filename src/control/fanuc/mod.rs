@@ -14,18 +14,18 @@
 
 mod check;
 mod flavour;
-mod number;
-mod own;
 mod read;
 mod skip;
 
 use self::check::{check, check_haas_feeds};
 use self::flavour::{Flavour, PLAIN, WITH_ALARMS};
-pub use self::number::number;
 use self::skip::{IN_POSITION, emit};
 use crate::control::iso::registers::When;
 use crate::control::iso::writer::{self, Dialect};
-use crate::control::{BASE, Form, PostDef, Program, Request, feed_rate, rules};
+use crate::control::own::OwnCycles;
+use crate::control::renishaw::cycles;
+use crate::control::renishaw::post::{self, CALLS, Calls, variable};
+use crate::control::{BASE, Form, PostDef, Program, Request, feed_rate, number, offsets, rules};
 use crate::form::Checker;
 use crate::path::{Move, Subject};
 use crate::text::words;
@@ -36,14 +36,11 @@ pub static FANUC: PostDef = PostDef {
     title: "Fanuc 30i / 0i-F",
     about: "moves with the skip function G31, each checked against its end; after a contact the probe lifts before the alarm; results in common variables, the origin written at the end. Or calls of Renishaw's macros, with their own path. Not verified on a control.",
     // G54.1 P1 to P48 are an option of the control.
-    work_offsets: STANDARD_OFFSETS + 48,
-    work_offset_word: |n| match n {
-        ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
-        _ => format!("G54.1 P{}", n - STANDARD_OFFSETS),
-    },
-    emit: |request| written(request, &PLAIN),
+    work_offsets: offsets::STANDARD + offsets::MORE,
+    work_offset_word: offsets::word,
+    emit: |request| written(request, &PLAIN, &CALLS),
     read: Some(read::fanuc),
-    own: Some(&own::FANUC),
+    own: Some(&OWN),
     ..KIN
 };
 
@@ -52,10 +49,10 @@ pub static HAAS: PostDef = PostDef {
     key: "haas",
     title: "Haas NGC",
     about: "the same with M78 and M79, which raise the alarm in the control itself; Renishaw's macros likewise. Not verified on a control.",
-    work_offsets: STANDARD_OFFSETS + 99,
+    work_offsets: offsets::STANDARD + 99,
     work_offset_word: |n| match n {
-        ..=STANDARD_OFFSETS => format!("G{}", 53 + n),
-        _ => format!("G154 P{}", n - STANDARD_OFFSETS),
+        ..=offsets::STANDARD => offsets::word(n),
+        _ => format!("G154 P{}", n - offsets::STANDARD),
     },
     cannot: &[
         (rules::CONTACT_LIFTS, words!("M78 raises the alarm in the control itself, where the ball is: nothing after it runs")),
@@ -68,9 +65,9 @@ pub static HAAS: PostDef = PostDef {
             check_haas_feeds(request, checker);
         }
     },
-    emit: |request| written(request, &WITH_ALARMS),
+    emit: |request| written(request, &WITH_ALARMS, &HAAS_CALLS),
     read: Some(read::haas),
-    own: Some(&own::HAAS),
+    own: Some(&HAAS_OWN),
     ..KIN
 };
 
@@ -100,17 +97,26 @@ const SHORTEST_PROBE: f64 = 0.2;
 fn checked(request: &Request<'_>, checker: &mut Checker) {
     match request.form {
         Form::Moves => check(request, checker),
-        Form::Cycle => own::check(request, checker),
+        Form::Cycle => {
+            // A Haas calls them by the same names.
+            post::check(request, &CALLS, checker);
+            number::check(request, checker);
+        }
     }
 }
 
 /// The program, by moves or by the macros.
-fn written(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    if request.path.own.is_some() { own::emit(request, flavour) } else { emit(request, flavour) }
+fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> Program {
+    if request.path.own.is_some() { post::emit(request, calls) } else { emit(request, flavour) }
 }
 
-/// G54 to G59.
-const STANDARD_OFFSETS: i32 = 6;
+/// What the macros say of work offsets and results: S154.01 for G154 P1 of a Haas [S].
+static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
+static HAAS_OWN: OwnCycles = cycles(
+    |n| if n <= offsets::STANDARD { f64::from(n) } else { 154.0 + f64::from(n - offsets::STANDARD) / 100.0 },
+    |stored| variable(185, stored),
+);
+static HAAS_CALLS: Calls = Calls { angle: WITH_ALARMS.angle, ..CALLS };
 
 /// Variables: 100 is the length, those after it hold results and what is needed on the way, 148 is a place aside, 149 the move.
 const FIRST: usize = 100;
@@ -118,9 +124,6 @@ const LAST: usize = 147;
 
 /// So many axes of an origin may change.
 const CHANGES: usize = 3;
-
-/// The digits of a constant: more is an alarm on some controls.
-const DIGITS: usize = 8;
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
@@ -142,6 +145,6 @@ fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
 /// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, and from `more` on those beyond:
 /// G54.1 P1 of a Fanuc from 7001 (recalled), G154 P1 of a Haas from 14001.
 fn origin(number: i32, more: usize) -> usize {
-    let (number, standard) = (usize::try_from(number).unwrap_or(1), STANDARD_OFFSETS as usize);
+    let (number, standard) = (usize::try_from(number).unwrap_or(1), offsets::STANDARD as usize);
     if number <= standard { 5201 + 20 * number } else { more + 20 * (number - standard - 1) }
 }

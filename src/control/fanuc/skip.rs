@@ -1,12 +1,12 @@
 //! Writes the program: every probing move a G31, compared with its end.
 
 use super::flavour::Flavour;
-use super::{CHANGES, DIGITS, FIRST, SHORTEST_PROBE, number, origin, rate};
+use super::{CHANGES, FIRST, SHORTEST_PROBE, origin, rate};
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
-use crate::control::{Program, Report, Request, does, orientation_line};
+use crate::control::{Program, Report, Request, does, number, orientation_line};
 use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
@@ -86,7 +86,7 @@ impl Notation for Variables<'_> {
 /// A constant has at most eight digits, the zero in front of the point too.
 fn decimals(x: f64) -> usize {
     let whole = x.abs().max(1.0).log10().floor() as usize + 1;
-    DIGITS.saturating_sub(whole)
+    number::DIGITS.saturating_sub(whole)
 }
 
 /// A constant with its point.

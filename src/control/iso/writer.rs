@@ -24,7 +24,7 @@ pub struct Dialect {
     pub capitals: bool,
     /// Whether blocks are numbered, from 0.
     pub numbered: bool,
-    /// The words for mm and inch.
+    /// The words for mm and inch; none where a program cannot state them.
     pub units: (&'static str, &'static str),
     /// Exact stop, and everything modal that must not leak in, but for plane and units.
     pub modes: &'static str,
@@ -231,7 +231,10 @@ impl<'a> Writer<'a> {
     /// Units and modes: stated, never inherited.
     pub fn modes(&mut self) {
         let request = self.request;
-        self.line(if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 });
+        let units = if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 };
+        if !units.is_empty() {
+            self.line(units);
+        }
         let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { self.dialect.arcs } else { "" };
         self.parts(&[request.plane.word(), " ", self.dialect.modes, arcs, " G94"]);
     }

@@ -137,7 +137,7 @@ pub static SETS: [(&str, &[Call]); 8] = [
     (CENTROID, &small::CENTROID),
 ];
 
-/// A call by its name, blanks aside; P88xx is P98xx of a Brother.
+/// A call by its name, blanks aside; P88xx is P98xx of a Brother, CALL O98xx that of an Okuma.
 pub fn find(name: &str) -> Option<&'static Call> {
     find_in(name, |set| set != CENTROID)
 }
@@ -149,7 +149,7 @@ pub fn find_centroid(name: &str) -> Option<&'static Call> {
 
 fn find_in(name: &str, is_searched: fn(&str) -> bool) -> Option<&'static Call> {
     let plain: String = name.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
-    let plain = plain.replace("G65P88", "G65P98");
+    let plain = plain.replace("G65P88", "G65P98").replace("CALLO98", "G65P98");
     let same = |call: &&Call| call.name.bytes().filter(|b| *b != b' ').eq(plain.bytes());
     SETS.iter().filter(|(set, _)| is_searched(set)).flat_map(|(_, calls)| calls.iter()).find(same)
 }
@@ -174,6 +174,7 @@ mod tests {
             assert!(!call.source.is_empty() && !call.title.is_empty());
         }
         assert_eq!(find("g65p8814").unwrap().name, "G65 P9814");
+        assert_eq!(find("call O9814").unwrap().name, "G65 P9814");
         assert!(find("G65 P1").is_none());
     }
 }

@@ -2,12 +2,13 @@
 
 pub mod machine;
 pub mod macros;
+pub(super) mod post;
 mod serve;
 
 use crate::control::own::OwnCycles;
 use crate::path::Stored;
 
-/// The cycles as a Fanuc and a Haas call them: output from #135, or from #185.
+/// The cycles of a control that names work offsets and results so.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCycles {
     OwnCycles { plan: serve::serve, rerun: serve::rerun, offset, name }
 }

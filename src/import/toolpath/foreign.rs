@@ -60,7 +60,8 @@ impl Reader {
     pub(super) fn macro_call(&mut self, line: &[u8], block: &mut Block) {
         self.called_macro = true;
         let place = self.here();
-        let name = |p: f64| "G65 P".to_owned() + &crate::num::decimal(p, 0);
+        let call = if self.okuma { "CALL O" } else { "G65 P" };
+        let name = |p: f64| call.to_owned() + &crate::num::decimal(p, 0);
         let arguments = || -> Vec<(String, f64)> {
             let all = letters(&line[block.begin..]);
             all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()

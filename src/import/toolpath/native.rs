@@ -63,8 +63,14 @@ pub(super) fn listed(
 ) -> Option<&'static Call> {
     let call = if path.centroid { native::find_centroid(name) } else { native::find(name) };
     let metric = path.metric.unwrap_or(true);
-    let job =
-        call.filter(|_| !path.centroid).and_then(|call| Called { name: call.name, arguments: &arguments, place, metric }.job());
+    let post = match name {
+        _ if name.starts_with("G65 P88") => Some("brother"),
+        _ if name.starts_with("CALL O") => Some("okuma"),
+        _ => None,
+    };
+    let job = call
+        .filter(|_| !path.centroid)
+        .and_then(|call| Called { name: call.name, post, arguments: &arguments, place, metric }.job());
     if path.calls.len() == MOST_CALLS {
         return call;
     }
@@ -82,7 +88,11 @@ pub(super) fn listed(
     path.calls.push(NativeCall {
         line: line as u32,
         file: 0,
-        name: call.map_or_else(|| printable(name), |call| call.name.to_owned()),
+        // A Brother and an Okuma write the same calls otherwise.
+        name: match call {
+            Some(call) if !["G65 P88", "CALL O"].iter().any(|other| name.starts_with(other)) => call.name.to_owned(),
+            _ => printable(name),
+        },
         title: call.map(|call| call.title),
         mark: call.map(|call| call.mark.word()),
         source: call.map(|call| call.source),

@@ -128,6 +128,8 @@ pub(super) struct Reader {
     pub called_out: bool,
     /// The same of a macro, which has locals of its own: G65.
     pub called_macro: bool,
+    /// Whether the call that is read is an Okuma's.
+    pub okuma: bool,
     /// Whether the block goes back to where its subprogram was called from.
     pub returned: bool,
     /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
@@ -261,6 +263,17 @@ impl Reader {
                 None => {}
             },
             _ => {}
+        }
+        if matches!(line.get(begin), Some(b'C' | b'V' | b'c' | b'v')) && !self.sinumerik && !self.okuma {
+            let code = &line[begin..];
+            if gives_variable(code) {
+                return;
+            }
+            if let Some(call) = as_g65(code) {
+                self.okuma = true;
+                self.read(&call, block);
+                return self.okuma = false;
+            }
         }
         let before = self.modes;
         block.empty();
@@ -641,6 +654,30 @@ fn lnc_macro(code: &[u8]) -> Option<String> {
 
 fn jumps(line: &[u8]) -> bool {
     line.windows(4).any(|word| word.eq_ignore_ascii_case(b"GOTO"))
+}
+
+/// A call of one of Renishaw's macros on an Okuma as the others write it: `CALL O9814 PD=25.` is `G65 P9814 D25.`.
+fn as_g65(code: &[u8]) -> Option<Vec<u8>> {
+    let mut words =
+        code[..comment_at(code, true).unwrap_or(code.len())].split(|b| b.is_ascii_whitespace()).filter(|word| !word.is_empty());
+    words.next().filter(|word| word.eq_ignore_ascii_case(b"CALL"))?;
+    let number = words.next()?.strip_prefix(b"O")?;
+    (number.len() == 4 && number.starts_with(b"98") && number.iter().all(u8::is_ascii_digit)).then_some(())?;
+    let mut call = [b"G65 P", number].concat();
+    for word in words {
+        let [b'P' | b'p', letter, b'=', value @ ..] = word else { return None };
+        call.extend([b' ', *letter]);
+        call.extend(value);
+    }
+    Some(call)
+}
+
+/// Whether a block gives one of an Okuma's common variables the value of another: nothing moves.
+fn gives_variable(code: &[u8]) -> bool {
+    let is_variable = |name: &[u8]| matches!(name, [b'V' | b'v', b'C' | b'c' | b'S' | b's', number @ ..] if !number.is_empty() && number.iter().all(u8::is_ascii_digit));
+    let mut sides = code.split(|b| *b == b'=').map(<[u8]>::trim_ascii);
+    let (left, right) = (sides.next(), sides.next());
+    left.is_some_and(is_variable) && right.is_some_and(is_variable) && sides.next().is_none()
 }
 
 /// Whether a block of a SINUMERIK shifts, turns, mirrors or scales: none where it does nothing of that, false where it ends it.

@@ -9,13 +9,24 @@ use touchpath::job::{check, default_job, plan};
 
 #[test]
 fn comment_lines_are_longer_than_the_control_takes() {
-    let longest = [("linuxcnc", 160), ("grbl", 80), ("sinumerik", 120), ("heidenhain", 80), ("fanuc", 80), ("haas", 80)];
+    let longest = [
+        ("linuxcnc", 160),
+        ("grbl", 80),
+        ("sinumerik", 120),
+        ("heidenhain", 80),
+        ("fanuc", 80),
+        ("haas", 80),
+        ("mazak", 80),
+        ("brother", 80),
+        ("hurco", 80),
+        ("okuma", 80),
+    ];
     for post in touchpath::control::POSTS {
         assert!(longest.iter().any(|(key, _)| *key == post.key), "the longest comment of {} is not stated here", post.key);
     }
     for (post, longest) in longest {
         for def in touchpath::cycle::CYCLES {
-            let form = if post == "heidenhain" { "cycle" } else { "moves" };
+            let form = if crate::tests::controls::of_moves().contains(&post) { "moves" } else { "cycle" };
             let job = with(&with(&default_job(def.key).unwrap(), "control.post", text(post)), "control.form", text(form));
             let job = with(&job, "name", text(&"long name ".repeat(20)));
             let Ok(plan) = plan(&job) else { continue };

@@ -368,7 +368,7 @@ fn a_native_call_says_what_contradicts_in_it() {
             ("G65 P9812", Some("web or slot"), "X and Y exclude each other".to_owned()),
             ("G65 P9814", Some("hole or boss, four touches"), "D is missing".to_owned()),
             ("G65 P9810", Some("protected positioning move"), String::new()),
-            ("G65 P9811", Some("single surface"), String::new()),
+            ("G65 P8811", Some("single surface"), String::new()),
             ("G65 P9999", None, String::new()),
         ]
     );

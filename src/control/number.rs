@@ -1,4 +1,4 @@
-//! The number of a program, and the name beside it.
+//! Numbers as a Fanuc and its kin take them: that of a program, and the digits of a place.
 //!
 //! Ours, and marked [I] in the docs: which digits of a name are a number, the length of the comment. Recalled and not verified on a control, [R]: that the list of
 //! programs shows the comment of the O line, and that parameter 3202 usually protects 8000 to 9999.
@@ -9,6 +9,9 @@ use crate::text::text;
 
 /// The number where none is chosen.
 const DEFAULT: i32 = 1000;
+
+/// The digits of a constant: more is an alarm on some controls.
+pub(super) const DIGITS: usize = 8;
 
 /// The first number that is usually protected.
 const PROTECTED: i32 = 8000;
@@ -54,7 +57,7 @@ fn listed(c: char) -> char {
     }
 }
 
-/// A number that the control may refuse.
+/// A number that the control may refuse, or under which it keeps the macros.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some(number) = chosen(request).filter(|n| *n >= PROTECTED) else { return };
     let path = if request.number.is_some() { "control.number" } else { "name" };
@@ -63,6 +66,35 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         number
     );
     checker.warning("number-protected", path, message);
+}
+
+/// A number under which a control that calls macros keeps them: the program would take the place of one. Ours.
+pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
+    let Some(number) = chosen(request).filter(|n| *n >= PROTECTED) else { return };
+    let path = if request.number.is_some() { "control.number" } else { "name" };
+    let message = text!(
+        "Program numbers 8000 to 9999 are those of macros: O{number} may take the place of one. Use a number below 8000",
+        number
+    );
+    checker.warning("number-protected", path, message);
+}
+
+/// No place needs more digits than a number may have.
+pub(super) fn check_digits(request: &Request<'_>, checker: &mut Checker) {
+    let decimals = request.post.decimals(request.scale);
+    let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
+    let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
+    let places = request.path.moves.iter().map(|step| step.to).chain(touches);
+    let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
+    if farthest >= limit {
+        let message = text!(
+            "A position is {far} from the origin: it must be within {limit}, since some controls take at most {digits} digits",
+            checker.length(farthest),
+            checker.length(limit),
+            DIGITS
+        );
+        checker.error("too-many-digits", "cycle", message);
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,132 @@
+//! Controls whose programs call Renishaw's macros and nothing else: Mazak, Brother, Hurco, Okuma.
+//!
+//! Sources: the posts that Autodesk publishes for these controls, for Okuma one that goes on from it [S]: the calls with their letters, work offsets,
+//! outputs, units, what begins and ends a program. Ours, and marked [I] in the docs: that the macros move as those for Haas do, 9821, 9822 and 9834 on a
+//! Brother and an Okuma, the variables that keep a result.
+
+use crate::control::iso::writer::{self, Dialect};
+use crate::control::own::OwnCycles;
+use crate::control::renishaw::cycles;
+use crate::control::renishaw::post::{self, CALLS, Calls, variable};
+use crate::control::{BASE, Form, PostDef, Request, number, offsets};
+use crate::form::Checker;
+use crate::path::{Stored, Subject};
+use crate::text::{text, words};
+
+/// The macros that no source shows on a Brother or an Okuma.
+const NOT_SEEN: &[u32] = &[9821, 9822, 9834];
+
+/// Mazak, programs in EIA/ISO.
+pub(super) static MAZAK: PostDef = PostDef {
+    key: "mazak",
+    title: "Mazak (EIA/ISO)",
+    about: "calls of Renishaw's macros P98xx, with their own path. Not verified on a control.",
+    extension: "eia",
+    emit: |request| post::emit(request, &CALLS),
+    ..CALLER
+};
+
+/// Brother Speedio, CNC-C00 and its kin.
+pub(super) static BROTHER: PostDef = PostDef {
+    key: "brother",
+    title: "Brother Speedio",
+    about: "calls of Renishaw's macros, which have the numbers P88xx there. Its programs do not state units: the control must be set to those of the job. Not verified on a control.",
+    unused: &["tool", "number"],
+    dialect: &Dialect { units: ("", ""), ..DIALECT },
+    check: |request, checker| {
+        post::check(request, &BROTHER_CALLS, checker);
+        let unit = if request.scale == 1.0 { "mm" } else { "inch" };
+        let message = text!(
+            "Programs of this control do not state their units, which are a setting of the machine: it must be set to {unit}",
+            unit.to_owned()
+        );
+        checker.warning("units-not-stated", "units", message);
+    },
+    emit: |request| post::emit(request, &BROTHER_CALLS),
+    ..CALLER
+};
+
+/// Hurco WinMax, programs in ISNC.
+pub(super) static HURCO: PostDef = PostDef {
+    key: "hurco",
+    title: "Hurco WinMax (ISNC)",
+    about: "calls of Renishaw's macros P98xx; the control switches the probe by itself. Not verified on a control.",
+    extension: "hnc",
+    work_offsets: offsets::STANDARD,
+    serves: |subject, form| match (subject, form) {
+        (Subject::Switch, Form::Cycle) => Err(words!("the control switches the probe by itself at the tool change")),
+        _ => serves(subject, form),
+    },
+    emit: |request| post::emit(request, &HURCO_CALLS),
+    own: Some(&HURCO_OWN),
+    ..CALLER
+};
+
+/// Okuma OSP.
+pub(super) static OKUMA: PostDef = PostDef {
+    key: "okuma",
+    title: "Okuma OSP",
+    about: "calls of Renishaw's macros as CALL O98xx, with results in VS75 and following. Not verified on a control.",
+    extension: "MIN",
+    // What PS takes.
+    work_offsets: 100,
+    work_offset_word: |n| format!("G15 H{n}"),
+    check: |request, checker| checked(request, &OKUMA_CALLS, checker),
+    emit: |request| post::emit(request, &OKUMA_CALLS),
+    own: Some(&OKUMA_OWN),
+    ..CALLER
+};
+
+/// What they have in common.
+const CALLER: PostDef = PostDef {
+    extension: "NC",
+    unused: &["tool"],
+    work_offsets: offsets::STANDARD + offsets::MORE,
+    work_offset_word: offsets::word,
+    computes: false,
+    orients: Err(words!("no source says how a program of {control} turns the spindle to an angle: turn it before")),
+    dialect: &DIALECT,
+    name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
+    rate: |request, _, step| request.feeds.rate(step.feed),
+    serves,
+    check: |request, checker| checked(request, &CALLS, checker),
+    own: Some(&OWN),
+    ..BASE
+};
+
+const DIALECT: Dialect = Dialect { points: true, capitals: true, ..writer::PLAIN };
+
+static BROTHER_CALLS: Calls = Calls { lower: 1000, tape: None, not_seen: NOT_SEEN, ..CALLS };
+static HURCO_CALLS: Calls = Calls { switches: false, ..CALLS };
+static OKUMA_CALLS: Calls = Calls {
+    call: "CALL O",
+    letter: ("P", "="),
+    tape: None,
+    end: "M2",
+    length: "G56",
+    numbered_alarms: false,
+    not_seen: NOT_SEEN,
+    ..CALLS
+};
+
+static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
+static HURCO_OWN: OwnCycles = cycles(offsets::letter, |stored| variable(185, stored));
+static OKUMA_OWN: OwnCycles = cycles(f64::from, |stored| match stored {
+    Stored::Output(output) => format!("VS{}", 75 + output),
+    Stored::Kept(variable) => format!("VC{variable}"),
+});
+
+fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
+    match (subject, form) {
+        (_, Form::Moves) => Err(words!(
+            "no source says how the control answers a program that asks for modes, tool length and contacts: use its own cycles"
+        )),
+        (Subject::Action, Form::Cycle) => Err(words!("a line for the control is no cycle")),
+        _ => Ok(()),
+    }
+}
+
+fn checked(request: &Request<'_>, calls: &Calls, checker: &mut Checker) {
+    post::check(request, calls, checker);
+    number::check_macros(request, checker);
+}

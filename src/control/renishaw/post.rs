@@ -1,0 +1,252 @@
+//! The program of calls to Renishaw's macros.
+//!
+//! Sources: the macros themselves (version 3.14 for Haas NGC), the post that the CAM's maker publishes and those of another, shop programs [S].
+//! Ours, and marked [I] in the docs: Q as the overtravel less the ball's radius, R as the side clearance less it, heights as those of the stylus tip, the
+//! variables #101 and following for what the next call empties.
+
+use crate::control::iso::writer::Writer;
+use crate::control::{
+    Program, Request, check_orientation, check_plain_moves, check_rotary, check_write, does, number, offsets, orientation_line,
+};
+use crate::form::Checker;
+use crate::num::decimal;
+use crate::path::{Own, OwnBlock, Quantity, STATED_RAPID, Stored};
+use crate::text::text;
+
+/// How a control's programs call the macros.
+#[derive(Debug)]
+pub(in crate::control) struct Calls {
+    /// What stands before the number of a macro.
+    pub call: &'static str,
+    /// By how much its numbers are lower than those of the others.
+    pub lower: u32,
+    /// What stands before a letter, and between it and its value.
+    pub letter: (&'static str, &'static str),
+    /// Whether macros switch the probe: elsewhere the control does.
+    pub switches: bool,
+    /// What a program begins and ends with.
+    pub tape: Option<&'static str>,
+    /// What ends it.
+    pub end: &'static str,
+    /// The code that makes the length of the probe count.
+    pub length: &'static str,
+    /// What the block that turns the spindle has after M19, before the angle; none where M19 turns to the one angle that is set in the control.
+    pub angle: Option<&'static str>,
+    /// Whether a source says which numbers its alarms have.
+    pub numbered_alarms: bool,
+    /// The macros that no source shows on this control: that it has them follows from its other numbers.
+    pub not_seen: &'static [u32],
+}
+
+/// Those of a Fanuc, and of most.
+pub(in crate::control) const CALLS: Calls = Calls {
+    call: "G65 P",
+    lower: 0,
+    letter: ("", ""),
+    switches: true,
+    tape: Some("%"),
+    end: "M30",
+    length: "G43",
+    angle: None,
+    numbered_alarms: true,
+    not_seen: &[],
+};
+
+impl Calls {
+    /// How the control's screen and its manual call a macro: `P9814`.
+    fn name(&self, number: u32) -> String {
+        format!("{}{}", self.call.chars().next_back().unwrap_or('P'), number - self.lower)
+    }
+}
+
+/// The variable that a result is in, of a control with numbered ones.
+pub(in crate::control) fn variable(base: usize, stored: Stored) -> String {
+    let number = match stored {
+        Stored::Output(output) => base + output,
+        Stored::Kept(variable) => variable,
+    };
+    format!("#{number}")
+}
+
+/// A protected move, the probe on and off, the calibration by directions, that of the length.
+const PROTECTED: u32 = 9810;
+const ON: u32 = 9832;
+const OFF: u32 = 9833;
+const CALIBRATION: u32 = 9804;
+const LENGTH: u32 = 9801;
+
+/// The macros that ask for a calibration by directions.
+const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
+
+/// The numbers of the macros that a program calls.
+fn called(own: &Own) -> impl Iterator<Item = u32> {
+    own.blocks.iter().filter_map(|(block, _)| match block {
+        OwnBlock::Call(number, _) => Some(*number),
+        OwnBlock::Keep(..) => None,
+    })
+}
+
+/// What the macros of this program ask for and do.
+pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &mut Checker) {
+    let Some(own) = &request.path.own else { return };
+    let message = text!(
+        "The program calls Renishaw's macros, which must be installed and calibrated: they choose touches, order and feeds. Nothing of it was run on a control: try it without a part, with a hand on feed hold"
+    );
+    checker.info("not-verified", "control.form", message);
+    if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
+        let message =
+            text!("Turned features and three touches ask for a calibration by directions, {macro}", calls.name(CALIBRATION));
+        checker.warning("needs-calibration", "control.form", message);
+    }
+    if let Some(number) = called(own).find(|number| calls.not_seen.contains(number)) {
+        let message = text!(
+            "No source we have shows {macro} on this control: its number and letters follow from those of its other macros. Look whether it is installed",
+            calls.name(number)
+        );
+        checker.warning("macro-not-seen", "control.form", message);
+    }
+    if request.limits.position.is_some() || request.limits.size.is_some() {
+        let message = text!(
+            "A result that is off by more than its limit stops the macro with a message before it writes: who starts the program again lets it write"
+        );
+        checker.info("limit-stops", "limits", message);
+    }
+    check_plain_moves(request, checker);
+    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
+    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    if datum.is_some_and(|d| d.rotation.is_some()) {
+        let message = text!("A work offset of this control has no rotation: none can be written");
+        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+    }
+    check_write(request, checker);
+    check_orientation(request, checker);
+    offsets::check_optional(request, checker);
+    number::check_digits(request, checker);
+}
+
+pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program {
+    let mut w = Writer::new(request);
+    let Some(own) = &request.path.own else { return w.finish() };
+    begin(request, own, calls, &mut w);
+    let probes = !request.path.moves.is_empty();
+    if probes {
+        approach(request, own, calls, &mut w);
+    }
+    for (block, moves) in &own.blocks {
+        match block {
+            OwnBlock::Call(number, letters) => {
+                for _ in 0..*moves {
+                    // A protected move is the program's, the rest is the macro's.
+                    if *number == 9810 { w.makes_move() } else { w.leaves_move() }
+                }
+                let words: Vec<(char, String)> =
+                    letters.iter().map(|(letter, quantity)| (*letter, word(&w, *quantity))).collect();
+                w.line(&call(calls, *number, &words));
+            }
+            OwnBlock::Keep(kept, output) => {
+                let Some(cycles) = request.post.own else { continue };
+                let [kept, output] = [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
+                w.parts(&[&kept, "=", &output]);
+            }
+        }
+    }
+    if probes && calls.switches {
+        w.line(&call(calls, OFF, &[]));
+    }
+    w.line(calls.end);
+    if let Some(tape) = calls.tape {
+        w.line(tape);
+    }
+    w.finish()
+}
+
+/// A call as the control writes it.
+fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
+    let (before, between) = calls.letter;
+    let words = words.iter().map(|(letter, value)| format!(" {before}{letter}{between}{value}"));
+    format!("{}{}{}", calls.call, number - calls.lower, words.collect::<String>())
+}
+
+/// Where the stylus stands is not known: in the plane first, at whatever height, then down.
+fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
+    if calls.switches {
+        w.line(&call(calls, ON, &[]));
+    }
+    let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
+    let [x, y, z, feed] = [first.x, first.y, first.z - request.setup.radius, rate].map(|value| w.number(value).to_string());
+    w.line(&call(calls, PROTECTED, &[('X', x), ('Y', y), ('F', feed.clone())]));
+    w.makes_move();
+    w.line(&call(calls, PROTECTED, &[('Z', z), ('F', feed)]));
+}
+
+fn word(w: &Writer<'_>, quantity: Quantity) -> String {
+    match quantity {
+        Quantity::Length(mm) | Quantity::Feed(mm) => w.number(mm).to_string(),
+        Quantity::Angle(x) | Quantity::Plain(x) => {
+            let text = decimal(x, 4);
+            if text.contains('.') { text } else { format!("{text}.") }
+        }
+    }
+}
+
+fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
+    let numbered = !request.post.unused.contains(&"number");
+    if let Some(tape) = calls.tape {
+        w.line(tape);
+    }
+    if numbered {
+        w.line(&number::line(request));
+    }
+    w.header(&does::line(request, ": by the macro that measures it"));
+    if numbered && number::chosen(request).is_none() {
+        w.comment("No number was chosen: this may replace a program O1000 of the control");
+    }
+    let length = calls.name(LENGTH);
+    w.comment(&format!(
+        "Calls the macros {} of Renishaw: they must be installed, and the probe calibrated, its length by {length}",
+        calls.name(PROTECTED).replace("10", "xx")
+    ));
+    w.comment(&format!("Heights are of the stylus TIP, as {length} sets the length: the ball centre is one radius above"));
+    w.comment(if calls.numbered_alarms {
+        "Alarms: 86 path obstructed, 92 unexpected surface, 93 surface not found, 89 no tool length, 101 probe does not start"
+    } else {
+        "Alarms: path obstructed, unexpected surface, surface not found, no tool length, probe does not start"
+    });
+    if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
+        let [one, two, three] = BY_DIRECTIONS.map(|number| calls.name(number));
+        w.comment(&format!("{one}, {two} and {three} ask for a calibration by directions: {}", calls.name(CALIBRATION)));
+    }
+    if !calls.switches {
+        w.comment("The control switches the probe by itself at the tool change");
+    }
+    if request.path.moves.is_empty() {
+        w.says_job();
+        return w.modes();
+    }
+    let z = w.height_word(own.first - request.path.frame.w * request.setup.radius);
+    w.comment(&format!(
+        "Before the start: probe in the spindle, {} active, the stylus above {z}: it goes there in the plane first",
+        calls.length
+    ));
+    w.comment(&orientation_line(request));
+    let names: Vec<String> = own
+        .stored
+        .iter()
+        .filter_map(|(code, stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code)))
+        .collect();
+    if !names.is_empty() {
+        w.comment(&format!("Results: {}", names.join(", ")));
+    }
+    w.comment("Not verified on a control: try it without a part first");
+    w.says_job();
+    w.modes();
+    w.line("M5");
+    w.line("M9");
+    if let Some(angle) = request.orient.filter(|_| request.post.orients.is_ok()) {
+        let word = calls.angle.map(|word| format!("{word}{}", decimal(angle, 3)));
+        w.parts(&["M19", &word.unwrap_or_default()]);
+    }
+    if let Some(n) = request.work_offset {
+        w.line(&(request.post.work_offset_word)(n));
+    }
+}
