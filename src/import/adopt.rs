@@ -61,7 +61,8 @@ impl Called<'_> {
         if let Some(post) = self.post.or(said.post) {
             set(&mut job, "control.post", Value::Text(post.to_owned()));
         }
-        if self.post.is_some() {
+        // Of controls that take their own cycles alone.
+        if self.post.is_some() || said.post == Some("heidenhain") {
             set(&mut job, "control.form", Value::Text(Form::Cycle.word().to_owned()));
         }
         if let Some(offset) = said.offset {
@@ -231,13 +232,59 @@ impl Called<'_> {
                 let [x, y] = centre()?;
                 (cycle, [x, y, top()?])
             }
+            "408" | "425" | "409" | "426" => {
+                let along = self.get("Q272").filter(|axis| [1.0, 2.0].contains(axis))?;
+                fields.extend([("width", self.get("Q311")?), ("rotation", if along == 2.0 { 90.0 } else { 0.0 })]);
+                let inside = matches!(number, "408" | "425");
+                if !inside || protected {
+                    fields.push(("sideClearance", clearance));
+                }
+                let cycle = match (inside, protected) {
+                    (true, false) => "groove",
+                    (true, true) => "groove-protected",
+                    (false, _) => "web",
+                };
+                let middle = |a: &str, b: &str| Some((self.get(a)? + self.get(b)?) / 2.0);
+                let [x, y] = match number {
+                    "425" => [self.get("Q328")?, self.get("Q329")?],
+                    "426" => [middle("Q263", "Q265")?, middle("Q264", "Q266")?],
+                    _ => centre()?,
+                };
+                (cycle, [x, y, top()?])
+            }
             "417" => {
                 fields = vec![("elevation", 90.0), ("clearance", clearance)];
                 ("surface", [self.get("Q263")?, self.get("Q264")?, self.get("Q294")?])
             }
+            "419" | "427" => {
+                let axis = self.get("Q272").filter(|axis| [1.0, 2.0, 3.0].contains(axis))?;
+                let towards = self.get("Q267").filter(|sign| sign.abs() == 1.0)?;
+                // The surface faces the touch.
+                let turn = if axis == 2.0 {
+                    -90.0 * towards
+                } else if towards > 0.0 {
+                    180.0
+                } else {
+                    0.0
+                };
+                (axis < 3.0 || towards < 0.0).then_some(())?;
+                fields = vec![("elevation", if axis == 3.0 { 90.0 } else { 0.0 }), ("clearance", clearance)];
+                if axis < 3.0 {
+                    fields.push(("rotation", turn));
+                }
+                ("surface", [self.get("Q263")?, self.get("Q264")?, self.get("Q261")?])
+            }
             _ => return None,
         };
-        Some(Said { cycle, fields, origin, overtravel: None, post: None, offset: None })
+        let row = self.get("Q305").filter(|row| self.get("Q303") == Some(1.0) && (1.0..=99.0).contains(row));
+        Some(Said {
+            cycle,
+            fields,
+            origin,
+            overtravel: None,
+            post: Some("heidenhain"),
+            offset: row.filter(|row| row.fract() == 0.0),
+        })
     }
 }
 

@@ -2,13 +2,12 @@
 
 use std::cell::OnceCell;
 
+use crate::control::own::machine::{Alarm, Met};
 use crate::control::own::{OwnCycles, OwnRequest, Refused};
 use crate::control::release::{Refusal, release};
-use crate::control::renishaw::machine::{Alarm, Met};
-use crate::control::renishaw::macros::MEASURES_NOTHING;
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
-use crate::control::{Form, Header, Report, Request};
+use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Value};
 use crate::formula::{self, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
@@ -21,7 +20,7 @@ use crate::job::stylus::{report_stylus, report_unknown};
 use crate::job::{Job, JobError, resolved};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{Feature, Feeds, MOST_ASKEW, Own, OwnBlock, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
+use crate::path::{Feature, Feeds, MOST_ASKEW, Own, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
 use crate::text::{Text, text};
 
 /// The surfaces of the actual part where it really lies.
@@ -66,7 +65,8 @@ fn own_path(job: &Job, path: Path) -> (Path, Refused) {
             .parameters(&job.setup, &[])
             .iter()
             .any(|row| row.value == crate::path::ParameterValue::Flag(true)),
-        prints: job.report == Report::Log,
+        report: job.report,
+        set_up: job.set_up,
     };
     let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
     match own {
@@ -290,16 +290,20 @@ fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &
 /// Whose path is shown where cycles of the control's own make it, and that an offset is written in parts.
 fn report_own(path: &Path, checker: &mut Checker) {
     let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else { return };
-    let letters = own.blocks.iter().filter_map(|(block, _)| match block {
-        OwnBlock::Call(number, letters) if !MEASURES_NOTHING.contains(number) => Some(letters),
-        OwnBlock::Call(..) | OwnBlock::Keep(..) => None,
-    });
-    let calls = letters.clone().count();
-    let writes = letters.filter(|letters| letters.iter().any(|(letter, _)| *letter == 'S')).count();
-    let message = text!(
-        "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
-        calls
-    );
+    let calls = own.blocks.iter().filter(|(block, _)| block.measures()).count();
+    let writes = own.blocks.iter().filter(|(block, _)| block.writes()).count();
+    let twice = path.moves.iter().any(|step| matches!(step.purpose, Purpose::Search(_)));
+    let message = if twice {
+        text!(
+            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
+            calls
+        )
+    } else {
+        text!(
+            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, and choose the order and their feeds",
+            calls
+        )
+    };
     checker.info("own-path", "control.form", message);
     if writes > 1 {
         let message = text!(

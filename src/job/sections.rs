@@ -203,6 +203,8 @@ form! {
         orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Control"),
         /// Where the program shows its results before it ends.
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Control"),
+        /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
+        set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Control"),
         /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000.
         number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program"),
     }
@@ -284,6 +286,8 @@ pub struct Job {
     pub report: Report,
     /// The number of the program, where its control has them; none takes that of the name.
     pub number: Option<i32>,
+    /// What the probe table adds to the set-up clearance of the control's own cycles, mm.
+    pub set_up: f64,
     pub placement: PartPlacement,
     /// The cycle with the actual part's sizes; none where they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
@@ -395,6 +399,7 @@ impl Job {
             orient: control.orient,
             report: Report::named(&control.report),
             number: control.number,
+            set_up: control.set_up,
             placement: part.placement(plane, sizes.is_some()),
             actual: sizes,
         })

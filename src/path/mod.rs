@@ -10,7 +10,7 @@ mod surface;
 mod tracer;
 
 pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
-pub use own::{Own, OwnBlock, Quantity, Stored};
+pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;

@@ -29,8 +29,30 @@ impl Quantity {
 pub enum OwnBlock {
     /// A macro by its number, with its letters.
     Call(u32, Vec<(char, Quantity)>),
+    /// A cycle by its number, with its parameters by theirs: Q of a HEIDENHAIN.
+    Cycle(u16, Vec<(u16, Quantity)>),
     /// A result of the call before, by its place in that call's output, kept in the variable of this number: the next call empties it.
     Keep(usize, usize),
+}
+
+impl OwnBlock {
+    /// Whether it measures something: a protected move, the probe on and off, what lies between two features and a preset do not.
+    pub fn measures(&self) -> bool {
+        match self {
+            OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834].contains(number),
+            OwnBlock::Cycle(number, _) => *number != 247,
+            OwnBlock::Keep(..) => false,
+        }
+    }
+
+    /// Whether it writes a work offset.
+    pub fn writes(&self) -> bool {
+        match self {
+            OwnBlock::Call(_, letters) => letters.iter().any(|(letter, _)| *letter == 'S'),
+            OwnBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
+            OwnBlock::Keep(..) => false,
+        }
+    }
 }
 
 /// Where a result of a call is found.
@@ -40,6 +62,15 @@ pub enum Stored {
     Output(usize),
     /// In a variable that it was kept in.
     Kept(usize),
+}
+
+/// What a table of the control says of touches, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reach {
+    /// Added to the clearance in front of each contact.
+    pub set_up: f64,
+    /// How far behind its contact a touch searches.
+    pub behind: f64,
 }
 
 /// A program of calls, and how many moves of the path each of them makes.
@@ -52,4 +83,6 @@ pub struct Own {
     pub counts: Vec<usize>,
     /// Where each result is found, by its code.
     pub stored: Vec<(&'static str, Stored)>,
+    /// How far its touches reach, where the calls do not say it.
+    pub reach: Reach,
 }

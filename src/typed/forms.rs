@@ -929,12 +929,14 @@ pub struct Control {
     pub orient: Option<Option<f64>>,
     /// Where the program shows its results before it ends.
     pub report: Option<Report>,
+    /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
+    pub set_up: Option<f64>,
     /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000. `Some(None)`: from the name.
     pub number: Option<Option<i32>>,
 }
 
 impl Given for Control {
-    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("report", of(&self.report)), ("number", of(&self.number))]) }
+    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("report", of(&self.report)), ("setUp", of(&self.set_up)), ("number", of(&self.number))]) }
 }
 
 /// The section `tool` of a job.

@@ -12,6 +12,8 @@ mod generated;
 mod golden;
 mod inertia;
 mod iso286;
+
+mod klartext_cycles;
 mod laws;
 mod layers;
 mod lentoax;

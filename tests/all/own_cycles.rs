@@ -9,7 +9,7 @@ use touchpath::job::{Plan, plan};
 
 /// A face of the part: where the ball's centre (radius 3) is stopped.
 #[derive(Clone, Copy)]
-enum Face {
+pub(super) enum Face {
     /// Coming against the normal in the plane: normal · place = distance.
     Wall([f64; 2], f64),
     /// A circle of this radius about a place, from its inside or from outside.
@@ -18,13 +18,13 @@ enum Face {
     Top(f64),
 }
 
-const BALL: f64 = 3.0;
+pub(super) const BALL: f64 = 3.0;
 
 /// The controls that call the macros.
 const CALLERS: [&str; 6] = ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"];
 
 /// How far along a way of the ball's centre (x, y, tip) a face stops it.
-fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
+pub(super) fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
     let way = [b[0] - a[0], b[1] - a[1]];
     let part = match face {
         Face::Top(z) => (z - a[2]) / (b[2] - a[2]),

@@ -35,7 +35,7 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error)
     );
     if plan.program.own {
-        return calls_are_sane(plan);
+        return if plan.program.post == "heidenhain" { klartext_is_sane(plan) } else { calls_are_sane(plan) };
     }
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
@@ -112,6 +112,12 @@ fn program_is_sane(plan: &Plan) -> Result<(), String> {
 fn klartext_is_sane(plan: &Plan) -> Result<(), String> {
     owe!("the control moves by itself", plan.program.move_lines.iter().all(|l| *l == -1));
     owe!("no line of Klartext is odd", plan.program.text.lines().all(|l| l.is_ascii() && !l.contains("-0 ")));
+    if plan.program.own {
+        let mut touched: Vec<usize> = plan.moves.iter().filter_map(|m| m.touch.filter(|_| m.kind == "touch")).collect();
+        touched.sort_unstable();
+        owe_eq!("each touch is made once", touched, (0..plan.touches.len()).collect::<Vec<_>>());
+        owe!("what touches is called", plan.program.text.contains("TCH PROBE 4"));
+    }
     Ok(())
 }
 

@@ -676,6 +676,8 @@ export interface Job {
     orient?: number | null;
     /** Where the program shows its results before it ends. */
     report?: "screen" | "log" | "none";
+    /** SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance. */
+    setUp?: number;
     /** Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000. `null`: from the name. */
     number?: number | null;
   };

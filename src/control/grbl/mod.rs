@@ -31,7 +31,7 @@ pub static DEF: PostDef = PostDef {
     orients: Err(words!("{control} cannot turn a spindle to an angle: turn it by hand")),
     watches: false,
     dialect: &DIALECT,
-    unused: &["tool", "orient", "report", "number"],
+    unused: &["tool", "orient", "report", "number", "setUp"],
     cannot: &[
         (rules::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move hit something")),
         (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),

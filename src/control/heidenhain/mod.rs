@@ -1,10 +1,13 @@
-//! HEIDENHAIN TNC7: Klartext programs with the control's own cycles 1411 and 1493.
+//! HEIDENHAIN: Klartext programs with the control's own cycles, 1411 and 1493 of a TNC7, 408 to 427 of any TNC.
 //!
 //! The block head, the order of parameters and their comments are those of the manual's example, letter by letter
 //! (`TRANSER POSITION` too); `S50` in the tool call is that of real programs. Recalled and not verified on a control: that values with a
 //! tolerance go out as `QS1116="10H7"`, the parameters of 1493, `INCH` in `BEGIN PGM`, and the tool axes Y and X in `TOOL CALL`.
 
+mod blocks;
+pub mod cycles;
 pub mod read;
+mod serve;
 
 use std::ops::Range;
 
@@ -20,33 +23,36 @@ use crate::text::{text, words};
 pub static DEF: PostDef = PostDef {
     key: "heidenhain",
     title: "HEIDENHAIN TNC7 (Klartext)",
-    about: "a Klartext program with the control's own cycle 1411, tolerances, semi-automatic and given positions included. Not verified on a control.",
+    about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table. Not verified on a control.",
     extension: "h",
-    no_work_offset: words!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"),
+    work_offsets: 99,
+    work_offset_word: |n| format!("preset row {n}"),
     computes: false,
     orients: Err(words!(
-        "cycle 1411 orients the probe itself, as the probe table says (TRACK): the orientation of the job is not used"
+        "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
     )),
     watches: false,
     dialect: &Dialect { comment: ("; ", ""), comment_width: 72, numbered: true, ..PLAIN },
-    unused: &["orient", "report", "number"],
+    unused: &["orient", "number"],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
     serves,
     check,
     emit,
+    own: Some(&serve::CYCLES),
     ..BASE
 };
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
-        (Subject::TwoCircles, Form::Cycle) => Ok(()),
-        (Subject::TwoCircles, Form::Moves) => Err(
+        (Subject::Switch | Subject::Action, _) => Err("the control has no cycle for it"),
+        (_, Form::Moves) => Err(
             "our sources do not document the control's low-level probing blocks well enough to write these moves: use its own cycle",
         ),
-        _ => Err(
-            "no documented cycle of the control takes exactly these points and approaches, and plain moves are not supported",
+        (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, Form::Cycle) => Err(
+            "no source shows the whole block of the corner cycles 414 and 415, and one cycle 427 a touch would need arithmetic in Q parameters, which no source shows either",
         ),
+        (_, Form::Cycle) => Ok(()),
     }
 }
 
@@ -57,6 +63,9 @@ fn program_name(name: &str) -> String {
 }
 
 fn emit(request: &Request<'_>) -> Program {
+    if let Some(own) = &request.path.own {
+        return serve::emit(request, own, &program_name(request.name));
+    }
     moves::write(request, &mut Klartext { request, name: program_name(request.name) })
 }
 
@@ -147,6 +156,14 @@ impl Moves for Klartext<'_> {
 /// Angles have three decimals on the control.
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_orientation(request, checker);
+    if request.path.own.is_some() {
+        return serve::check(request, checker);
+    }
+    if request.work_offset.is_some() {
+        let message =
+            text!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty");
+        checker.error("work-offset-unsupported", "control.workOffset", message);
+    }
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
         let settings = request.path.feature.two_circles().map_or(&[][..], |c| &c.settings);
         if let Some(ParameterValue::Number(angle)) = settings.iter().find(|s| s.number == code).map(|s| &s.value)

@@ -35,7 +35,7 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
-    unused: &["tool", "number"],
+    unused: &["tool", "number", "setUp"],
     cannot: &[(
         rules::MISS_LIFTS,
         words!("G38.2 itself stops the program with an error where the ball is: nothing after it runs"),

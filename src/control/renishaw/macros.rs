@@ -1,7 +1,16 @@
-//! The moves of each macro, by its arguments and from where the stylus stands: facts of the macros' own behaviour [S].
+//! The moves of each macro, by its arguments and from where the stylus stands: facts of the macros' own behaviour, version 3.14 for Haas NGC [S]; their
+//! feeds and the way back between the two touches are settings of an installation [I: those of that edition].
 
-use super::machine::{Alarm, FAST, Kind, Machine, SEARCH};
+use crate::control::own::machine::{Alarm, Kind, Machine};
 use crate::geom::Vec3;
+
+/// Feeds of the macros, mm/min: positioning, going down and the first touch, the second touch.
+pub const FAST: f64 = 5000.0;
+pub const SEARCH: f64 = 0.6 * FAST;
+pub const MEASURE: f64 = 102.0;
+
+/// From the first contact back to where the second touch begins, mm: 8 mm times a factor of the calibration, 0.2 unless it was found.
+pub const BACK_OFF: f64 = 1.6;
 
 /// The letters of a call: lengths in mm, angles in degrees.
 pub trait Letters {
@@ -19,9 +28,6 @@ const Q: f64 = 5.0;
 const R: f64 = 5.0;
 /// The same of 9843.
 const Q_ANGLE: f64 = 10.0;
-
-/// A protected move, the probe switched on and off, what lies between two features.
-pub const MEASURES_NOTHING: [u32; 4] = [9810, 9832, 9833, 9834];
 
 /// The macros whose moves are known, by their numbers.
 pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];
@@ -42,6 +48,25 @@ pub fn run(number: u32, letters: &(impl Letters + ?Sized), m: &mut Machine<'_>) 
         9843 => call.wall_angle(m),
         _ => return None,
     })
+}
+
+impl Machine<'_> {
+    /// The two touches towards a place, up to `q` behind it, and back: where the ball's centre was at the second contact. The contact is expected
+    /// `before` the place: by a radius where that is a point of the surface.
+    pub fn measure(&mut self, place: Vec3, q: f64, before: f64) -> Result<Vec3, Alarm> {
+        let start = self.at;
+        let way = place - start;
+        if way.length() < 1e-9 {
+            return Err(Alarm::Unexpected);
+        }
+        let along = way.normalize();
+        let (end, expected) = (place + along * q, place - along * before);
+        let first = self.touch(end, expected, Kind::Search, Some(SEARCH))?;
+        self.plain(first - along * BACK_OFF, Kind::Back, Some(FAST))?;
+        let contact = self.touch(end, expected, Kind::Measure, Some(MEASURE))?;
+        self.plain(start, Kind::Back, Some(FAST))?;
+        Ok(contact)
+    }
 }
 
 struct Call<'l, L: ?Sized> {
@@ -80,7 +105,7 @@ impl<L: Letters + ?Sized> Call<'_, L> {
         to.x = self.get('X').unwrap_or(to.x);
         to.y = self.get('Y').unwrap_or(to.y);
         to.z = self.get('Z').map_or(to.z, |tip| m.height(tip));
-        m.watched(to, self.get('F').unwrap_or(FAST), Alarm::Obstructed)
+        m.watched(to, self.get('F').or(Some(FAST)), Alarm::Obstructed)
     }
 
     fn surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
@@ -107,19 +132,19 @@ impl<L: Letters + ?Sized> Call<'_, L> {
             if let Some((height, clearance)) = beside {
                 let radius = if clearance > 0.0 { m.radius } else { -m.radius };
                 let off = side * (size / 2.0 + radius + clearance);
-                m.watched(at(off, start.z), FAST, Alarm::Unexpected)?;
-                m.watched(at(off, height), SEARCH, Alarm::Unexpected)?;
+                m.watched(at(off, start.z), Some(FAST), Alarm::Unexpected)?;
+                m.watched(at(off, height), Some(SEARCH), Alarm::Unexpected)?;
             }
             let height = m.at.z;
             sum += m.measure(at(side * size / 2.0, height), self.q, m.radius)?[axis];
             let up = Vec3::new(m.at.x, m.at.y, start.z);
-            m.plain(up, Kind::Rapid)?;
+            m.plain(up, Kind::Rapid, None)?;
             // After the first side straight back over the middle, after the second at the very end.
             if side < 0.0 {
-                m.plain(start, Kind::Rapid)?;
+                m.plain(start, Kind::Rapid, None)?;
             }
         }
-        m.plain(start, Kind::Rapid)?;
+        m.plain(start, Kind::Rapid, None)?;
         Ok(sum / 2.0)
     }
 
@@ -136,9 +161,9 @@ impl<L: Letters + ?Sized> Call<'_, L> {
     fn round(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (size, start) = (self.need('D')?, m.at);
         let middle = self.along(m, 1, size)?;
-        m.plain(Vec3::new(start.x, middle, start.z), Kind::Rapid)?;
+        m.plain(Vec3::new(start.x, middle, start.z), Kind::Rapid, None)?;
         self.along(m, 0, size)?;
-        m.plain(start, Kind::Rapid)
+        m.plain(start, Kind::Rapid, None)
     }
 
     /// The first touch of a wall at the start, or at `first`; with a step a second one, away from the corner.
@@ -153,7 +178,7 @@ impl<L: Letters + ?Sized> Call<'_, L> {
         let mut at = start;
         if let Some(first) = first {
             at[across] = first;
-            m.watched(at, FAST, Alarm::Unexpected)?;
+            m.watched(at, Some(FAST), Alarm::Unexpected)?;
         }
         let touch = |m: &mut Machine<'_>| {
             let mut surface = m.at;
@@ -163,10 +188,10 @@ impl<L: Letters + ?Sized> Call<'_, L> {
         touch(m)?;
         if let Some(step) = step {
             at[across] += step;
-            m.watched(at, FAST, Alarm::Unexpected)?;
+            m.watched(at, Some(FAST), Alarm::Unexpected)?;
             touch(m)?;
         }
-        m.plain(start, Kind::Back)
+        m.plain(start, Kind::Back, Some(FAST))
     }
 
     fn corner(&self, m: &mut Machine<'_>, outside: bool) -> Result<(), Alarm> {
@@ -199,16 +224,16 @@ impl<L: Letters + ?Sized> Call<'_, L> {
         if let Some((height, clearance)) = self.beside(m) {
             let radius = if clearance < 0.0 { -m.radius } else { m.radius };
             let aside = start + towards * (size / 2.0 + radius + clearance);
-            m.watched(aside, FAST, Alarm::Unexpected)?;
-            m.watched(aside.with_z(height), SEARCH, Alarm::Unexpected)?;
+            m.watched(aside, Some(FAST), Alarm::Unexpected)?;
+            m.watched(aside.with_z(height), Some(SEARCH), Alarm::Unexpected)?;
             (way, before) = (clearance.abs(), 0.0);
             if clearance >= 0.0 {
                 towards = -towards;
             }
         }
         m.measure(m.at + towards * way, self.q, before)?;
-        m.plain(m.at.with_z(start.z), Kind::Back)?;
-        m.plain(start, Kind::Back)
+        m.plain(m.at.with_z(start.z), Kind::Back, Some(FAST))?;
+        m.plain(start, Kind::Back, Some(FAST))
     }
 
     fn turned_width(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
@@ -240,19 +265,19 @@ impl<L: Letters + ?Sized> Call<'_, L> {
         for side in [1.0, -1.0] {
             let mut off = Vec3::ZERO;
             (off[axis], off[1 - axis]) = (side * slope * half, side * half);
-            m.watched(start + off, FAST, Alarm::Obstructed)?;
+            m.watched(start + off, Some(FAST), Alarm::Obstructed)?;
             let mut surface = start + off;
             surface[axis] = place + off[axis];
             m.measure(surface, self.q, m.radius)?;
         }
-        m.plain(start, Kind::Rapid)
+        m.plain(start, Kind::Rapid, None)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::machine::Met;
     use super::*;
+    use crate::control::own::machine::Met;
 
     /// The moves of a call on what answers, by hand: kind, place, contact.
     fn made(
@@ -265,7 +290,7 @@ mod tests {
         let mut m = Machine::new(at.into(), 3.0, 3.0, &mut meets);
         let end = run(number, letters, &mut m).expect("known");
         let place = |v: Vec3| v.to_array().map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0)).join(" ");
-        let row = |made: &super::super::machine::Made| {
+        let row = |made: &crate::control::own::machine::Made| {
             let contact = made.met.map_or_else(String::new, |met| format!(" at {}", place(met.center)));
             format!("{:?} {}{contact}", made.kind, place(made.to))
         };

@@ -1,13 +1,15 @@
 //! Which calls a feature needs, the path that they make of it, and what they measure.
 
-use super::machine::{Alarm, FAST, Kind, MEASURE, Machine, Made, Met, SEARCH};
-use super::macros;
-use crate::control::own::{OwnRequest, Refused};
+use super::macros::{self, FAST, MEASURE, SEARCH};
+use crate::control::Report;
+use crate::control::own::machine::{Alarm, Machine, Made, Met};
+use crate::control::own::made::moves_of;
+use crate::control::own::{OwnRequest, Refused, refused};
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Feeds, Move, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Purpose, Quantity,
+    Bore, Corner, Entry, Feature, Feed, Feeds, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
     STATED_RAPID, Stored, Surface, Touch, TwoCircles,
 };
 use crate::text::{Text, text, words};
@@ -63,11 +65,6 @@ struct Program<'a> {
     /// The feed of each protected move, in order.
     feeds: Vec<Feed>,
     kept: usize,
-}
-
-/// Refuses a job.
-fn refused(code: &'static str, field: &str, message: Text) -> Refused {
-    vec![(code, field.to_owned(), message)]
 }
 
 impl<'a> Program<'a> {
@@ -206,7 +203,7 @@ impl<'a> Program<'a> {
         if let Some(n) = work_offset {
             letters.push(('S', Quantity::Plain((self.request.offset)(n))));
         }
-        if self.request.prints {
+        if self.request.report == Report::Log {
             letters.push(('W', Quantity::Plain(1.0)));
         }
         self.blocks.push(OwnBlock::Call(number, letters));
@@ -490,7 +487,8 @@ impl<'a> Program<'a> {
         let mut path = self.request.path.clone();
         let number = if self.request.switches_on { 9832 } else { 9833 };
         let blocks = vec![(OwnBlock::Call(number, Vec::new()), 0)];
-        path.own = Some(Box::new(Own { first: Vec3::ZERO, blocks, counts: Vec::new(), stored: Vec::new() }));
+        path.own =
+            Some(Box::new(Own { first: Vec3::ZERO, blocks, counts: Vec::new(), stored: Vec::new(), reach: Reach::default() }));
         Ok(path)
     }
 
@@ -522,7 +520,13 @@ impl<'a> Program<'a> {
             counted.push(machine.made.len() - before);
         }
         let made = machine.made;
-        let Some((moves, touches)) = moves_of(&path, &made, &own_feeds, first, radius) else {
+        // A circle's touches begin with Y, and go on from the middle that was found.
+        let own_order = match path.feature {
+            Feature::Bore(_) => path.touches.len() != 3,
+            Feature::TwoCircles(_) => true,
+            _ => false,
+        };
+        let Some((moves, touches)) = moves_of(&path, own_order, &made, &own_feeds, first, (radius, Some(SEARCH))) else {
             let message = text!("The macros would touch other surfaces than the cycle does{advice}", Text::words(ADVICE));
             return Err(refused("cycle-stops", "cycle", message));
         };
@@ -552,6 +556,7 @@ impl<'a> Program<'a> {
             first,
             blocks: blocks.into_iter().zip(counted).collect(),
             stored,
+            reach: Reach::default(),
         }));
         Ok(path)
     }
@@ -582,58 +587,6 @@ fn words_of(alarm: Alarm) -> Text {
         Alarm::NotFound => text!("alarm 93: no contact"),
         Alarm::Collision => text!("a collision"),
     }
-}
-
-/// Moves and touches of what was made. Touches stand in the order of the documented ones, which the formula counts by; those of a circle in their own.
-fn moves_of(
-    path: &Path,
-    made: &[Made],
-    feeds: &[(Option<Feed>, u8)],
-    first: Vec3,
-    radius: f64,
-) -> Option<(Vec<Move>, Vec<Touch>)> {
-    let own_order = match path.feature {
-        Feature::Bore(_) => path.touches.len() != 3,
-        Feature::TwoCircles(_) => true,
-        _ => false,
-    };
-    let mut touches: Vec<Option<Touch>> = if own_order { Vec::new() } else { vec![None; path.touches.len()] };
-    let mut moves = vec![Move { to: first, feed: Feed::Approach, purpose: Purpose::Position, step: 1, arc: None }];
-    let mut now = 0;
-    for (made, (feed, step)) in made.iter().zip(feeds) {
-        let mut push = |to, feed, purpose| moves.push(Move { to, feed, purpose, step: *step, arc: None });
-        match made.kind {
-            Kind::Watched if made.rate == Some(SEARCH) && feed.is_none() => push(made.to, Feed::Search, Purpose::Position),
-            Kind::Watched => push(made.to, feed.unwrap_or(Feed::Retract), Purpose::Position),
-            Kind::Rapid => push(made.to, Feed::Rapid, Purpose::Position),
-            Kind::Back => push(made.to, Feed::Retract, Purpose::Back(now)),
-            Kind::Search => {
-                let met = made.met?;
-                let vector = (met.center - made.to).normalize_or_zero();
-                let touch = Touch {
-                    point: met.center - vector * radius,
-                    vector,
-                    group: met.surface,
-                    search: made.to.distance(met.center),
-                    sample: 0,
-                };
-                if own_order {
-                    now = touches.len();
-                    touches.push(None);
-                } else {
-                    let same = |k: &usize| {
-                        let documented = &path.touches[*k];
-                        touches[*k].is_none() && documented.group == touch.group && documented.vector.dot(vector) > 1.0 - NEAR
-                    };
-                    now = (0..path.touches.len()).find(same)?;
-                }
-                touches[now] = Some(Touch { sample: now, ..touch });
-                push(met.center, Feed::Search, Purpose::Search(now));
-            }
-            Kind::Measure => push(made.met?.center, Feed::Work, Purpose::Touch(now)),
-        }
-    }
-    Some((moves, touches.into_iter().collect::<Option<Vec<Touch>>>()?))
 }
 
 /// The middle of each pair of touches, and the diameter from the second: Y minus, Y plus, X minus, X plus.

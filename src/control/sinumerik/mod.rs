@@ -43,7 +43,7 @@ pub static DEF: PostDef = PostDef {
     work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
     first_length: true,
     dialect: &DIALECT,
-    unused: &["tool", "number"],
+    unused: &["tool", "number", "setUp"],
     serves,
     check,
     emit,

@@ -1,7 +1,7 @@
 //! The moves of a macro of the control's own, where they are known: Renishaw's, in a run that knows where the stylus stands.
 
-use crate::control::renishaw::machine::{Alarm, FAST, IN_POSITION, Kind, Machine, Made, Met};
-use crate::control::renishaw::macros;
+use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
+use crate::control::renishaw::macros::{self, FAST};
 use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Trip;
@@ -10,7 +10,7 @@ use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
 /// The radius of a ball that nothing says, mm.
-const RADIUS: f64 = 3.0;
+pub(super) const RADIUS: f64 = 3.0;
 
 impl Reader {
     /// Makes the moves of a macro by its number and letters, in the program's units; false where they are not known.
@@ -35,23 +35,8 @@ impl Reader {
         let is_length = |letter: char| lengths.contains(letter) && !(letter == 'C' && number == 9823);
         let letters: Vec<(char, f64)> =
             letters.into_iter().map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x })).collect();
-        let (feature, touch, positioning) = (run.feature.clone(), run.touch, run.positioning);
-        let radius = feature.as_ref().map_or(RADIUS, |feature| feature.radius());
-        let mut answers = |from: Vec3, to: Vec3, expected: Option<Vec3>| {
-            let part = |trip: Trip| match trip {
-                Trip::At(part) => Some(from + (to - from) * part),
-                Trip::Never => None,
-                // Where the call says the feature is.
-                Trip::Unknown => expected,
-            };
-            let center = match &feature {
-                _ if from.is_nan() || to.is_nan() => None,
-                Some(feature) => feature.contact(from, to).map(|part| from + (to - from) * part),
-                None if expected.is_some() => part(touch),
-                None => part(positioning).filter(|_| positioning != Trip::Unknown),
-            };
-            center.filter(|center| !center.is_nan()).map(|center| Met { center, surface: 0, edge: false })
-        };
+        let radius = run.feature.as_ref().map_or(RADIUS, |feature| feature.radius());
+        let mut answers = self.answers();
         let mut machine = Machine::new(at, radius, 0.0, &mut answers);
         let Some(end) = macros::run(number, letters.as_slice(), &mut machine) else { return false };
         // What contradicts in the call is said of it.
@@ -76,29 +61,46 @@ impl Reader {
         true
     }
 
-    fn own_move(&mut self, made: &Made, inch: f64) {
+    pub(super) fn own_move(&mut self, made: &Made, inch: f64) {
         let kind = match made.kind {
             Kind::Rapid => RAPID,
+            // As fast as the probe table says.
+            Kind::Watched | Kind::Back if made.rate.is_none() && made.arc.is_none() => RAPID,
             Kind::Watched | Kind::Back => FEED,
-            Kind::Search | Kind::Measure => PROBE,
+            Kind::Search | Kind::Measure | Kind::Once => PROBE,
         };
+        if let Some(arc) = made.arc {
+            let [x, y, z] = (arc.center / inch).to_array();
+            self.path.arcs.push([self.path.len() as f64, x, y, z, arc.sweep.to_degrees(), 17.0]);
+        }
         let met = made.met.map(|met| met.center).filter(|center| center.distance(made.to) >= IN_POSITION);
         self.makes((kind, made.to, met, made.rate), inch);
     }
 
-    /// What answers a touch that a cycle of the control's own makes: a place of the ball's centre, mm.
-    pub(super) fn answers(&self) -> impl Fn(Vec3, Vec3, Vec3) -> Option<Vec3> + use<> {
-        let known = self.run.as_ref().map(|run| (run.feature.clone(), run.touch));
-        move |from, to, expected| match &known {
-            Some((Some(feature), _)) => feature.contact(from, to).map(|part| from + (to - from) * part),
-            Some((None, Trip::At(part))) => Some(from + (to - from) * *part),
-            Some((None, Trip::Never)) => None,
-            Some((None, Trip::Unknown)) | None => Some(expected),
+    /// What answers the moves of the control's own cycles: places of the ball's centre, mm.
+    pub(super) fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
+        let run = self.run.as_ref();
+        let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
+        move |from: Vec3, to: Vec3, expected: Option<Vec3>| {
+            let part = |trip: Trip| match trip {
+                Trip::At(part) => Some(from + (to - from) * part),
+                Trip::Never => None,
+                // Where the call says the feature is.
+                Trip::Unknown => expected,
+            };
+            let center = match &known {
+                _ if from.is_nan() || to.is_nan() => None,
+                Some((Some(feature), ..)) => feature.contact(from, to).map(|part| from + (to - from) * part),
+                Some((None, touch, _)) if expected.is_some() => part(*touch),
+                Some((None, _, positioning)) => part(*positioning).filter(|_| *positioning != Trip::Unknown),
+                None => expected,
+            };
+            center.filter(|center| !center.is_nan()).map(|center| Met { center, surface: 0, edge: false })
         }
     }
 
     /// Makes a move of a cycle of the control's own: kind, end, contact, feed; in mm.
-    pub(super) fn makes(&mut self, (kind, to, met, rate): (u8, Vec3, Option<Vec3>, Option<f64>), inch: f64) {
+    fn makes(&mut self, (kind, to, met, rate): (u8, Vec3, Option<Vec3>, Option<f64>), inch: f64) {
         let index = self.path.len();
         self.path.to.extend((to / inch).to_array());
         self.path.kind.push(kind);

@@ -323,10 +323,10 @@ fn bad_input_is_named() {
     assert_eq!(bad("control.form", text("moves")), ["form-unsupported control.form"]);
     let refused = check(&with(&holes(), "control.form", text("moves")));
     assert!(refused[0].message.contains("do not document"), "{}", refused[0].message);
-    let rectangle = job(
-        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "internal-rectangle-protected" } }"#,
+    let corner = job(
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" }, "cycle": { "type": "double-wall-internal-corner" } }"#,
     );
-    assert_eq!(errors(&rectangle), ["form-unsupported control.form"]);
+    assert_eq!(errors(&corner), ["form-unsupported control.form"]);
 }
 
 /// Mode −1: the clearance height plays no part; the ball crosses where it stands and goes down at the probing feed.

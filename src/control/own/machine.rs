@@ -1,9 +1,7 @@
-//! What the macros do, move by move: a machine whose probing moves something answers, the nominal part, the actual one, or what a run knows.
-//!
-//! Facts are those of the macros themselves, version 3.14 for Haas NGC [S]; their feeds and the way back between the two touches are settings of an
-//! installation [I: those of that edition].
+//! A machine that runs a control's own cycles: its probing moves are answered by something, the nominal part, the actual one, or what a run knows.
 
 use crate::geom::Vec3;
+use crate::path::{Arc, Feed, Move, Purpose};
 
 /// What a ball meets on a straight way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,7 +14,7 @@ pub struct Met {
     pub edge: bool,
 }
 
-/// What stops a macro.
+/// What stops a cycle. The numbers are those of Renishaw's macros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Alarm {
     /// 86: a contact in a protected move.
@@ -42,6 +40,8 @@ pub enum Kind {
     Search,
     /// The second, slow one.
     Measure,
+    /// The touch of a cycle that touches once.
+    Once,
     /// Back from a touch, by a feed.
     Back,
 }
@@ -52,33 +52,30 @@ pub struct Made {
     pub kind: Kind,
     pub to: Vec3,
     pub met: Option<Met>,
-    /// mm/min; none is a rapid.
+    /// mm/min; none is a rapid, or not known.
     pub rate: Option<f64>,
+    /// The arc that it runs along; none is straight.
+    pub arc: Option<Arc>,
     /// Which of the moves that the calls ask for it is, those of no length counted: the same on any part.
     pub count: usize,
 }
 
-/// Feeds of the macros, mm/min: positioning, going down and the first touch, the second touch.
-pub const FAST: f64 = 5000.0;
-pub const SEARCH: f64 = 0.6 * FAST;
-pub const MEASURE: f64 = 102.0;
-
-/// From the first contact back to where the second touch begins, mm: 8 mm times a factor of the calibration, 0.2 unless it was found.
-pub const BACK_OFF: f64 = 1.6;
-
 /// A stop so near to a place is at that place, mm.
 pub const IN_POSITION: f64 = 0.05;
+
+/// An arc is followed by pieces of about so many degrees.
+const PIECE: f64 = 3.0;
 
 /// Answers a way of the ball's centre from one place to another: of a touch with the place where the call expects the contact.
 pub type Answers<'w> = &'w mut dyn FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met>;
 
-/// A machine that runs macros. Places are of the ball's centre, mm.
+/// A machine that runs cycles. Places are of the ball's centre, mm.
 pub struct Machine<'w> {
     answers: Answers<'w>,
     pub at: Vec3,
     /// Radius of the ball, as calibrated.
     pub radius: f64,
-    /// How far the ball's centre is above what a program's heights are of: its radius where the length of the probe ends at the tip, as P9801 sets it.
+    /// How far the ball's centre is above what a program's heights are of: its radius where its length ends at the tip.
     tip: f64,
     pub made: Vec<Made>,
     count: usize,
@@ -90,7 +87,7 @@ impl<'w> Machine<'w> {
     }
 
     fn push(&mut self, kind: Kind, to: Vec3, met: Option<Met>, rate: Option<f64>) {
-        self.made.push(Made { kind, to, met, rate, count: self.count });
+        self.made.push(Made { kind, to, met, rate, arc: None, count: self.count });
         self.count += 1;
     }
 
@@ -99,10 +96,15 @@ impl<'w> Machine<'w> {
         programmed + self.tip
     }
 
+    /// A move of no length: it is counted.
+    pub fn skip(&mut self) {
+        self.count += 1;
+    }
+
     /// A watched move.
-    pub fn watched(&mut self, to: Vec3, rate: f64, alarm: Alarm) -> Result<(), Alarm> {
+    pub fn watched(&mut self, to: Vec3, rate: Option<f64>, alarm: Alarm) -> Result<(), Alarm> {
         let met = (self.answers)(self.at, to, None);
-        self.push(Kind::Watched, to, met, Some(rate));
+        self.push(Kind::Watched, to, met, rate);
         // A stop within the zone is no contact, as the macros compare.
         if let Some(met) = met.filter(|met| met.center.distance(to) >= IN_POSITION) {
             self.at = met.center;
@@ -113,10 +115,9 @@ impl<'w> Machine<'w> {
     }
 
     /// A move that nothing watches.
-    pub fn plain(&mut self, to: Vec3, kind: Kind) -> Result<(), Alarm> {
-        let rate = if kind == Kind::Rapid { None } else { Some(FAST) };
+    pub fn plain(&mut self, to: Vec3, kind: Kind, rate: Option<f64>) -> Result<(), Alarm> {
         if to.distance(self.at) < 1e-9 {
-            self.count += 1;
+            self.skip();
             return Ok(());
         }
         let met = (self.answers)(self.at, to, None);
@@ -129,27 +130,31 @@ impl<'w> Machine<'w> {
         Ok(())
     }
 
-    /// The two touches towards a place, up to `q` behind it, and back: where the ball's centre was at the second contact. The contact is expected
-    /// `before` the place: by a radius where that is a point of the surface.
-    pub fn measure(&mut self, place: Vec3, q: f64, before: f64) -> Result<Vec3, Alarm> {
-        let start = self.at;
-        let way = place - start;
-        if way.length() < 1e-9 {
-            return Err(Alarm::Unexpected);
+    /// A watched move along an arc about Z.
+    pub fn along(&mut self, arc: Arc, alarm: Alarm) -> Result<(), Alarm> {
+        let arm = self.at - arc.center;
+        let (sin, cos) = arc.sweep.sin_cos();
+        let to = arc.center + Vec3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
+        let step = Move { to, feed: Feed::Rapid, purpose: Purpose::Position, step: 1, arc: Some(arc) };
+        let (mut from, mut met) = (self.at, None);
+        for end in step.pieces(self.at, Vec3::Z, PIECE) {
+            met = (self.answers)(from, end, None);
+            if met.is_some() {
+                break;
+            }
+            from = end;
         }
-        let along = way.normalize();
-        let (end, expected) = (place + along * q, place - along * before);
-        let first = self.touch(end, expected, Kind::Search, SEARCH)?;
-        self.plain(first - along * BACK_OFF, Kind::Back)?;
-        let contact = self.touch(end, expected, Kind::Measure, MEASURE)?;
-        self.plain(start, Kind::Back)?;
-        Ok(contact)
+        self.push(Kind::Watched, to, met, None);
+        self.made.last_mut().into_iter().for_each(|made| made.arc = Some(arc));
+        self.at = met.map_or(to, |met| met.center);
+        if met.is_some() { Err(alarm) } else { Ok(()) }
     }
 
-    fn touch(&mut self, end: Vec3, expected: Vec3, kind: Kind, rate: f64) -> Result<Vec3, Alarm> {
+    /// A touch towards the end of its search; the contact is expected at a place.
+    pub fn touch(&mut self, end: Vec3, expected: Vec3, kind: Kind, rate: Option<f64>) -> Result<Vec3, Alarm> {
         let start = self.at;
         let met = (self.answers)(start, end, Some(expected));
-        self.push(kind, end, met, Some(rate));
+        self.push(kind, end, met, rate);
         let Some(met) = met.filter(|met| met.center.distance(end) >= IN_POSITION) else {
             self.at = end;
             return Err(Alarm::NotFound);

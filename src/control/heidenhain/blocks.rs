@@ -1,0 +1,97 @@
+//! The blocks of the 4xx cycles: head, parameters in the order of the posts, and the dialog texts of posted programs.
+
+use crate::control::Request;
+use crate::control::iso::writer::Writer;
+use crate::num::decimal;
+use crate::path::Quantity;
+
+/// What stands behind the number in the head of a block.
+fn head(number: u16) -> &'static str {
+    match number {
+        408 => "SLOT CENTER REF PT",
+        409 => "RIDGE CENTER REF PT",
+        410 => "DATUM INSIDE RECTAN.",
+        411 => "DATUM OUTS. RECTAN.",
+        412 => "DATUM INSIDE CIRCLE",
+        413 => "DATUM OUTSIDE CIRCLE",
+        417 => "DATUM IN TS AXIS",
+        419 => "DATUM IN ONE AXIS",
+        421 => "MEASURE HOLE",
+        422 => "MEAS. CIRCLE OUTSIDE",
+        423 => "MEAS. RECTAN. INSIDE",
+        424 => "MEAS. RECTAN. OUTS.",
+        425 => "MEASURE INSIDE WIDTH",
+        426 => "MEASURE RIDGE WIDTH",
+        _ => "MEASURE COORDINATE",
+    }
+}
+
+/// The text beside a parameter.
+fn dialog(number: u16, q: u16) -> &'static str {
+    match q {
+        247 => "STEPPING ANGLE",
+        260 => "CLEARANCE HEIGHT",
+        261 => "MEASURING HEIGHT",
+        262 => "NOMINAL DIAMETER",
+        263 => "1ST POINT 1ST AXIS",
+        264 => "1ST POINT 2ND AXIS",
+        265 => "2ND POINT 1ST AXIS",
+        266 => "2ND POINT 2ND AXIS",
+        267 => "TRAVERSE DIRECTION",
+        272 => "MEASURING AXIS",
+        273 | 321 => "CENTER IN 1ST AXIS",
+        274 | 322 => "CENTER IN 2ND AXIS",
+        275 | 277 | 288 => "MAXIMUM DIMENSION",
+        276 | 278 | 289 => "MINIMUM DIMENSION",
+        279 => "TOLERANCE 1ST CENTER",
+        280 => "TOLERANCE 2ND CENTER",
+        281 => "MEASURING LOG",
+        282 => "1ST SIDE LENGTH",
+        283 | 324 => "2ND SIDE LENGTH",
+        284 => "MAX. LIMIT 1ST SIDE",
+        285 => "MIN. LIMIT 1ST SIDE",
+        286 => "MAX. LIMIT 2ND SIDE",
+        287 => "MIN. LIMIT 2ND SIDE",
+        294 => "1ST POINT 3RD AXIS",
+        301 => "MOVE TO CLEARANCE",
+        303 => "MEAS. VALUE TRANSFER",
+        305 => "NUMBER IN TABLE",
+        309 => "PGM-STOP IF ERROR",
+        310 => "OFFS. 2ND MEASUREMNT",
+        311 if number == 408 => "SLOT WIDTH",
+        311 if number == 409 => "RIDGE WIDTH",
+        311 => "NOMINAL LENGTH",
+        320 => "SET-UP CLEARANCE",
+        323 => "FIRST SIDE LENGTH",
+        325 => "STARTING ANGLE",
+        328 => "STARTNG PNT 1ST AXIS",
+        329 => "STARTNG PNT 2ND AXIS",
+        330 => "TOOL NUMBER",
+        339 => "DATUM NUMBER",
+        365 => "TYPE OF TRAVERSE",
+        381 => "PROBE IN TS AXIS",
+        382 => "1ST CO. FOR TS AXIS",
+        383 => "2ND CO. FOR TS AXIS",
+        384 => "3RD CO. FOR TS AXIS",
+        423 => "NO. OF MEAS. POINTS",
+        _ => "DATUM",
+    }
+}
+
+/// Writes a cycle.
+pub(super) fn write(w: &mut Writer<'_>, request: &Request<'_>, number: u16, parameters: &[(u16, Quantity)]) {
+    match number {
+        247 => w.line("CYCL DEF 247 DATUM SETTING ~"),
+        _ => w.parts(&["TCH PROBE ", &number.to_string(), " ", head(number), " ~"]),
+    }
+    for (i, (q, quantity)) in parameters.iter().enumerate() {
+        let continues = if i + 1 < parameters.len() { " ~" } else { "" };
+        let value = match quantity {
+            Quantity::Length(mm) | Quantity::Feed(mm) => decimal(mm / request.scale, request.post.decimals(request.scale)),
+            Quantity::Angle(degrees) => decimal(*degrees, 4),
+            Quantity::Plain(x) => decimal(*x, 0),
+        };
+        let sign = if value.starts_with('-') { "" } else { "+" };
+        w.continued(&format!("    Q{q}={sign}{value} ;{}{continues}", dialog(number, *q)));
+    }
+}
